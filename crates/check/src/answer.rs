@@ -3,19 +3,19 @@
 use boundfit_exact::Foreign;
 use boundfit_lp::BoundClaim;
 
-/// What a source claims about the intervals of θ1 and θ2: lower and upper end of each.
+/// The claim of a source about the intervals of θ1 and θ2: lower and upper end of each.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
-    /// Who claims it.
+    /// The source that claims it.
     pub source: Foreign,
-    /// Whether the source worked on the exact rows, so that their rounding is no excuse.
+    /// True if the source worked on the exact rows, so that their rounding is no excuse.
     pub exact_input: bool,
-    /// By parameter, then lower and upper.
+    /// The claims, by parameter, then lower and upper.
     pub claims: [[BoundClaim; 2]; 2],
 }
 
 impl Answer {
-    /// Whether the answer has multipliers, which are about rows by their place among all of them.
+    /// Returns whether the answer has multipliers, which are about rows by their place among all of them.
     pub fn has_duals(&self) -> bool {
         self.claims.iter().flatten().any(|claim| claim.duals.is_some())
     }

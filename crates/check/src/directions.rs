@@ -25,18 +25,18 @@ pub struct Approximation {
 pub struct AskedDirections {
     /// How many.
     pub count: usize,
-    /// Whether they are spread evenly where the box of both intervals is a square, where there is one; else in (θ1, θ2) as it is.
+    /// Says whether they are spread evenly where the box of both intervals is a square, where there is one; else in (θ1, θ2) as it is.
     pub is_scaled: bool,
 }
 
 /// The exact set between its inner and its outer approximation. Exact: the programs are solved by the exact simplex.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Directions {
-    /// How many directions.
+    /// The number of directions.
     pub count: usize,
-    /// Whether they are spread evenly where the box of both intervals is a square.
+    /// True if they are spread evenly where the box of both intervals is a square.
     pub is_scaled: bool,
-    /// How many of them the set does not bound.
+    /// The number of directions that the set does not bound.
     pub unbounded: usize,
     /// The hull of the optimisers; `None` when the set is empty.
     pub inner: Option<Approximation>,
@@ -66,7 +66,7 @@ pub fn directions_along(polyhedron: &Polyhedron, objectives: &Objectives) -> Dir
 pub struct Objectives {
     /// Coefficients of θ1 and θ2.
     pub coefficients: Vec<[Rational; 2]>,
-    /// Whether they are spread evenly where the box of both intervals is a square.
+    /// True if they are spread evenly where the box of both intervals is a square.
     pub is_scaled: bool,
 }
 
@@ -91,7 +91,7 @@ impl AskedDirections {
     }
 }
 
-/// What programs over a set see of it.
+/// Returns what programs over a set see of it.
 fn approximated(simplex: &ExactSimplex, objectives: &Objectives, exact: &Polyhedron) -> Directions {
     let mut optimisers = Vec::new();
     let mut supporting = System::default();

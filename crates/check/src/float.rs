@@ -15,7 +15,7 @@ pub(crate) fn names() -> Vec<String> {
     solvers().iter().map(|solver| solver.name().to_owned()).collect()
 }
 
-/// What a float solver answers, which gets the rows rounded to binary64 and at most `limit` for each program. `None` when
+/// Returns what a float solver answers, which gets the rows rounded to binary64 and at most `limit` for each program. `None` when
 /// this build has none of that name.
 pub(crate) fn answer_of(name: &str, rows: &[Row], limit: Duration) -> Option<Answer> {
     let solver = solver_named(name)?;

@@ -11,22 +11,22 @@ use crate::directions::{AskedDirections, Directions, directions};
 use crate::rows::ProgramRows;
 use crate::sources::{SourceError, answer_of};
 
-/// What is to be checked, and how.
+/// The answers to check, and the way to do it.
 #[derive(Debug, Clone)]
 pub struct CheckOptions {
     /// Solvers to run, by name.
     pub solvers: Vec<String>,
     /// Answers from elsewhere.
     pub answers: Vec<Answer>,
-    /// What still counts as within tolerance: of bounds in widths of the interval, of points in units of ε.
+    /// The error that still counts as within tolerance: of bounds in widths of the interval, of points in units of ε.
     pub tolerance: Rational,
-    /// Whether numbers in texts are judged as precise as they are printed, or exactly as they are spelt.
+    /// Says whether numbers in texts are judged as precise as they are printed, or exactly as they are spelt.
     pub as_printed: bool,
     /// The longest that a solver may work on one program.
     pub time_limit: Duration,
-    /// In which directions to compare the set; in none when `None`.
+    /// The directions in which the set is compared; none when `None`.
     pub directions: Option<AskedDirections>,
-    /// Whether the programs have the rows of all readings. Otherwise those of more than [`MOST_READINGS`] readings of a line
+    /// True if the programs have the rows of all readings. Otherwise those of more than [`MOST_READINGS`] readings of a line
     /// under a uniform error bound, of which most cannot bound anything, have the rows of the readings on a hull only.
     pub all_rows: bool,
 }
@@ -34,10 +34,10 @@ pub struct CheckOptions {
 /// Of up to so many readings the programs have all rows in any case.
 pub const MOST_READINGS: usize = 1_000;
 
-/// How many readings the linear programs are about.
+/// The number of readings that the linear programs are about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct AskedReadings {
-    /// Those whose rows the programs have.
+    /// The readings whose rows the programs have.
     pub asked: usize,
     /// All that are fitted.
     pub fitted: usize,
@@ -46,11 +46,11 @@ pub struct AskedReadings {
 /// One answer, judged against one reading of the data.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JudgedAnswer {
-    /// Who gave the answer.
+    /// The source of the answer.
     pub source: Foreign,
     /// The data that it is judged against.
     pub reading: Reading,
-    /// By parameter, then lower and upper end.
+    /// The judgements, by parameter, then lower and upper end.
     pub bounds: [[Judgement; 2]; 2],
 }
 
@@ -73,9 +73,9 @@ pub struct Check {
     pub rows: ProgramRows,
     /// The tolerance that was asked for.
     pub tolerance: Rational,
-    /// Whether numbers in texts were judged as precise as they are printed.
+    /// Says whether numbers in texts were judged as precise as they are printed.
     pub as_printed: bool,
-    /// How many readings the programs are about.
+    /// The number of readings that the programs are about.
     pub readings: AskedReadings,
 }
 

@@ -1,4 +1,4 @@
-//! Who answers: the float solvers of this build, and the exact simplex.
+//! The sources of answers: the float solvers of this build, and the exact simplex.
 
 use std::time::Duration;
 

@@ -14,16 +14,16 @@ pub use plus_minus::{PlacedDecimal, PlusMinus};
 /// The direction in which a printed decimal may differ from the exact value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rounding {
-    /// To the nearest, ties to the even last digit.
+    /// Rounds to the nearest, ties to the even last digit.
     Nearest,
-    /// Towards minus infinity: the decimal is never above the value.
+    /// Rounds towards minus infinity: the decimal is never above the value.
     Down,
-    /// Towards plus infinity: the decimal is never below the value.
+    /// Rounds towards plus infinity: the decimal is never below the value.
     Up,
 }
 
 impl Rounding {
-    /// Whether a value that needs rounding is rounded away from zero; `None` when that depends on what is cut off.
+    /// Returns whether a value that needs rounding is rounded away from zero; `None` when that depends on what is cut off.
     fn away_from_zero(self, value: &Rational) -> Option<bool> {
         match self {
             Rounding::Nearest => None,
@@ -50,11 +50,11 @@ const LEAST_PLAIN: i64 = -4;
 
 /// Rounded digits of a number's absolute value.
 struct Significand<T> {
-    /// As many digits as asked for, as an integer.
+    /// The digits, as many as asked for, as an integer.
     digits: T,
-    /// What the first of them weighs, as a power of ten.
+    /// The weight of the first digit, as a power of ten.
     exponent: i64,
-    /// Whether nothing was cut off.
+    /// True if nothing was cut off.
     exact: bool,
 }
 
@@ -190,7 +190,7 @@ fn exponent_of(magnitude: &Rational) -> i64 {
     exponent
 }
 
-/// Whether `numerator / denominator >= 10^exponent`.
+/// Returns whether `numerator / denominator >= 10^exponent`.
 fn reaches_power_of_ten(numerator: &Integer, denominator: &Integer, exponent: i64) -> bool {
     let power = Integer::power_of_ten(exponent.unsigned_abs() as u32);
     if exponent >= 0 { numerator >= &(denominator * power) } else { numerator * power >= *denominator }

@@ -53,7 +53,7 @@ impl<'a> Dyadic<'a> {
         self.values
     }
 
-    /// How many units each number is; 0 for the others.
+    /// Returns how many units each number is; 0 for the others.
     pub fn counts(&self) -> &[i64] {
         &self.counts
     }

@@ -1,6 +1,6 @@
 //! Counts and lists in English, for the texts of every crate: all stand on this one.
 
-/// How many items a [`list`] names before it only counts the rest.
+/// The most items that a [`list`] names before it only counts the rest.
 pub const MOST: usize = 8;
 
 /// `1 vertex`, `2 vertices`.

@@ -46,7 +46,7 @@ impl<T: AsRef<str>> Foreign<T> {
         self.0.as_ref()
     }
 
-    /// Whether there is nothing.
+    /// Returns whether there is nothing.
     pub fn is_empty(&self) -> bool {
         self.raw().is_empty()
     }
@@ -189,7 +189,7 @@ fn push(character: char, is_first: bool, visible: &mut String) {
     }
 }
 
-/// Whether a character shows as itself, and nothing else.
+/// Returns whether a character shows as itself, and nothing else.
 fn is_visible(character: char, is_first: bool) -> bool {
     if character.is_ascii() {
         return !character.is_ascii_control();

@@ -93,7 +93,7 @@ impl Interval {
         Some((self.lower.value()?, self.upper.value()?))
     }
 
-    /// Whether the number lies in the interval, ends included.
+    /// Returns whether the number lies in the interval, ends included.
     pub fn contains(&self, number: &Rational) -> bool {
         self.lower.value().is_none_or(|lower| lower <= number)
             && self.upper.value().is_none_or(|upper| number <= upper)
@@ -109,7 +109,7 @@ impl Interval {
         self.ends().map(|(lower, upper)| (lower + upper).half())
     }
 
-    /// How many significant digits the ends are to be shown with: at least `least`, and so many that the interval between
+    /// Returns how many significant digits the ends are to be shown with: at least `least`, and so many that the interval between
     /// the ends rounded outward is at most a twentieth wider than this one. The comparison is exact. Beyond 40 digits a
     /// reader is better served by the exact fractions, and it is `least` again; also when there is no width. Cost: that of
     /// [`fewest_digits`], with two roundings for each number of digits.
@@ -126,7 +126,7 @@ impl Interval {
         fewest_digits(least, |digits| added(digits) <= room)
     }
 
-    /// Whether a twentieth of the width is certainly more than rounding the ends outward adds, which is less than a unit of the last
+    /// Returns whether a twentieth of the width is certainly more than rounding the ends outward adds, which is less than a unit of the last
     /// digit of each. Decides on a few more digits of both, rounded inward.
     fn is_far_wider_than_digits(&self, digits: usize) -> bool {
         const MORE: usize = 4;

@@ -1,4 +1,4 @@
-//! What an input may pass. Each surface says in its own words how a limit is raised.
+//! The limits that an input may pass. Each surface says in its own words how a limit is raised.
 
 use crate::ParseNumberErrorKind;
 
@@ -27,7 +27,7 @@ pub enum Limit {
     Work,
     /// Bytes of a text that is held in memory whole.
     Text,
-    /// How deep arrays and objects of JSON may be nested.
+    /// The depth to which arrays and objects of JSON may be nested.
     Nesting,
     /// Bytes of memory that readings, with what a question makes of them, may take.
     Memory,

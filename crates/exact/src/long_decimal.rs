@@ -3,7 +3,7 @@
 use crate::plain::{PLAIN_EXPONENT, next_eight_bytes, value_of_digits};
 use crate::powers_of_ten;
 
-/// So many digits always fit into an `i128`.
+/// The number of digits that always fit into an `i128`.
 pub const LONG_DIGITS: usize = 38;
 
 /// What a text starts with: `mantissa · 10^exponent`, written in `length` bytes.
@@ -13,7 +13,7 @@ pub struct LongPrefix {
     pub mantissa: i128,
     /// That of the last digit written; 0 for zero.
     pub exponent: i32,
-    /// How many bytes were read: up to the first that cannot go on.
+    /// The number of bytes that were read: up to the first that cannot go on.
     pub length: usize,
 }
 
@@ -58,7 +58,7 @@ struct Digits {
     count: usize,
 }
 
-/// So many digits always fit into a `u64`.
+/// The number of digits that always fit into a `u64`.
 pub(crate) const WORD_DIGITS: usize = 19;
 
 impl Digits {

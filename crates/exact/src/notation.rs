@@ -1,6 +1,6 @@
-//! How numbers are written in tables: decimal marks, grouped digits, and the words for what is missing.
+//! The ways in which tables write numbers: decimal marks, grouped digits, and the words for what is missing.
 
-/// What stands between the whole part of a decimal and the digits after it.
+/// The mark between the whole part of a decimal and the digits after it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 pub enum DecimalMark {
     /// A point: `1.5`.
@@ -39,16 +39,16 @@ impl DecimalMark {
     }
 }
 
-/// How the numbers of a text are written.
+/// The way in which a text writes its numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Notation {
     /// The decimal mark.
     pub decimal: DecimalMark,
-    /// What may stand between groups of three digits; digits are not grouped when `None`.
+    /// The mark that may stand between groups of three digits; digits are not grouped when `None`.
     pub thousands: Option<Thousands>,
 }
 
-/// What stands between groups of three digits.
+/// The mark between groups of three digits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Thousands {
     /// `1,234,567`.
@@ -96,7 +96,7 @@ impl Thousands {
         }
     }
 
-    /// How many bytes the mark takes at the start of a text; 0 where it does not stand.
+    /// Returns how many bytes the mark takes at the start of a text; 0 where it does not stand.
     pub(crate) fn length_in(self, text: &str) -> usize {
         text.chars().next().filter(|&first| self.is(first)).map_or(0, char::len_utf8)
     }
@@ -116,7 +116,7 @@ pub fn trim_number(text: &str) -> &str {
 pub const MISSING_WORDS: [&str; 14] =
     ["NA", "N/A", "#N/A", "NaN", "null", "none", "-", "--", ".", "?", "#NV", "#N/D", "#N/B", "#GETTING_DATA"];
 
-/// Whether a text says that a value is missing: nothing but white space, one of [`MISSING_WORDS`], or an error of a
+/// Returns whether a text says that a value is missing: nothing but white space, one of [`MISSING_WORDS`], or an error of a
 /// spreadsheet, such as `#DIV/0!`, `#NAME?` or `Err:502`. No number is written so.
 ///
 /// ```

@@ -9,7 +9,7 @@ use thiserror::Error;
 use crate::notation::SPACES;
 use crate::{DecimalMark, Integer, Notation, Rational};
 
-/// How much a number in a file may ask for. A number beyond a limit is refused before it is built.
+/// The limits of a number in a file. A number beyond a limit is refused before it is built.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Limits {
     /// The most digits that one number may have (numerator and denominator each, for a fraction).
@@ -25,7 +25,7 @@ impl Default for Limits {
     }
 }
 
-/// Which exact number a text stands for.
+/// The exact number that a text stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Reading {
@@ -104,17 +104,17 @@ impl Reading {
     }
 }
 
-/// Why a text is not a number, and where.
+/// The reason why a text is not a number, and where.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{kind}{}", At(.kind, *.position))]
 pub struct ParseNumberError {
-    /// How many characters come before the offending one.
+    /// The number of characters before the offending one.
     pub position: usize,
-    /// What is wrong there.
+    /// The problem at that character.
     pub kind: ParseNumberErrorKind,
 }
 
-/// What is wrong with a text that should be a number.
+/// The problem with a text that should be a number.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ParseNumberErrorKind {
     /// Nothing but white space.
@@ -159,7 +159,7 @@ pub enum ParseNumberErrorKind {
 }
 
 impl ParseNumberErrorKind {
-    /// Whether the text is a number, but beyond what is accepted.
+    /// Returns whether the text is a number, but beyond what is accepted.
     pub fn is_limit(&self) -> bool {
         use ParseNumberErrorKind::{Binary64Overflow, ExponentTooLarge, TooManyDigits};
         matches!(self, TooManyDigits(_) | ExponentTooLarge(_) | Binary64Overflow)
@@ -282,7 +282,7 @@ impl Scanner<'_> {
         Ok(Cow::Owned(all))
     }
 
-    /// How long the mark between groups is that comes next; a blank is one only before a digit.
+    /// Returns how long the mark between groups is that comes next; a blank is one only before a digit.
     fn group_mark(&self) -> Option<usize> {
         let rest = self.text.get(self.position..)?;
         let length = self.notation.thousands?.length_in(rest);
@@ -374,7 +374,7 @@ impl Scanner<'_> {
     }
 }
 
-/// How many characters of a text come before this byte: messages count what people see.
+/// Returns how many characters of a text come before this byte: messages count what people see.
 pub fn characters_before(text: &str, byte: usize) -> usize {
     text.char_indices().take_while(|(start, _)| *start < byte).count()
 }

@@ -30,9 +30,9 @@ pub fn plain_decimal(text: &[u8]) -> Option<(i64, i32)> {
 pub struct PlainPrefix {
     /// All digits, with the sign.
     pub mantissa: i64,
-    /// How many digits come after the point.
+    /// The number of digits after the point.
     pub fraction_digits: i32,
-    /// How many bytes were read: up to the first that is no digit.
+    /// The number of bytes that were read: up to the first that is no digit.
     pub length: usize,
 }
 
@@ -135,10 +135,10 @@ pub fn exponent_prefix(text: &[u8]) -> Option<(i32, usize)> {
     (digits > 0).then_some((if negative { -magnitude } else { magnitude }, length))
 }
 
-/// So many digits of an exponent keep to [`PLAIN_EXPONENT`].
+/// The number of digits of an exponent that keep to [`PLAIN_EXPONENT`].
 const MOST_EXPONENT_DIGITS: usize = 3;
 
-/// So many digits always fit a `u64`.
+/// The number of digits that always fit a `u64`.
 const MOST_DIGITS: usize = powers_of_ten::OF_U64.len() - 1;
 
 /// The number that some digits spell when those from a position on follow them, and how many these are. Beyond 19 digits in
@@ -187,7 +187,7 @@ fn last_bytes(rest: &[u8]) -> u64 {
     rest.iter().rev().fold(0, |word, &byte| word << 8 | u64::from(byte))
 }
 
-/// Like [`plain_prefix`], for up to 40 digits whose value fits; slower.
+/// Reads like [`plain_prefix`], for up to 40 digits whose value fits; slower.
 fn long_prefix(text: &[u8]) -> Option<PlainPrefix> {
     let negative = text.first() == Some(&b'-');
     let start = usize::from(negative);

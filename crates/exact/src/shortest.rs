@@ -68,7 +68,7 @@ pub trait Shortest: Copy + std::fmt::Debug + std::fmt::Display + std::fmt::Lower
     /// See [`shortest_decimal`].
     fn shortest(self) -> Option<(i64, i32)>;
 
-    /// What the standard library writes of this float by `{}`, `{:?}` or `{:e}`, with the digits of [`shortest_decimal`].
+    /// Returns what the standard library writes of this float by `{}`, `{:?}` or `{:e}`, with the digits of [`shortest_decimal`].
     ///
     /// ```
     /// # use boundfit_exact::Shortest;
@@ -148,7 +148,7 @@ struct Scale {
     power: i32,
     /// `10^-power` times a power of two, rounded down.
     inverse: u128,
-    /// Whether it has not been rounded.
+    /// True if it has not been rounded.
     is_exact: bool,
     shift: i32,
 }

@@ -1,4 +1,4 @@
-//! How much work long numbers make, estimated from their lengths before it is done.
+//! Work that long numbers make, estimated from their lengths before it is done.
 //!
 //! The unit is a product of two words of 64 bits, of which a processor does about 10⁹ in a second. Sums, products, quotients
 //! and common divisors of numbers of w words take at most some w² of them. A computation combines the numbers of one reading
@@ -248,11 +248,11 @@ pub struct TooMuchWork {
     pub products: u64,
     /// The most that is done.
     pub limit: u64,
-    /// What is long.
+    /// The kind of numbers that are long.
     pub what: LongNumbers,
 }
 
-/// Why there is much work.
+/// The reason why there is much work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LongNumbers {
     /// Rows with long numbers.

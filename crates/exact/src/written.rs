@@ -7,9 +7,9 @@ use crate::{DecimalMark, trim_number};
 pub struct WrittenDigits {
     /// The power of ten that the last digit stands for: -2 for `12.30`, 3 for `1e3`.
     pub last_place: i64,
-    /// How many digits there are from the first one that is not 0: 4 for `12.30`, 0 for `0.00`.
+    /// The number of digits there are from the first one that is not 0: 4 for `12.30`, 0 for `0.00`.
     pub significant: usize,
-    /// Whether there are neither a decimal mark nor an exponent, as in `1200`.
+    /// Says whether there are neither a decimal mark nor an exponent, as in `1200`.
     pub is_whole: bool,
 }
 

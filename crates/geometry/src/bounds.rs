@@ -53,7 +53,7 @@ impl Gap {
         }
     }
 
-    /// Where the gap closes, unless it is the same everywhere.
+    /// Returns where the gap closes, unless it is the same everywhere.
     fn root(&self) -> Option<Fraction> {
         Fraction::new(-&self.constant, self.slope.clone())
     }
@@ -76,7 +76,7 @@ impl<'a> Envelope<'a> {
         self.pieces.push(facet);
     }
 
-    /// Where a piece gives way to the next, unless it is the last.
+    /// Returns where a piece gives way to the next, unless it is the last.
     fn end_of(&self, piece: usize) -> Option<Fraction> {
         let (_, next) = self.pieces.get(piece + 1)?;
         theta1_of_meeting(self.pieces[piece].1, next)
@@ -241,7 +241,7 @@ impl<'b, 'a> Walk<'b, 'a> {
         )
     }
 
-    /// Where the next piece begins or θ1 ends, whichever comes first.
+    /// Returns where the next piece begins or θ1 ends, whichever comes first.
     fn end(&self) -> Option<&Fraction> {
         let ends = [self.upper.end.as_ref(), self.lower.end.as_ref(), self.right];
         ends.into_iter().flatten().min()

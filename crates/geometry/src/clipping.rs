@@ -18,7 +18,7 @@ use crate::region::{
 };
 use crate::system::System;
 
-/// What one step of clipping did.
+/// The effect of one step of clipping.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Step {
     /// The inequality that was added.
@@ -31,11 +31,11 @@ pub struct Step {
     pub born: Vec<Point>,
     /// Vertices of the region before that are none after.
     pub lost: Vec<Point>,
-    /// Why the inequality changed nothing, when it did not.
+    /// The reason why the inequality changed nothing, when it did not.
     pub redundant: Option<StepRedundancy>,
 }
 
-/// Why a step changed nothing.
+/// The reason why a step changed nothing.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum StepRedundancy {
     /// The inequality is `0 ≤ b` with `b ≥ 0`.
@@ -242,7 +242,7 @@ impl<'a> Clipper<'a> {
         self.nodes = kept;
     }
 
-    /// Where the edge between two nodes on different sides meets the boundary.
+    /// Returns where the edge between two nodes on different sides meets the boundary.
     fn crossing(&self, from: &Node, to: &Node, half_plane: &HalfPlane) -> Option<Node> {
         let ((from_excess, p), (to_excess, q)) = (from.excess(half_plane), to.excess(half_plane));
         let (from_weight, to_weight) = (to_excess.abs(), from_excess.abs());

@@ -18,7 +18,7 @@ use crate::system::System;
 /// The maximum of a linear form, as the fan sees it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum FanSupport {
-    /// At most two multipliers that add up to the form, and the right-hand side they give.
+    /// Returns at most two multipliers that add up to the form, and the right-hand side they give.
     Bounded { value: Rational, multipliers: Vec<Multiplier> },
     /// No non-negative combination of the region's half-planes gives the form.
     Unbounded,
@@ -291,7 +291,7 @@ fn point_generators(system: &System, active: &[usize]) -> Vec<usize> {
     chosen
 }
 
-/// Whether no open half-plane contains all normals, nor a closed one with nothing on its other side: whether
+/// Returns whether no open half-plane contains all normals, nor a closed one with nothing on its other side: whether
 /// consecutive normals are always less than a half turn apart.
 fn positively_span(system: &System, indices: &[usize]) -> bool {
     let mut sorted = indices.to_vec();

@@ -52,7 +52,7 @@ impl Generators {
         self.all.len()
     }
 
-    /// Whether there is no generator at all; the set is then empty.
+    /// Returns whether there is no generator at all; the set is then empty.
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
     }
@@ -209,7 +209,7 @@ fn both_ways(generator: &Generator) -> Vec<Direction> {
     }
 }
 
-/// Whether two cones with apex at the origin are equal.
+/// Returns whether two cones with apex at the origin are equal.
 fn same_cone(one: &Region, other: &Region) -> bool {
     one.kind() == other.kind() && one.rays() == other.rays() && one.lines() == other.lines()
 }

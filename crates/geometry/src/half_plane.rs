@@ -41,7 +41,7 @@ impl Inequality {
     }
 }
 
-/// What an inequality says about the plane.
+/// The meaning of an inequality for the plane.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Constraint {
     /// The inequality cuts the plane.

@@ -9,9 +9,9 @@ use crate::predicates::{by_theta1, orientation};
 
 /// What the chain asks about two points; about three it asks for their orientation.
 pub trait Site {
-    /// Whether both have the same x.
+    /// Returns whether both have the same x.
     fn is_above_or_below(&self, other: &Self) -> bool;
-    /// Whether both are at one place.
+    /// Returns whether both are at one place.
     fn coincides(&self, other: &Self) -> bool;
 }
 
@@ -25,7 +25,7 @@ impl<P: Borrow<Point>> Site for P {
     }
 }
 
-/// Which of the two hulls, and with it the way along which it is found.
+/// One of the two hulls, and with it the way along which it is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HullSide {
     /// Below all points, from left to right.
@@ -105,7 +105,7 @@ impl Hull {
     }
 }
 
-/// Where a walk over sorted points keeps turning left or going straight on.
+/// Returns where a walk over sorted points keeps turning left or going straight on.
 fn chain<P: Site>(
     walk: impl Iterator<Item = usize>,
     sorted: &[P],

@@ -41,9 +41,9 @@ pub enum InvariantViolation {
     /// The active half-planes do not bound the region on every side.
     #[error("{found} half-planes bound the region, expected {expected}")]
     NotBounded {
-        /// How many were found.
+        /// The number that was found.
         found: usize,
-        /// How many sides the region has.
+        /// The number of sides the region has.
         expected: usize,
     },
 }
@@ -162,7 +162,7 @@ mod tests {
     const SQUARE: [[i64; 3]; 4] = [[1, 0, 1], [0, 1, 1], [-1, 0, 0], [0, -1, 0]];
     const QUADRANT: [[i64; 3]; 2] = [[-1, 0, 0], [0, -1, 0]];
 
-    /// What is wrong with the region of some rows, seen as that of others.
+    /// Returns what is wrong with the region of some rows, seen as that of others.
     fn taken_for(rows: &[[i64; 3]], others: &[[i64; 3]]) -> Result<(), InvariantViolation> {
         let region = clipping::intersect(&system(rows));
         assert_eq!(region.check_invariants(&system(rows)), Ok(()));

@@ -9,10 +9,10 @@ use crate::hull::HullSide;
 use crate::predicates::by_tightness;
 use crate::touching::{Family, is_vertical};
 
-/// How much of a hull is a layer.
+/// The part of a hull that is a layer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LayerOf {
-    /// Its corners, of those that coincide one.
+    /// The corners of the hull, one of those that coincide.
     Corners,
     /// Everything on it: points within edges and repetitions as well.
     Touching,

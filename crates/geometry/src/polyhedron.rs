@@ -37,21 +37,21 @@ pub enum Support {
     },
 }
 
-/// Where a linear form attains its maximum.
+/// The place where a linear form attains its maximum.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Face {
-    /// In one vertex.
+    /// One vertex.
     Vertex(Point),
-    /// Along an edge.
+    /// An edge.
     Segment([Point; 2]),
-    /// Along an unbounded edge.
+    /// An unbounded edge.
     Ray {
-        /// Where the edge starts.
+        /// The vertex where the edge starts.
         apex: Point,
-        /// In which direction it goes on.
+        /// The direction in which the edge goes on.
         direction: Direction,
     },
-    /// Along a whole line.
+    /// A whole line.
     Line {
         /// The point of the line nearest to the origin.
         point: Point,
@@ -62,7 +62,7 @@ pub enum Face {
     Whole,
 }
 
-/// Why an inequality could be left out.
+/// The reason why an inequality could be left out.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Redundancy {
     /// It is `0 ≤ b` with `b ≥ 0`.
@@ -81,7 +81,7 @@ pub enum Redundancy {
     EmptyWithout,
 }
 
-/// How a point lies with respect to a system.
+/// The place of a point with respect to a system.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Membership {
     /// The smallest slack `b - a·θ` over all inequalities: negative outside, zero on the boundary. `None` without
@@ -92,7 +92,7 @@ pub struct Membership {
 }
 
 impl Membership {
-    /// Whether the point belongs to the region.
+    /// Returns whether the point belongs to the region.
     pub fn is_inside(&self) -> bool {
         self.slack.as_ref().is_none_or(|slack| !slack.is_negative())
     }
@@ -121,7 +121,7 @@ impl Polyhedron {
         &self.system
     }
 
-    /// Their intersection.
+    /// The intersection of the system's half-planes.
     pub fn region(&self) -> &Region {
         &self.region
     }
@@ -189,7 +189,7 @@ impl Polyhedron {
         self.fan.indices()
     }
 
-    /// For every inequality, why it could be left out, or `None` when it is one of [`Polyhedron::irredundant`].
+    /// Returns for every inequality why it could be left out, or `None` when it is one of [`Polyhedron::irredundant`].
     /// Exact. Cost: O(n log n).
     pub fn redundancies(&self) -> Vec<Option<Redundancy>> {
         let irredundant = self.irredundant();
@@ -211,7 +211,7 @@ impl Polyhedron {
         self.fan.around(&self.system, half_plane)
     }
 
-    /// Why an inequality, one that is redundant, could be left out. Exact. Cost: logarithmic.
+    /// The reason why an inequality, one that is redundant, could be left out. Exact. Cost: logarithmic.
     pub fn reason(&self, index: usize) -> Redundancy {
         if self.region.is_empty() {
             return Redundancy::EmptyWithout;
@@ -229,7 +229,7 @@ impl Polyhedron {
         }
     }
 
-    /// Whether a point satisfies every inequality, and with how much to spare. Exact. Cost: linear.
+    /// Returns whether a point satisfies every inequality, and with how much to spare. Exact. Cost: linear.
     pub fn membership(&self, theta: &[Rational; 2]) -> Membership {
         let slacks = self.system.inequalities().iter().map(|inequality| inequality.slack(theta));
         let tightest = slacks.enumerate().reduce(|best, next| if next.1 < best.1 { next } else { best });

@@ -7,7 +7,7 @@ use boundfit_exact::{Integer, Sign};
 use crate::half_plane::HalfPlane;
 use crate::point::{Direction, Point};
 
-/// Where a point lies with respect to a half-plane.
+/// The place of a point with respect to a half-plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     /// `a·θ < b`.
@@ -18,7 +18,7 @@ pub enum Side {
     Outside,
 }
 
-/// How the direction `v` is reached from the direction `u`.
+/// The turn from the direction `u` to the direction `v`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turn {
     /// No turn: both point in one direction.
@@ -31,7 +31,7 @@ pub enum Turn {
     Right,
 }
 
-/// On which side of the half-plane's boundary the point lies.
+/// Returns the side of the half-plane's boundary on which the point lies.
 pub fn side(half_plane: &HalfPlane, point: &Point) -> Side {
     let (x, y, w) = point.homogeneous();
     match (half_plane.a1() * x + half_plane.a2() * y).cmp(&(half_plane.b() * w)) {
@@ -47,17 +47,17 @@ pub fn approach(half_plane: &HalfPlane, direction: &Direction) -> Sign {
     (half_plane.a1() * direction.dx() + half_plane.a2() * direction.dy()).sign()
 }
 
-/// How `v` is reached from `u`.
+/// Returns the turn from `u` to `v`.
 pub fn turn(u: &Direction, v: &Direction) -> Turn {
     turn_between((u.dx(), u.dy()), (v.dx(), v.dy()))
 }
 
-/// How the outward normal of `g` is reached from that of `f`.
+/// Returns the turn from the outward normal of `f` to that of `g`.
 pub fn normal_turn(f: &HalfPlane, g: &HalfPlane) -> Turn {
     turn_between((f.a1(), f.a2()), (g.a1(), g.a2()))
 }
 
-/// How the vector `v`, as components, is reached from `u`. Neither may be zero.
+/// Returns the turn from the vector `u` to the vector `v`, given as components. Neither may be zero.
 pub(crate) fn turn_between(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Turn {
     match (u.0 * v.1).cmp(&(u.1 * v.0)) {
         Ordering::Greater => Turn::Left,
@@ -107,7 +107,7 @@ pub fn lexicographic(p: &Point, q: &Point) -> Ordering {
     by_theta1(p, q).then_with(|| (py * qw).cmp(&(qy * pw)))
 }
 
-/// On which side of the line through `p` and `q`, in that order, `r` lies: `Positive` is to the left.
+/// Returns the side of the line through `p` and `q`, in that order, `r` lies: `Positive` is to the left.
 pub fn orientation(p: &Point, q: &Point, r: &Point) -> Sign {
     let (px, py, pw) = p.homogeneous();
     let (qx, qy, qw) = q.homogeneous();

@@ -10,13 +10,13 @@ use crate::system::System;
 /// A non-negative multiple of one inequality, in the form in which it was given.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Multiplier {
-    /// Which inequality.
+    /// The index of the inequality.
     pub index: usize,
-    /// How many times it is taken.
+    /// The number of times that the inequality is taken.
     pub value: Rational,
 }
 
-/// Why a proof does not hold.
+/// The reason why a proof does not hold.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ProofError {
     /// An index beyond the system.
@@ -85,11 +85,11 @@ impl Farkas {
 pub struct BoundProof {
     /// The linear form that is bounded.
     pub form: [Rational; 2],
-    /// Its maximum.
+    /// The maximum of the form.
     pub value: Rational,
     /// The multipliers, at most two, all positive.
     pub multipliers: Vec<Multiplier>,
-    /// Where the maximum is attained.
+    /// The place where the maximum is attained.
     pub attained_at: Point,
 }
 

@@ -21,9 +21,9 @@ pub enum RegionKind {
     Line,
     /// Bounded, with an interior.
     Polygon,
-    /// With an interior, at least one vertex, and unbounded.
+    /// An unbounded region with an interior and at least one vertex.
     UnboundedPolygon,
-    /// Between two parallel lines.
+    /// The strip between two parallel lines.
     Strip,
     /// One side of a line.
     HalfPlane,
@@ -71,7 +71,7 @@ pub struct Vertex {
 }
 
 impl Vertex {
-    /// Where the vertex is.
+    /// Returns the point of the vertex.
     pub fn point(&self) -> &Point {
         &self.point
     }
@@ -240,7 +240,7 @@ impl HalfPlaneRegion {
 }
 
 impl Region {
-    /// Which of the ten kinds this is.
+    /// Returns the kind of the region, one of ten.
     pub fn kind(&self) -> RegionKind {
         match self {
             Region::Empty(_) => RegionKind::Empty,
@@ -256,12 +256,12 @@ impl Region {
         }
     }
 
-    /// Whether there is no point in the region.
+    /// Returns whether there is no point in the region.
     pub fn is_empty(&self) -> bool {
         matches!(self, Region::Empty(_))
     }
 
-    /// Whether the region has no recession direction (the empty region counts as bounded).
+    /// Returns whether the region has no recession direction (the empty region counts as bounded).
     pub fn is_bounded(&self) -> bool {
         matches!(self, Region::Empty(_) | Region::Point(_) | Region::Segment(_) | Region::Polygon(_))
     }
@@ -359,7 +359,7 @@ pub(crate) fn start_at_smallest(vertices: &mut [Vertex]) -> usize {
     if smallest == 0 { 0 } else { vertices.len() - smallest }
 }
 
-/// What both algorithms find for a region with vertices: its boundary in counter-clockwise order, and the
+/// Returns what both algorithms find for a region with vertices: its boundary in counter-clockwise order, and the
 /// outgoing and incoming ray when it is open. The kind follows from the counts.
 pub(crate) fn from_chain(mut vertices: Vec<Vertex>, rays: Option<(Direction, Direction)>) -> Region {
     let first = start_at_smallest(&mut vertices);

@@ -41,7 +41,7 @@ impl System {
         self.inequalities.len()
     }
 
-    /// Whether there is no inequality at all; the region is then the plane.
+    /// Returns whether there is no inequality at all; the region is then the plane.
     pub fn is_empty(&self) -> bool {
         self.inequalities.is_empty()
     }
@@ -51,7 +51,7 @@ impl System {
         &self.inequalities
     }
 
-    /// What each inequality says about the plane.
+    /// Returns the meaning of each inequality for the plane.
     pub fn constraints(&self) -> &[Constraint] {
         &self.constraints
     }

@@ -126,7 +126,7 @@ impl Tally {
         self.first
     }
 
-    /// How many readings there are.
+    /// The number of readings there are.
     pub fn count(&self) -> u64 {
         1 + self.others.as_ref().map_or(0, |others| others.count)
     }
@@ -137,7 +137,7 @@ impl Tally {
         [self.first].into_iter().chain(others)
     }
 
-    /// How many numbers are listed.
+    /// Returns how many numbers are listed.
     pub fn listed(&self) -> usize {
         1 + self.others.as_ref().map_or(0, |others| others.rows.count)
     }

@@ -16,7 +16,7 @@ use crate::predicates::{by_theta1, by_tightness, lexicographic, orientation};
 /// An inequality whose boundary touches the intersection of its own kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Touch {
-    /// Where it stands among the inequalities.
+    /// The position among the inequalities.
     pub position: usize,
     /// Of one that meets its envelope in a vertex alone: the two whose boundaries meet there, with slopes on either side of its
     /// own. Whatever else is known, all of one vertex touch the whole or none does, but for these two.

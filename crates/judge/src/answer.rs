@@ -15,9 +15,9 @@ pub enum Item {
 /// One of the two bounds of a row or a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Side {
-    /// Whose bound.
+    /// The row or column that has the bound.
     pub item: Item,
-    /// Which one.
+    /// The end.
     pub end: End,
 }
 
@@ -48,11 +48,11 @@ impl Side {
 pub struct SideMultiplier {
     /// The bound.
     pub side: Side,
-    /// How many times it is taken.
+    /// The number of times that the bound is taken.
     pub value: Rational,
 }
 
-/// What rows and columns are priced at. With `d` = +1 for a minimum and −1 for a maximum, duals and reduced costs fulfil
+/// The prices of rows and columns. With `d` = +1 for a minimum and −1 for a maximum, duals and reduced costs fulfil
 /// `cost = reduced cost + Σ dual·coefficient` in every column; `d` times a price is positive only where the lower bound is
 /// active, and negative only where the upper one is. A price is what the optimum gains for a unit of that bound.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -69,7 +69,7 @@ pub struct Prices {
 pub struct Face {
     /// All optimal vertices of the feasible set; none where a line is optimal.
     pub vertices: Vec<Vec<Rational>>,
-    /// Where there is no vertex: a point of each line that bounds the optimal points, the basis's point first. A column
+    /// Without a vertex, a point of each line that bounds the optimal points, the basis's point first. A column
     /// without bounds is 0 there.
     pub points: Vec<Vec<Rational>>,
     /// The directions of optimal rays.
@@ -78,36 +78,36 @@ pub struct Face {
     pub lines: Vec<Vec<Rational>>,
 }
 
-/// Where a column or the form of a row stands in a basis.
+/// The state of a column, or of the form of a row, in a basis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BasisStatus {
-    /// It is basic.
+    /// A basic one.
     Basic,
-    /// It is at its lower bound.
+    /// One at its lower bound.
     AtLower,
-    /// It is at its upper bound.
+    /// One at its upper bound.
     AtUpper,
-    /// It has no bounds and is 0.
+    /// One that has no bounds and is 0.
     Free,
 }
 
 /// An optimal basis: as many basic columns and rows as there are rows.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Basis {
-    /// Of each row.
+    /// The status of each row.
     pub rows: Vec<BasisStatus>,
-    /// Of each column.
+    /// The status of each column.
     pub columns: Vec<BasisStatus>,
 }
 
 /// The exact answer, with what proves it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Answer {
-    /// There is an optimum; the prices prove it.
+    /// An optimum, which the prices prove.
     Optimal {
         /// The optimum, the constant of the objective included.
         value: Rational,
-        /// Where it is attained.
+        /// The points that attain it.
         face: Face,
         /// Duals and reduced costs.
         prices: Prices,

@@ -31,7 +31,7 @@ impl Answer {
     }
 }
 
-/// Whether prices bound the objective by this value, and all of these points, of which there is one, attain it.
+/// Returns whether prices bound the objective by this value, and all of these points, of which there is one, attain it.
 pub(crate) fn proves_optimal<'a>(
     model: &Model,
     value: &Rational,
@@ -52,7 +52,7 @@ pub(crate) fn proves_optimal<'a>(
     if any { Ok(()) } else { Err("there is no optimal point") }
 }
 
-/// What prices prove of the objective: each times the bound that its sign says.
+/// Returns what prices prove of the objective: each times the bound that its sign says.
 ///
 /// # Errors
 /// When they do not add up to the costs, or push against a bound that is not there.
@@ -81,7 +81,7 @@ pub(crate) fn bound_of(model: &Model, prices: &Prices) -> Result<Rational, &'sta
     Ok(bound)
 }
 
-/// Whether the multiplied bounds add up to `0 ≥` something positive.
+/// Returns whether the multiplied bounds add up to `0 ≥` something positive.
 pub(crate) fn proves_infeasible(model: &Model, multipliers: &[SideMultiplier]) -> Result<(), &'static str> {
     let mut left = vec![Rational::zero(); model.columns.len()];
     let mut total = Rational::zero();
@@ -106,7 +106,7 @@ pub(crate) fn proves_infeasible(model: &Model, multipliers: &[SideMultiplier]) -
     if total.is_positive() { Ok(()) } else { Err("the multiplied bounds do not contradict each other") }
 }
 
-/// Whether the point is feasible and the ray stays so and improves.
+/// Returns whether the point is feasible and the ray stays so and improves.
 pub(crate) fn proves_unbounded(
     model: &Model,
     point: &[Rational],
@@ -161,7 +161,7 @@ fn recedes(model: &Model, ray: &[Rational]) -> Result<(), &'static str> {
     if columns && rows { Ok(()) } else { Err("a direction leaves the feasible set") }
 }
 
-/// What the objective gains along a direction.
+/// Returns what the objective gains along a direction.
 fn change_along(model: &Model, ray: &[Rational]) -> Rational {
     let terms = model.columns.iter().zip(ray).map(|(column, value)| &column.cost * value);
     terms.fold(Rational::zero(), |sum, term| sum + term)

@@ -1,16 +1,16 @@
-//! Why a model is not answered.
+//! The reasons why a model is not answered.
 
 use boundfit_exact::Foreign;
 use boundfit_exact::english::listed;
 use thiserror::Error;
 
-/// Why a model has no [`Answer`](crate::Answer) here.
+/// The reason why a model has no [`Answer`](crate::Answer) here.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum SolveError {
     /// More columns than a plane has.
     #[error("{count} columns are not fixed by their bounds, first {} (expected at most two)", listed(&first.iter().map(Foreign::to_string).collect::<Vec<_>>()))]
     TooManyColumns {
-        /// How many columns bounds do not fix.
+        /// The number of columns that bounds do not fix.
         count: usize,
         /// The names of the first three.
         first: Vec<Foreign>,

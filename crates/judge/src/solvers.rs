@@ -98,7 +98,7 @@ fn status_alone(status: SolverStatus) -> Solution {
     }
 }
 
-/// What a float solver answers. Numbers that are not finite are none.
+/// Returns what a float solver answers. Numbers that are not finite are none.
 fn solution_of(outcome: &Outcome) -> Solution {
     let numbers = |values: &[f64]| -> Option<Vec<Given>> {
         values.iter().map(|value| Rational::from_f64(*value).map(given)).collect()
@@ -121,7 +121,7 @@ fn solution_of(outcome: &Outcome) -> Solution {
     }
 }
 
-/// What the exact simplex answers about a program of so many rows.
+/// Returns what the exact simplex answers about a program of so many rows.
 fn exact_solution(outcome: &ExactOutcome, rows: usize) -> Solution {
     let prices = |multipliers: &[Multiplier]| {
         let mut prices = vec![Rational::zero(); rows];

@@ -78,7 +78,7 @@ impl PuiEnd {
         }
     }
 
-    /// Which end of the parameter's interval.
+    /// Returns which end of the parameter's interval.
     pub fn end(self) -> End {
         match self {
             PuiEnd::Theta1Min | PuiEnd::Theta2Min => End::Lower,
@@ -97,7 +97,7 @@ impl PuiEnd {
         }
     }
 
-    /// What both intervals have at this end: of things by parameter, then lower and upper end.
+    /// Returns what both intervals have at this end: of things by parameter, then lower and upper end.
     pub fn of<T>(self, [theta1, theta2]: &[[T; 2]; 2]) -> &T {
         let [lower, upper] = if self.axis() == 0 { theta1 } else { theta2 };
         if self.end() == End::Lower { lower } else { upper }
@@ -123,7 +123,7 @@ impl PuiEnd {
     }
 }
 
-/// What is claimed about one end.
+/// The claim about one end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoundClaim {
     /// The claim itself.
@@ -139,7 +139,7 @@ pub struct BoundClaim {
 pub enum Claimed {
     /// The parameter ends here.
     Value(Printed),
-    /// There is no feasible point.
+    /// No feasible point.
     Infeasible,
     /// The parameter goes on without end.
     Unbounded,

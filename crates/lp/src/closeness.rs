@@ -1,4 +1,4 @@
-//! How near a claimed number is to the true one, in proportion.
+//! The distance of a claimed number from the true one, in proportion.
 
 use boundfit_exact::Rational;
 
@@ -7,17 +7,17 @@ use crate::printed::Printed;
 /// What the distance between a claimed number and the true one amounts to, from best to worst.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Closeness {
-    /// They are equal.
+    /// Equal numbers.
     Exact,
-    /// They differ by no more than rounding.
+    /// Numbers that differ by no more than rounding.
     Rounded(RoundedTo),
-    /// They differ by at most the tolerance.
+    /// Numbers that differ by at most the tolerance.
     WithinTolerance,
-    /// They differ by more.
+    /// Numbers that differ by more.
     Off,
 }
 
-/// Which rounding explains a difference.
+/// The rounding that explains a difference.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum RoundedTo {
     /// That of binary64 numbers: [`MOST_ULPS`] units in the last place or fewer.
@@ -26,7 +26,7 @@ pub enum RoundedTo {
     Digits(usize),
 }
 
-/// How many units in the last place still count as rounding.
+/// The most units in the last place that still count as rounding.
 pub const MOST_ULPS: i64 = 4;
 
 /// What a tolerance is relative to.
@@ -84,11 +84,11 @@ impl ToleranceUnit {
 pub struct Difference {
     /// The claimed number less the true one.
     pub by: Rational,
-    /// Its size in units in the last place of binary64 at the true number; `None` beyond the largest binary64.
+    /// The size in units in the last place of binary64 at the true number; `None` beyond the largest binary64.
     pub in_ulps: Option<Rational>,
-    /// Its size in the unit of the tolerance: the smallest tolerance that excuses it. `None` without such a unit.
+    /// The size in the unit of the tolerance: the smallest tolerance that excuses it. `None` without such a unit.
     pub in_units: Option<Rational>,
-    /// What it amounts to.
+    /// The verdict about the distance.
     pub closeness: Closeness,
 }
 
@@ -117,7 +117,7 @@ impl Difference {
     }
 }
 
-/// Whether a number is not 0 and yet smaller than the smallest positive binary64 number. Exact.
+/// Returns whether a number is not 0 and yet smaller than the smallest positive binary64 number. Exact.
 pub fn is_below_binary64(value: &Rational) -> bool {
     let least = ulp(&Rational::zero());
     !value.is_zero() && least.is_some_and(|least| value.abs() < least)

@@ -21,7 +21,7 @@ impl ExchangeFormat {
         }
     }
 
-    /// What the name stands for.
+    /// Returns what the name stands for.
     pub fn title(self) -> &'static str {
         match self {
             ExchangeFormat::Mps => "Free-format MPS",

@@ -2,7 +2,7 @@
 
 use boundfit_exact::{Foreign, Rational, Work};
 
-/// Whether the objective is to be made small or large.
+/// The sense of the objective: to be made small or large.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ObjectiveSense {
     /// The least value is wanted, as in every file that does not say otherwise.
@@ -56,11 +56,11 @@ pub struct ModelRow {
 pub struct Model {
     /// The name that the file gives it; may be empty.
     pub name: Foreign,
-    /// What is wanted of the objective.
+    /// The sense of the objective.
     pub sense: ObjectiveSense,
     /// The name of the objective; may be empty.
     pub objective_name: Foreign,
-    /// What is added to the objective whatever the columns are.
+    /// The constant of the objective.
     pub constant: Rational,
     /// The columns, in the order of the file.
     pub columns: Vec<ModelColumn>,

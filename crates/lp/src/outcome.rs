@@ -1,4 +1,4 @@
-//! What a solver may answer.
+//! The answers of solvers.
 
 use boundfit_exact::Rational;
 
@@ -31,9 +31,9 @@ pub struct Optimum {
 /// A non-negative multiple of a row.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Multiplier {
-    /// Which row.
+    /// The index of the row.
     pub row: usize,
-    /// How many times it is taken.
+    /// The number of times that the row is taken.
     pub value: Rational,
 }
 
@@ -47,7 +47,7 @@ pub enum ExactOutcome {
         theta: [Rational; 2],
         /// The objective's value there.
         value: Rational,
-        /// At most two, all positive.
+        /// The multipliers, at most two, all positive.
         multipliers: Vec<Multiplier>,
         /// The rows of the final basis.
         basis: Vec<usize>,

@@ -22,24 +22,24 @@ use boundfit_exact::{Rational, WrittenDigits};
 pub struct Printed {
     /// The number that the text spells.
     pub value: Rational,
-    /// How precisely it was printed; `None` for what is meant exactly: fractions, binary64 numbers, short numbers.
+    /// The precision of the print; `None` for what is meant exactly: fractions, binary64 numbers, short numbers.
     pub precision: Option<Precision>,
 }
 
-/// How precisely a number was printed.
+/// The precision with which a number was printed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Precision {
     /// The significant digits that its writer prints; zeros dropped at the end count. 0 for a zero.
     pub digits: usize,
-    /// How far the number that was meant may be from the one that was printed: half a unit of the last digit. For a zero
+    /// The largest distance between the number that was meant and the one that was printed: half a unit of the last digit. For a zero
     /// that stands for all small numbers, how large these may be.
     pub reach: Rational,
 }
 
-/// How a program prints its numbers.
+/// The way in which a program prints its numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NumberFormat {
-    /// With so many significant digits, as `%.15g` of C does. Zeros at the end are dropped.
+    /// A number of significant digits, as `%.15g` of C does. Zeros at the end are dropped.
     Significant(usize),
     /// Down to this power of ten, with at most so many significant digits. Zeros at the end are dropped, and what is smaller
     /// is printed as 0.
@@ -116,7 +116,7 @@ impl Printed {
         Printed::exact(self.value)
     }
 
-    /// How far the number that was meant may be from the one printed; 0 for what is meant exactly.
+    /// Returns how far the number that was meant may be from the one printed; 0 for what is meant exactly.
     pub fn reach(&self) -> Rational {
         self.precision.as_ref().map(|precision| precision.reach.clone()).unwrap_or_default()
     }

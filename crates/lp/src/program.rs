@@ -43,7 +43,7 @@ impl FloatProgram {
         FloatProgram { rows: rows.collect(), objective: program.objective.each_ref().map(Rational::to_f64) }
     }
 
-    /// Whether every number is finite: solvers are not asked otherwise.
+    /// Returns whether every number is finite: solvers are not asked otherwise.
     pub fn is_finite(&self) -> bool {
         self.rows.iter().flatten().chain(&self.objective).all(|value| value.is_finite())
     }

@@ -154,7 +154,7 @@ impl Referee {
         judgement
     }
 
-    /// What shows that a claimed status is not the true one, if it is not.
+    /// Returns what shows that a claimed status is not the true one, if it is not.
     fn contrary(&self, axis: usize, end: End, claimed: &Claimed) -> Option<Refutation> {
         let infeasible = matches!(claimed, Claimed::Infeasible | Claimed::InfeasibleOrUnbounded);
         let unbounded = matches!(claimed, Claimed::Unbounded | Claimed::InfeasibleOrUnbounded);
@@ -245,7 +245,7 @@ impl Referee {
         tolerated
     }
 
-    /// Why duals are not, or not all, looked at: they are not one for each row, or one of them is negative by more than
+    /// The reason why duals are not, or not all, looked at: they are not one for each row, or one of them is negative by more than
     /// a solver's noise, a millionth of the largest one.
     fn unusable(&self, duals: &[f64]) -> Option<String> {
         const NOISE: f64 = 1e-6;
@@ -261,7 +261,7 @@ impl Referee {
         Some(format!("dual {place} is {dual}, and none below 0 is looked at: each row says a*theta <= b"))
     }
 
-    /// Whether the one or two rows with the largest duals prove the true end when their multipliers are recomputed.
+    /// Returns whether the one or two rows with the largest duals prove the true end when their multipliers are recomputed.
     fn repairable(&self, axis: usize, end: End, duals: Option<&[f64]>) -> Option<bool> {
         let duals = duals.filter(|duals| duals.len() == self.rows.len())?;
         let ExactOutcome::Optimal { value, .. } = self.truth(axis, end) else { return None };
@@ -297,7 +297,7 @@ impl Referee {
     }
 }
 
-/// How far rounding may have moved a coordinate: printing, or the computation in binary64.
+/// Returns how far rounding may have moved a coordinate: printing, or the computation in binary64.
 fn reach_of_rounding(coordinate: &Printed) -> Rational {
     let ulps = ulp(&coordinate.value).filter(|_| !is_below_binary64(&coordinate.value));
     let ulps = ulps.map(|ulp| ulp * Rational::from(MOST_ULPS));

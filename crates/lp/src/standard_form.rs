@@ -43,7 +43,7 @@ fn rounded(integer: &Integer) -> f64 {
     Rational::from(integer).to_f64()
 }
 
-/// How the method ended.
+/// The end of the method.
 #[derive(Debug)]
 pub(crate) enum Ending {
     /// Optimal: the basic columns with their λ (of the unscaled columns), and the prices.
@@ -61,7 +61,7 @@ enum Basic {
     Artificial(usize),
 }
 
-/// Which costs count.
+/// The costs that count.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Phase {
     /// Artificial columns cost 1, others nothing.
@@ -150,7 +150,7 @@ impl Pricing {
         (terms.iter().sum(), 8.0 * f64::EPSILON * size)
     }
 
-    /// Whether the reduced cost is negative. Exact.
+    /// Returns whether the reduced cost is negative. Exact.
     fn improves(&self, column: &Column) -> bool {
         let (by, error) = self.approximate(column);
         if by.abs() > error {
@@ -233,7 +233,7 @@ impl<'a> Tableau<'a> {
         best.map(|(row, _)| row)
     }
 
-    /// Whether the basic column of one row comes before that of another in Bland's order; artificial columns come first.
+    /// Returns whether the basic column of one row comes before that of another in Bland's order; artificial columns come first.
     fn comes_first(&self, row: usize, other: usize) -> bool {
         match (self.basis[row], self.basis[other]) {
             (Basic::Artificial(one), Basic::Artificial(other)) => one < other,

@@ -1,4 +1,4 @@
-//! What an answer is worth.
+//! The worth of an answer.
 
 use boundfit_exact::Rational;
 
@@ -24,7 +24,7 @@ pub enum Verdict {
     Unsafe,
     /// The lower end is above the upper end, and not both are right.
     InvertedInterval,
-    /// Not the status of the program: empty claimed feasible, bounded claimed unbounded, and so on.
+    /// Another status than the program's: empty claimed feasible, bounded claimed unbounded, and so on.
     WrongStatus,
 }
 
@@ -44,7 +44,7 @@ impl Verdict {
         }
     }
 
-    /// What a bound is worth that differs from the true one like this, to the inside or not.
+    /// Returns what a bound is worth that differs from the true one like this, to the inside or not.
     pub fn of_bound(closeness: Closeness, is_inside: bool) -> Self {
         match closeness {
             Closeness::Exact => Verdict::Exact,
@@ -55,7 +55,7 @@ impl Verdict {
         }
     }
 
-    /// Whether the claim is refuted.
+    /// Returns whether the claim is refuted.
     pub fn is_refutation(self) -> bool {
         self >= Verdict::Loose
     }
@@ -70,7 +70,7 @@ pub struct Violation {
     pub by: Rational,
 }
 
-/// What shows that a claimed status is wrong.
+/// The evidence that a claimed status is wrong.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Refutation {
     /// These rows add up to `0 ≤ negative`: there is no feasible point.
@@ -91,15 +91,15 @@ pub enum Refutation {
 /// The referee's finding about one end of one interval.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Judgement {
-    /// What the claim is worth.
+    /// The worth of the claim.
     pub verdict: Verdict,
     /// The true end; `None` when there is none.
     pub exact: Option<Rational>,
     /// The claimed end.
     pub claimed: Option<Rational>,
-    /// Which rounding explains a rounded claim.
+    /// The rounding that explains a rounded claim.
     pub rounded_to: Option<RoundedTo>,
-    /// How far the claim is outside (positive) or inside (negative) of the true end.
+    /// The distance of the claim from the true end, positive outside and negative inside.
     pub excess: Option<Rational>,
     /// The excess in units in the last place of binary64 at the true end.
     pub excess_in_ulps: Option<Rational>,
@@ -116,7 +116,7 @@ pub struct Judgement {
     pub violation: Option<Violation>,
     /// A feasible point that an unsafe bound cuts off.
     pub witness: Option<[Rational; 2]>,
-    /// What shows that a status is wrong.
+    /// The evidence that a status is wrong.
     pub proof: Option<Refutation>,
     /// Whether the rows with the largest duals prove the true end: the digits were wrong, the basis was not. `None`
     /// without duals.

@@ -4,7 +4,7 @@ use boundfit_exact::Rational;
 
 use crate::program::Row;
 
-/// How the simplex method went from one basis to the next.
+/// The steps of the simplex method from one basis to the next.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pivot {
     /// The row of the basis whose boundary is left: its multiplier is negative.
@@ -27,7 +27,7 @@ pub struct Basis {
     pub value: Rational,
     /// The multiples of both rows, in the same order, that add up to the objective. None negative proves the optimum.
     pub multipliers: [Rational; 2],
-    /// What was done next; `None` at the optimum.
+    /// The step that followed; `None` at the optimum.
     pub pivot: Option<Pivot>,
 }
 
@@ -68,7 +68,7 @@ pub fn simplex_path(rows: &[Row], objective: &[Rational; 2], start: [usize; 2]) 
     Some(path)
 }
 
-/// Which of the two rows of a basis.
+/// One of the two rows of a basis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Place {
     First,

@@ -1,4 +1,4 @@
-//! What a proof is about.
+//! The subject of a proof.
 
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -12,24 +12,24 @@ use crate::plane::HalfPlane;
 use crate::rows::{self, Cells, Rows};
 use crate::shape::{Condition, Number, Quantity, Shape};
 
-/// What a proof is about: which rows of the data, how they are read, and what they say about the parameters.
+/// The subject of a proof: which rows of the data, how they are read, and what they say about the parameters.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct About {
-    /// What separates cells: a comma, a semicolon, a tab or a bar.
+    /// The separator of cells: a comma, a semicolon, a tab or a bar.
     pub delimiter: char,
-    /// Whether the first row names the columns.
+    /// True if the first row names the columns.
     pub header: bool,
     /// The first and the last of rows that follow each other, then those of the next ones, from 1.
     pub rows: Vec<u64>,
-    /// Which exact number a text stands for.
+    /// The exact number that a text stands for.
     pub reading: Reading,
     /// φ1, φ2, y and ε: a column, from 1, and how many times it is taken. Column 0 holds 1 in every row.
     pub model: [(u64, Rational); 4],
     /// The columns whose sum is added to y, each so many times.
     pub response: Vec<(u64, Rational)>,
-    /// What is taken from each number of the column of φ1, before it is multiplied.
+    /// The number that is taken from each number of the column of φ1, before it is multiplied.
     pub x_origin: Rational,
-    /// How far φ1 may be from what is read: a column, and how many times it is taken.
+    /// The distance that φ1 may be from its cell: a column, and how many times it is taken.
     pub x_error: Option<(u64, Rational)>,
     /// The columns of lower and of upper bounds, in place of y and ε.
     pub interval: Option<[Option<u64>; 2]>,

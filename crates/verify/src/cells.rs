@@ -1,4 +1,4 @@
-//! From the cells of a row to its half-planes (section 2).
+//! The way from the cells of a row to its half-planes (section 2).
 
 use std::borrow::Cow;
 use std::io::Read;
@@ -22,11 +22,11 @@ use crate::shape::Quantity;
 pub(crate) struct Model {
     reading: Reading,
     limits: Limits,
-    /// What is read from each row, in this order.
+    /// The cells that are read from each row, in this order.
     sources: Vec<Source>,
     phi: [Form; 2],
     bounds: Bounds,
-    /// How far φ1 may be from what is read.
+    /// The distance that φ1 may be from its cell.
     x_error: Form,
     /// The denominator of all multiples.
     denominator: Integer,
@@ -65,7 +65,7 @@ struct Source {
     quantity: Quantity,
     /// From 1.
     column: usize,
-    /// Whether there may be none.
+    /// True if there may be none.
     is_optional: bool,
 }
 
@@ -201,7 +201,7 @@ impl Model {
         self.work.check(1, self.most_work).map_err(|refused| Failure::Refused(refused.into()))
     }
 
-    /// Whether the row that was read says something from below, and from above.
+    /// Returns whether the row that was read says something from below, and from above.
     pub(crate) fn sides(&self) -> [bool; 2] {
         let is_there = |index: usize| self.numbers.get(index).is_some_and(Option::is_some);
         match &self.bounds {
@@ -273,7 +273,7 @@ impl Model {
         terms.fold(first, |sum, term| sum + term)
     }
 
-    /// What a source has in a row; `None` where it may have nothing and has nothing.
+    /// Returns what a source has in a row; `None` where it may have nothing and has nothing.
     fn read(&self, source: Source, row: u64, cells: Cells<'_>) -> Result<Option<Number>, Failure> {
         let Source { quantity, column, is_optional } = source;
         if column == 0 {
@@ -374,7 +374,7 @@ impl Source {
     }
 }
 
-/// Where a source is among those that are read, at the end if it was not there.
+/// Returns where a source is among those that are read, at the end if it was not there.
 fn index_of(sources: &mut Vec<Source>, source: Source) -> usize {
     let known = sources.iter().position(|known| *known == source);
     known.unwrap_or_else(|| {

@@ -16,25 +16,25 @@ use crate::proof::{Body, Proof};
 use crate::statements::Claim;
 use crate::whole_set::longest;
 
-/// What a true proof states, and of which question that is the answer.
+/// The statement of a true proof, and the question that it answers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Statement {
-    /// Which rows were read, how, and what they say about the parameters.
+    /// The rows that were read, the way of reading, and the meaning of the rows for the parameters.
     pub about: About,
-    /// How many rows the data have.
+    /// The number of rows the data have.
     pub rows_total: u64,
     /// The names of the columns that are read, where the data have a header; nothing for one that the header does not reach.
     pub names: BTreeMap<u64, Foreign>,
-    /// How many half-planes the data and the conditions give.
+    /// The number of half-planes of the data and the conditions.
     pub half_planes: usize,
     /// What is so.
     pub found: Found,
 }
 
-/// What a true proof states.
+/// The statement of a true proof.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Found {
-    /// What the feasible parameter set is.
+    /// The feasible parameter set.
     Set(SetFound),
     /// Claims about the sets that parts of the rows leave, in their order.
     Claims(Vec<Claim>),

@@ -58,14 +58,14 @@ pub(crate) fn named_rows(statements: &[Statement]) -> BTreeSet<u64> {
     statements.iter().flat_map(|own| own.names().into_iter().filter_map(Name::row)).collect()
 }
 
-/// How many bits all points and rays have that each row is compared with.
+/// Returns how many bits all points and rays have that each row is compared with.
 pub(crate) fn bits_of_points(statements: &[Statement]) -> u64 {
     let points = statements.iter().flat_map(|own| own.points_and_rays().concat());
     points.map(|[x, y]| x.bits() + y.bits()).fold(0, u64::saturating_add)
 }
 
 impl Statement {
-    /// What half-planes by name prove of it.
+    /// Returns what half-planes by name prove of it.
     fn check(
         &self,
         half_planes: &HalfPlanes,
@@ -232,7 +232,7 @@ fn check_left_out(
     Ok(())
 }
 
-/// What is to be compared with each row: points, rays and sets of all statements.
+/// The objects to be compared with each row: points, rays and sets of all statements.
 #[derive(Default)]
 struct Probes<'a> {
     views: Vec<View>,

@@ -67,11 +67,11 @@ impl Data {
     }
 }
 
-/// What reading all data gives.
+/// The result of reading all data.
 struct Look {
     hash: String,
     rows_total: u64,
     names: BTreeMap<u64, Foreign>,
-    /// Whether all wanted rows could be read, and all of their half-planes were taken.
+    /// Says whether all wanted rows could be read, and all of their half-planes were taken.
     found: Result<(), Failure>,
 }

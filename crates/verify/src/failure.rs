@@ -1,4 +1,4 @@
-//! Why data were not checked to the end.
+//! The reasons why data were not checked to the end.
 
 use std::io;
 
@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use crate::falsehood::Falsehood;
 
-/// Why there is no verdict that a proof is true.
+/// The reason why there is no verdict that a proof is true.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum Failure {
@@ -26,7 +26,7 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// Whether the data can be read no further.
+    /// Returns whether the data can be read no further.
     pub(crate) fn ends_reading(&self) -> bool {
         use Refusal::{Number, RowTooLong, TooManyColumns, Work};
         match self {
@@ -44,13 +44,13 @@ impl From<Falsehood> for Failure {
     }
 }
 
-/// What of the data is beyond a limit.
+/// The part of the data that is beyond a limit.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum Refusal {
     /// A row of more bytes than this.
     #[error("row {row}, counted with the header: more than {limit} bytes (the limit)")]
     RowTooLong {
-        /// Its number from 1, among those that are not blank, a header too.
+        /// The number from 1, among those that are not blank, a header too.
         row: u64,
         /// The most bytes.
         limit: usize,
@@ -65,7 +65,7 @@ pub enum Refusal {
         row: u64,
         /// The column, from 1.
         column: usize,
-        /// Which limit.
+        /// The limit.
         error: ParseNumberError,
     },
     /// Long numbers, of the data or of the vertices that they are compared with.
@@ -85,10 +85,10 @@ impl Refusal {
     }
 }
 
-/// How much the data may ask for.
+/// The limits of the data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct DataLimits {
-    /// Of one number.
+    /// The limits of one number.
     pub number: boundfit_exact::Limits,
     /// Bytes of one row without its line end.
     pub row: usize,

@@ -1,4 +1,4 @@
-//! What can be false about a proof.
+//! The falsehoods of a proof.
 
 use std::fmt;
 
@@ -29,7 +29,7 @@ pub enum Falsehood {
         row: u64,
         /// The column, from 1.
         column: usize,
-        /// What is wrong with its text.
+        /// The problem of the text.
         error: ParseNumberError,
     },
     /// The error bound of this row is negative.
@@ -72,9 +72,9 @@ pub enum Falsehood {
     NotABound([i64; 2]),
     /// Something about a statement of several.
     InStatement {
-        /// Which one, from 1.
+        /// The number of the statement, from 1.
         number: usize,
-        /// What is wrong.
+        /// The problem.
         falsehood: Box<Falsehood>,
     },
     /// A factor or a bound on errors is negative.
@@ -87,7 +87,7 @@ pub enum Falsehood {
     Leaves(Name),
     /// An end of a form's range is not proved.
     NotAnEnd {
-        /// Whether it is the upper one.
+        /// True if it is the upper one.
         is_upper: bool,
     },
     /// Half-planes do not add up to 0 ≤ a negative number.

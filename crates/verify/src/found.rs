@@ -1,28 +1,28 @@
-//! What is found of a set.
+//! The facts found about a set.
 
 use boundfit_exact::Rational;
 
-/// What a feasible parameter set is.
+/// The shape of a feasible parameter set.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SetFound {
-    /// How far the set goes.
+    /// The extent of the set.
     pub extent: Extent,
-    /// How many vertices it has.
+    /// The number of vertices it has.
     pub vertices: usize,
-    /// How many sides.
+    /// The number of sides.
     pub sides: usize,
     /// The range of each parameter, lower and upper end; an end is `None` where nothing bounds the parameter. `None` for an
     /// empty set.
     pub bounds: Option<[[Option<Rational>; 2]; 2]>,
 }
 
-/// How far a set goes.
+/// The extent of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
-    /// There is no point in it.
+    /// An empty set.
     Empty,
-    /// It lies within a circle.
+    /// A set within a circle.
     Bounded,
-    /// It does not.
+    /// A set beyond any circle.
     Unbounded,
 }

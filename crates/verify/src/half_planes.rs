@@ -9,7 +9,7 @@ use crate::name::{Name, Named};
 use crate::plane::{HalfPlane, Vector};
 use crate::shape::{EndShape, MultiplesShape, Number};
 
-/// Which half-planes, and how many times each is taken.
+/// Half-planes, and the number of times that each is taken.
 pub(crate) type Multiples = Vec<(Named, Rational)>;
 /// Multipliers, point and ray of one end of a range.
 pub(crate) type End = (Multiples, Vector, Vector);

@@ -17,7 +17,7 @@ pub(crate) fn turn(u: &[Integer; 2], v: &[Integer; 2]) -> Ordering {
     (&u[0] * &v[1]).cmp(&(&u[1] * &v[0]))
 }
 
-/// Whether the angle of a direction in [0, 2π) is π or more.
+/// Returns whether the angle of a direction in [0, 2π) is π or more.
 fn is_low([x, y]: &[Integer; 2]) -> bool {
     y.is_negative() || y.is_zero() && x.is_negative()
 }
@@ -99,7 +99,7 @@ impl Near {
         Some(Near { units: [x, y], shift: u32::try_from(shift).ok()? })
     }
 
-    /// Whether a·p < b for sure: where a·θ < b holds with a unit's worth of each coordinate to spare. Few integers are so long
+    /// Returns whether a·p < b for sure: where a·θ < b holds with a unit's worth of each coordinate to spare. Few integers are so long
     /// that it cannot be told.
     fn is_surely_within(&self, HalfPlane { a: [a1, a2], b, .. }: &HalfPlane) -> bool {
         let (Some(a1), Some(a2), Some(b)) = (a1.to_i64(), a2.to_i64(), b.to_i64()) else { return false };

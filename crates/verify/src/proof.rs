@@ -15,7 +15,7 @@ pub struct Proof {
     pub(crate) body: Body,
 }
 
-/// What a proof states.
+/// The statement of a proof.
 #[derive(Debug, Clone)]
 pub(crate) enum Body {
     /// Version 1: all about one set.
@@ -50,7 +50,7 @@ impl Proof {
         Ok(Proof { data: Data { sha256, about: About::read(shape) }, body })
     }
 
-    /// What it is about, whether it is true or not.
+    /// Returns what it is about, whether it is true or not.
     pub fn about(&self) -> &About {
         &self.data.about
     }

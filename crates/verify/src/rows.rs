@@ -14,17 +14,17 @@ const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 pub(crate) struct Rows<R> {
     input: BufReader<Chain<Cursor<Vec<u8>>, Hashed<R>>>,
     row: Row,
-    /// Whether a line feed that comes next belongs to the carriage return before it.
+    /// True if a line feed that comes next belongs to the carriage return before it.
     after_return: bool,
-    /// How many rows there were that are not blank.
+    /// The number of rows there were that are not blank.
     count: u64,
 }
 
-/// How rows look, and how large they may be.
+/// The look of rows, and their largest size.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Shape {
     pub(crate) delimiter: u8,
-    /// How many cells of a row are kept.
+    /// The number of cells of a row that are kept.
     pub(crate) kept: usize,
     /// Bytes of a row without its line end.
     pub(crate) longest: usize,
@@ -59,7 +59,7 @@ impl<R: Read> Rows<R> {
         Ok(false)
     }
 
-    /// How many rows there were so far.
+    /// The number of rows there were so far.
     pub(crate) fn count(&self) -> u64 {
         self.count
     }
@@ -115,11 +115,11 @@ struct Row {
     /// The text of the cells that are kept, and where each of them ends.
     text: Vec<u8>,
     ends: Vec<usize>,
-    /// How many cells have ended.
+    /// The number of cells that have ended.
     cells: usize,
 }
 
-/// Where the next byte stands.
+/// The place of the next byte.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum State {
     CellStart,
@@ -140,7 +140,7 @@ impl Row {
         (self.state, self.cells) = (State::CellStart, 0);
     }
 
-    /// Whether it is one cell of white space. The first cell is always kept.
+    /// Returns whether it is one cell of white space. The first cell is always kept.
     fn is_blank(&self) -> bool {
         self.cells == 1 && self.text.trim_ascii().is_empty()
     }

@@ -11,7 +11,7 @@ use crate::half_planes::HalfPlanes;
 use crate::name::{End, Name};
 use crate::plane::HalfPlane;
 
-/// Which half-planes a statement is about.
+/// The half-planes that a statement is about.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Scope {
     /// The first and the last of rows that follow each other, then those of the next ones; all wanted rows when `None`.
@@ -20,19 +20,19 @@ pub struct Scope {
     pub without: BTreeSet<u64>,
     /// The numbers of the conditions that hold, from 1; all when `None`.
     pub conditions: Option<BTreeSet<u64>>,
-    /// How large the errors may be.
+    /// The largest errors.
     pub errors: ErrorScale,
-    /// Which part of the set, where x has errors.
+    /// The part of the set, where x has errors.
     pub side: Option<Side>,
 }
 
-/// How large the errors of a scope may be.
+/// The largest errors of a scope.
 #[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ErrorScale {
-    /// As the proof says of all rows.
+    /// The errors that the proof states for all rows.
     #[default]
     AsStated,
-    /// So many times that.
+    /// A multiple of the errors that the proof states.
     Times(Rational),
     /// So far from the middle of the bounds.
     Within(Rational),
@@ -41,11 +41,11 @@ pub enum ErrorScale {
 /// A part of the parameters that agree with readings whose x have errors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Side {
-    /// For some x, θ1 ≥ 0.
+    /// Some x, θ1 ≥ 0.
     Rising,
-    /// For some x, θ1 ≤ 0.
+    /// Some x, θ1 ≤ 0.
     Falling,
-    /// For every x.
+    /// Every x.
     Strong,
 }
 
@@ -56,7 +56,7 @@ pub(crate) struct Part {
     conditions: Option<BTreeSet<u64>>,
 }
 
-/// How a scope sees each row.
+/// The view of a scope on each row.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct View {
     errors: ErrorScale,
@@ -64,7 +64,7 @@ pub(crate) struct View {
 }
 
 impl Scope {
-    /// Its rows and how it sees them.
+    /// The rows of the scope, and its view on them.
     pub(crate) fn parts(&self, about: &About) -> Result<(Part, View), Falsehood> {
         let rows = self.rows.as_deref().map(ascending).transpose()?;
         let is_negative = match &self.errors {
@@ -81,7 +81,7 @@ impl Scope {
         Ok((part, View { errors: self.errors.clone(), side: self.side }))
     }
 
-    /// Those of these half-planes that it has.
+    /// The half-planes of this scope.
     pub(crate) fn half_planes(
         &self,
         names: &BTreeSet<Name>,
@@ -202,7 +202,7 @@ impl View {
         }
     }
 
-    /// How fast a bound of this row grows with the scale of the errors, at least; 0 for any other half-plane.
+    /// Returns how fast a bound of this row grows with the scale of the errors, at least; 0 for any other half-plane.
     pub(crate) fn growth(&self, row: Option<&Row>) -> Rational {
         let Some(Row { lower: Some(lower), upper: Some(upper), times, .. }) = row else {
             return Rational::zero();

@@ -85,7 +85,7 @@ pub(crate) struct StatementShape {
 }
 
 impl StatementShape {
-    /// Whether there are fields of another kind, those of its own having been taken.
+    /// Returns whether there are fields of another kind, those of its own having been taken.
     pub(crate) fn has_more(&self) -> bool {
         self.form.is_some()
             || self.lower.is_some()
@@ -107,7 +107,7 @@ pub(crate) type MultiplesShape = Vec<(Named, Number)>;
 /// Multipliers, a point and a ray.
 pub(crate) type EndShape = (MultiplesShape, VectorShape, VectorShape);
 
-/// Why a text is no proof.
+/// The reason why a text is no proof.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{reason}")]
 pub struct NotAProof {
@@ -141,7 +141,7 @@ impl Shape {
         serde_json::from_slice(text).map_err(NotAProof::new)
     }
 
-    /// Whether there are fields of another version, those of this one having been taken.
+    /// Returns whether there are fields of another version, those of this one having been taken.
     pub(crate) fn has_more(&self, is_of_statements: bool) -> bool {
         let has_set = self.vertices.is_some()
             || self.active.is_some()
@@ -177,7 +177,7 @@ impl<'de> Deserialize<'de> for Number {
     }
 }
 
-/// What separates cells.
+/// The separator of cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Delimiter(pub(crate) u8);
 
@@ -190,7 +190,7 @@ impl<'de> Deserialize<'de> for Delimiter {
     }
 }
 
-/// What is taken from a cell.
+/// The quantity that is taken from a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// The number.
@@ -201,7 +201,7 @@ pub enum Quantity {
     Written,
 }
 
-/// What a law may take.
+/// The quantities that a law may take.
 impl<'de> Deserialize<'de> for Quantity {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         text(deserializer, "\"abs\" or \"written\"", |text| match text {
@@ -262,7 +262,7 @@ fn not_null<'de, T: Deserialize<'de>, D: Deserializer<'de>>(deserializer: D) -> 
     T::deserialize(deserializer).map(Some)
 }
 
-/// What a text stands for.
+/// Returns what a text stands for.
 fn text<'de, T, D: Deserializer<'de>>(
     deserializer: D,
     expected: &'static str,

@@ -14,7 +14,7 @@ use crate::plane::{HalfPlane, Point, Vector, compare_angles, turn};
 struct Side<'a> {
     name: Name,
     half_plane: &'a HalfPlane,
-    /// At which vertex the next side begins, an index; `None` where a gap comes instead.
+    /// The index of the vertex where the next side begins; `None` where a gap comes instead.
     end: Option<usize>,
 }
 
@@ -24,7 +24,7 @@ pub(crate) struct Sides<'a> {
     vertices: Vec<Point>,
 }
 
-/// How a half-plane lies.
+/// The position of a half-plane.
 pub(crate) struct Support {
     /// The largest a·θ in the set against b: not greater where the half-plane contains the set.
     pub(crate) against_b: Ordering,
@@ -77,19 +77,19 @@ impl<'a> Sides<'a> {
         self.vertices.get(side.end?)
     }
 
-    /// Whether a side, which begins at a vertex, does not run backwards from there to its own end.
+    /// Returns whether a side, which begins at a vertex, does not run backwards from there to its own end.
     fn goes_on_from(&self, side: &Side<'_>, start: &Point) -> bool {
         let [a1, a2] = &side.half_plane.a;
         let along = [-a2, a1.clone()];
         self.end(side).is_none_or(|end| end.compare_along(&along, start).is_ge())
     }
 
-    /// Whether a point satisfies every side.
+    /// Returns whether a point satisfies every side.
     pub(crate) fn contain(&self, point: &Point) -> bool {
         self.sides.iter().all(|side| side.half_plane.compare_at(point).is_le())
     }
 
-    /// Whether one may go on for ever in a direction, from any point of the set.
+    /// Returns whether one may go on for ever in a direction, from any point of the set.
     pub(crate) fn recede_along(&self, ray: &Point) -> bool {
         self.sides.iter().all(|side| side.half_plane.compare_along(ray).is_le())
     }

@@ -11,20 +11,20 @@ use crate::plane::Vector;
 use crate::scope::{ErrorScale, Scope, Side};
 use crate::shape::{NotAProof, Number, StatementShape, needed};
 
-/// What is so about the set of a scope.
+/// A statement about the set of a scope.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Claim {
-    /// Which half-planes make the set.
+    /// The half-planes that make the set.
     pub scope: Scope,
     /// What is so.
     pub kind: ClaimKind,
 }
 
-/// What is so about a set.
+/// A claim about a set.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ClaimKind {
-    /// How far a form f·θ goes in it; an end is `None` where nothing bounds it.
+    /// The range of a form f·θ in the set; an end is `None` where nothing bounds it.
     Form {
         /// f.
         form: [Rational; 2],
@@ -39,16 +39,16 @@ pub enum ClaimKind {
     Least,
     /// All of it is known.
     Set {
-        /// How far it goes.
+        /// The extent of the set.
         extent: Extent,
-        /// How many vertices it has.
+        /// The number of vertices it has.
         vertices: usize,
-        /// How many sides.
+        /// The number of sides.
         sides: usize,
     },
     /// Nothing is in it while fewer rows than this are left out.
     LeftOut {
-        /// How many at least.
+        /// The least number.
         least: u64,
         /// Just the sets of so many rows without which something is left, where they are stated.
         sets: Option<BTreeSet<BTreeSet<u64>>>,

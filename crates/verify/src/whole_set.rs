@@ -15,16 +15,16 @@ use crate::plane::{HalfPlane, Point, Vector, dot};
 use crate::shape::{NotAProof, Shape, needed};
 use crate::sides::Sides;
 
-/// What version 1 states.
+/// The statement of version 1.
 #[derive(Debug, Clone)]
 pub(crate) struct WholeSet {
     pub(crate) vertices: Vec<Vector>,
-    /// Which vertex, an index from 0, and which half-plane touches it; in order, and none twice.
+    /// Pairs of a vertex, an index from 0, and a half-plane that touches it; in order, and none twice.
     active: Vec<(u64, Named)>,
-    /// Which half-plane, and at which vertex the next side begins; none where a gap comes instead.
+    /// Pairs of a half-plane and the vertex where the next side begins; none where a gap comes instead.
     sides: Vec<(Named, Option<u64>)>,
     farkas: Multiples,
-    /// Of each end of the parameters' ranges.
+    /// The proofs of each end of the parameters' ranges.
     bounds: Vec<End>,
 }
 
@@ -160,7 +160,7 @@ fn check_bound(
     Ok(is_reached.then(|| end.clone()))
 }
 
-/// How many bits the longest of these points has.
+/// Returns how many bits the longest of these points has.
 pub(crate) fn longest(points: &[Vector]) -> u64 {
     points.iter().map(|[x, y]| x.bits() + y.bits()).max().unwrap_or_default()
 }

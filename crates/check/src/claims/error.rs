@@ -1,15 +1,15 @@
-//! What can be wrong with a claim.
+//! The errors of a claim.
 
 use boundfit_exact::{Foreign, Limit, ParseNumberError};
 use boundfit_judge::SolutionError;
 use boundfit_lp::PuiEnd;
 use thiserror::Error;
 
-/// Why a claim cannot be used.
+/// The reason why a claim cannot be used.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ClaimError {
-    /// Not JSON, or not of the form of a claim.
+    /// A text that is not JSON, or not of the form of a claim.
     #[error(
         "{} (expected {{\"source\": \"...\", \"status\": \"optimal|infeasible|unbounded\", \"pui\": [[LO, HI], [LO, HI]]}})",
         Foreign::from(.0.to_string())
@@ -22,7 +22,7 @@ pub enum ClaimError {
         limit: usize,
         /// The line of the bracket that is too much, from 1.
         line: usize,
-        /// Its byte in the line, from 1.
+        /// The byte in the line, from 1.
         column: usize,
     },
     /// A text that should be a number.
@@ -30,7 +30,7 @@ pub enum ClaimError {
     Number {
         /// The text.
         text: Foreign,
-        /// What is wrong with it.
+        /// The problem.
         error: ParseNumberError,
     },
     /// A status that is none.
@@ -91,7 +91,7 @@ impl ClaimError {
 pub struct ClaimFileError {
     /// The file, as it was named.
     pub file: Foreign,
-    /// What is wrong with it.
+    /// The problem.
     #[source]
     pub problem: ClaimError,
 }

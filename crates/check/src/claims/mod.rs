@@ -57,7 +57,7 @@ pub fn read_claims(files: &[ClaimText], limits: &ClaimLimits) -> Result<Vec<Answ
     Ok(drafts.into_iter().map(Draft::answer).collect())
 }
 
-/// Whether a file of a folder of claims answers one of the four programs, by its name. Programs themselves, bases and logs
+/// Returns whether a file of a folder of claims answers one of the four programs, by its name. Programs themselves, bases and logs
 /// do not, nor do claims in JSON, which answer all four.
 pub fn is_solution_name(file: &Path) -> bool {
     const OTHERS: [&str; 6] = ["mps", "lp", "log", "bas", "json", "gz"];
@@ -70,7 +70,7 @@ fn is_json(text: &str) -> bool {
     text.trim_start_matches('\u{feff}').trim_start().starts_with(['{', '['])
 }
 
-/// What the files of one answer have in common.
+/// The part of a name that the files of one answer have in common.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct GroupKey {
     format: &'static str,

@@ -1,4 +1,4 @@
-//! What a solver's file says about one of the four programs.
+//! The claim of a solver's file about one of the four programs.
 
 use boundfit_exact::Limits;
 use boundfit_judge::{
@@ -29,7 +29,7 @@ pub(super) fn target(file: &SolutionFile) -> Option<PuiEnd> {
     file.about.iter().find_map(|name| PuiEnd::find(name)).map(|(_, target, _)| target)
 }
 
-/// What the file claims about the end that its program is about.
+/// Returns what the file claims about the end that its program is about.
 pub(super) fn claim(file: &SolutionFile, target: PuiEnd) -> BoundClaim {
     match (&file.status, point(file)) {
         (SolverStatus::Infeasible, _) => BoundClaim::bare(Claimed::Infeasible),

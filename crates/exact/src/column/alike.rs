@@ -1,4 +1,4 @@
-//! Which numbers of a column are equal.
+//! Finds equal numbers of a column.
 
 use std::hash::{Hash, Hasher};
 
@@ -23,7 +23,7 @@ impl Column {
         }
     }
 
-    /// Whether two numbers of this column are equal. Exact.
+    /// Returns whether two numbers of this column are equal. Exact.
     ///
     /// # Panics
     /// When there are not that many numbers.

@@ -91,12 +91,12 @@ impl Long {
         Some(column)
     }
 
-    /// How many numbers there are.
+    /// The number of numbers there are.
     pub fn len(&self) -> usize {
         self.words.len().checked_div(self.width).unwrap_or(0)
     }
 
-    /// Whether there are none.
+    /// Returns whether there are none.
     pub fn is_empty(&self) -> bool {
         self.words.is_empty()
     }
@@ -112,12 +112,12 @@ impl Long {
         self.words.get(start..start.saturating_add(self.width)).unwrap_or_default()
     }
 
-    /// What the lowest words count.
+    /// Returns what the lowest words count.
     pub fn unit(&self) -> Unit {
         Unit::TenTo(self.place * WORD_DIGITS)
     }
 
-    /// How many words each number has.
+    /// Returns how many words each number has.
     pub fn width(&self) -> usize {
         self.width
     }
@@ -271,7 +271,7 @@ impl LongTotal {
         self.0.iter_mut().zip(words).for_each(|(sum, &word)| sum.add(word.into()));
     }
 
-    /// How many of the units of the lowest words. Exact.
+    /// Returns how many of the units of the lowest words. Exact.
     pub fn total(&self) -> Integer {
         in_radix(&self.0)
     }
@@ -298,7 +298,7 @@ impl LongProducts {
         }
     }
 
-    /// How many of the product of the units of the lowest words. Exact.
+    /// Returns how many of the product of the units of the lowest words. Exact.
     pub fn total(&self) -> Integer {
         in_radix(&self.0)
     }

@@ -84,7 +84,7 @@ impl Column {
         }
     }
 
-    /// How many numbers there are.
+    /// The number of numbers there are.
     pub fn len(&self) -> usize {
         match self {
             Column::Narrow(scaled) => scaled.counts().len(),
@@ -95,7 +95,7 @@ impl Column {
         }
     }
 
-    /// Whether there are none.
+    /// Returns whether there are none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -129,7 +129,7 @@ impl Column {
         }
     }
 
-    /// Whether there is a 0. Cost: linear.
+    /// Returns whether there is a 0. Cost: linear.
     pub fn has_zero(&self) -> bool {
         match self {
             Column::Narrow(scaled) => scaled.counts().contains(&0),

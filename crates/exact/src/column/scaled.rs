@@ -119,13 +119,13 @@ impl<I: Count> Scaled<I> {
         Some(column)
     }
 
-    /// How many units each number is.
+    /// Returns how many units each number is.
     #[inline]
     pub fn counts(&self) -> &[I] {
         &self.counts
     }
 
-    /// What they count.
+    /// Returns what they count.
     #[inline]
     pub fn unit(&self) -> Unit {
         self.unit
@@ -206,7 +206,7 @@ impl Scaled<i128> {
 }
 
 impl Scaled<i64> {
-    /// How many units `count · 10^exponent` is, where the unit is that power of ten or a lower one and the integer is not too
+    /// Returns how many units `count · 10^exponent` is, where the unit is that power of ten or a lower one and the integer is not too
     /// large.
     #[inline(always)]
     fn on_unit(&self, count: i64, exponent: i32) -> Option<i64> {

@@ -1,9 +1,9 @@
-//! What the integers of a column count.
+//! The unit that the integers of a column count.
 
 use crate::powers_of_ten;
 use crate::{Integer, Rational};
 
-/// What the integers of a column count. Powers of ten are kept apart from other fractions: numbers on them get into
+/// The unit that the integers of a column count. Powers of ten are kept apart from other fractions: numbers on them get into
 /// lowest terms without a greatest common divisor, and into each other's units without a division.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Unit {
@@ -17,7 +17,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// As a number.
+    /// Returns the unit as a number.
     pub fn value(self) -> Rational {
         self.times(1)
     }
@@ -31,7 +31,7 @@ impl Unit {
         }
     }
 
-    /// How many units of another kind make one of these; `None` unless that is an integer of 128 bits.
+    /// Returns how many units of another kind make one of these; `None` unless that is an integer of 128 bits.
     #[inline]
     pub fn counted_in(self, finer: Unit) -> Option<i128> {
         match (self, finer) {

@@ -26,7 +26,7 @@ pub struct PlusMinus {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlacedDecimal {
     is_negative: bool,
-    /// Its size in units of the last place.
+    /// The size of the number in units of the last place.
     units: Integer,
     /// The last place, as a power of ten.
     place: i64,
@@ -104,7 +104,7 @@ impl PlacedDecimal {
         PlacedDecimal { least_plain: -1, ..self }
     }
 
-    /// Whether a rounded one is written without a power of ten.
+    /// Returns whether a rounded one is written without a power of ten.
     fn is_plain(&self) -> bool {
         let first = self.units.to_string().len() as i64 - 1 + self.place;
         self.place <= 0 && (self.units.is_zero() || first >= LEAST_PLAIN)

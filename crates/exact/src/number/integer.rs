@@ -13,7 +13,7 @@ use super::{Sign, number, operators};
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Integer(Size);
 
-/// How an integer is kept. A big one never fits into the small one.
+/// The form in which an integer is kept. A big one never fits into the small one.
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Size {
     Small(Word),
@@ -144,7 +144,7 @@ impl Integer {
         Integer::of_word(1)
     }
 
-    /// Whether the number is less than, equal to or greater than 0.
+    /// Returns whether the number is less than, equal to or greater than 0.
     #[inline]
     pub fn sign(&self) -> Sign {
         match &self.0 {
@@ -257,7 +257,7 @@ impl Integer {
         }
     }
 
-    /// Whether the number is divisible by 2.
+    /// Returns whether the number is divisible by 2.
     pub fn is_even(&self) -> bool {
         match &self.0 {
             Small(value) => value.get() % 2 == 0,

@@ -83,7 +83,7 @@ fn leading(large: &[u64], small: &[u64]) -> (u128, u128) {
 struct Steps {
     of_large: [u64; 2],
     of_small: [u64; 2],
-    /// Whether their number is even: then u0·a is the larger term of the first, and otherwise u1·a of the second.
+    /// True if their number is even: then u0·a is the larger term of the first, and otherwise u1·a of the second.
     is_even: bool,
 }
 

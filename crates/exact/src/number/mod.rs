@@ -84,17 +84,17 @@ macro_rules! number {
             }
         }
         impl $type {
-            /// Whether the number is 0.
+            /// Returns whether the number is 0.
             #[inline]
             pub fn is_zero(&self) -> bool {
                 self.sign() == Sign::Zero
             }
-            /// Whether the number is less than 0.
+            /// Returns whether the number is less than 0.
             #[inline]
             pub fn is_negative(&self) -> bool {
                 self.sign() == Sign::Negative
             }
-            /// Whether the number is greater than 0.
+            /// Returns whether the number is greater than 0.
             #[inline]
             pub fn is_positive(&self) -> bool {
                 self.sign() == Sign::Positive

@@ -235,7 +235,7 @@ impl Rational {
         Rational { numerator: numerator.into(), denominator: denominator.into() }
     }
 
-    /// Whether the number is less than, equal to or greater than 0.
+    /// Returns whether the number is less than, equal to or greater than 0.
     #[inline]
     pub fn sign(&self) -> Sign {
         self.numerator.sign()

@@ -45,9 +45,9 @@ pub(super) trait Index<C> {
     const CELLS: usize;
     /// Less than the number of cells for every x; does not decrease from the least to the greatest x of the sample.
     fn cell(&self, x: C, offset: f64) -> usize;
-    /// Whether nothing in the cell is left of this x.
+    /// Returns whether nothing in the cell is left of this x.
     fn is_before(&self, x: C, offset: f64, cell: usize) -> bool;
-    /// Whether nothing in the cell is right of this x.
+    /// Returns whether nothing in the cell is right of this x.
     fn is_after(&self, x: C, offset: f64, cell: usize) -> bool;
 }
 

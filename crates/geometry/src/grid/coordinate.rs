@@ -6,9 +6,9 @@ pub(super) trait Coordinate: Copy + PartialOrd {
     fn value(self) -> f64;
     /// The nearest binary64 to `self - origin`, for numbers from `origin` to one within its [reach](Self::reaches).
     fn offset(self, origin: Self) -> f64;
-    /// Whether all numbers up to `end` have finite offsets from this one.
+    /// Returns whether all numbers up to `end` have finite offsets from this one.
     fn reaches(self, end: Self) -> bool;
-    /// Whether a number is from `origin` to `end`, one within its reach.
+    /// Returns whether a number is from `origin` to `end`, one within its reach.
     fn is_within(self, origin: Self, end: Self) -> bool;
     /// Bits that tell it from most others.
     fn bits(self) -> u64;

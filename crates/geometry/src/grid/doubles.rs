@@ -55,7 +55,7 @@ fn order(left: f64, right: f64) -> Ordering {
     left.partial_cmp(&right).unwrap_or(Ordering::Equal)
 }
 
-/// On which side of the line through `p` and `q`, in that order, `r` lies: `Positive` is to the left. Exact.
+/// Returns the side of the line through `p` and `q`, in that order, `r` lies: `Positive` is to the left. Exact.
 fn orientation(p: &Place<f64>, q: &Place<f64>, r: &Place<f64>) -> Sign {
     /// 2⁻¹⁰⁷⁰: more than all underflow.
     const UNDERFLOW: f64 = f64::from_bits(1 << 4);
@@ -94,7 +94,7 @@ impl Binary {
     }
 }
 
-/// How far each significand moves left for the exponents to be equal.
+/// Returns how far each significand moves left for the exponents to be equal.
 fn shifts(numbers: &[Binary; 3]) -> [u32; 3] {
     let least = numbers.iter().map(|number| number.exponent).min().unwrap_or(0);
     numbers.map(|number| if number.significand == 0 { 0 } else { number.exponent.abs_diff(least) })

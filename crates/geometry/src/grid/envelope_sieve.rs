@@ -37,7 +37,7 @@ pub fn in_range(number: f64) -> f64 {
     if (size == 0.0) | (RANGE[0]..=RANGE[1]).contains(&size) { number } else { f64::NAN }
 }
 
-/// What is known about the half-planes of the whole, to discard readings by.
+/// The known half-planes of the whole, by which readings are discarded.
 #[derive(Debug, Clone)]
 pub struct EnvelopeSieve {
     /// Bounds of θ2 from above, and those from below in the mirror.
@@ -87,12 +87,12 @@ pub struct RoundedStrips {
 }
 
 impl RoundedStrips {
-    /// How many there are.
+    /// Returns how many there are.
     pub fn len(&self) -> usize {
         self.lower.len()
     }
 
-    /// Whether there are none.
+    /// Returns whether there are none.
     pub fn is_empty(&self) -> bool {
         self.lower.is_empty()
     }
@@ -164,7 +164,7 @@ impl EnvelopeSieve {
         left
     }
 
-    /// Which of some rows are discarded without a second look.
+    /// Returns which of some rows are discarded without a second look.
     #[inline]
     fn discards_lanes(&self, lanes: &Lanes) -> [bool; LANES] {
         let contain = |corners: &Option<Corners>, slope: &[f64; LANES], bound: &[f64; LANES]| match corners {
@@ -177,7 +177,7 @@ impl EnvelopeSieve {
         std::array::from_fn(|k| within_above[k] & within_below[k] & (lanes.height[k] > 0.0))
     }
 
-    /// Whether both half-planes of a reading certainly touch no envelope of the whole. `exact` gives its φ, and is asked only
+    /// Returns whether both half-planes of a reading certainly touch no envelope of the whole. `exact` gives its φ, and is asked only
     /// where this is not much steeper or flatter than an unbounded edge.
     #[inline]
     pub fn discards(&self, strip: &RoundedStrip, exact: impl Fn() -> [Rational; 2]) -> bool {
@@ -208,7 +208,7 @@ impl EnvelopeSieve {
     }
 }
 
-/// Whether size·θ1 ≤ bound is certainly strictly redundant beside θ1 ≤ known.
+/// Returns whether size·θ1 ≤ bound is certainly strictly redundant beside θ1 ≤ known.
 fn is_left_of(size: f64, known: Option<f64>, bound: f64) -> bool {
     let within = |known: f64| {
         let value = size * known;
@@ -275,7 +275,7 @@ impl Corners {
         })
     }
 
-    /// Whether a·θ < bound certainly holds in every corner.
+    /// Returns whether a·θ < bound certainly holds in every corner.
     #[inline]
     fn are_within(&self, [a1, a2]: [f64; 2], bound: f64) -> bool {
         self.corners.iter().all(|[v1, v2]| {
@@ -284,7 +284,7 @@ impl Corners {
         })
     }
 
-    /// Whether a1/a2 is between those of the edges, or the same as one of them.
+    /// Returns whether a1/a2 is between those of the edges, or the same as one of them.
     #[inline]
     fn is_between_edges(&self, [a1, a2]: [f64; 2], exact: impl Fn() -> [Rational; 2]) -> bool {
         let is_turned = |edge: &Edge, sign: f64| {

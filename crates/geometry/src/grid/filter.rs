@@ -11,24 +11,24 @@ use super::sample::{Sample, Sampled};
 use super::strip::Strip;
 use crate::tally::Tally;
 
-/// How the filter works. Results do not depend on it.
+/// The plan of the filter. Results do not depend on it.
 #[derive(Debug, Clone, Copy)]
 struct Plan {
-    /// How many rows make the sample.
+    /// The number of rows that make the sample.
     sample: usize,
-    /// How the x-axis is divided; `None` for whatever suits the sample.
+    /// The division of the x-axis; `None` for whatever suits the sample.
     division: Option<Division>,
-    /// Up to how many rows are not filtered.
+    /// The most rows that are not filtered.
     exact: usize,
 }
 
-/// How the x-axis is divided into cells.
+/// The division of the x-axis into cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Division {
-    /// Into cells of equal width.
+    /// Cells of equal width.
     #[cfg_attr(not(test), allow(dead_code, reason = "the tests force it; otherwise the sample decides"))]
     Equal,
-    /// At corners of the sample's hulls.
+    /// Cells that end at corners of the sample's hulls.
     Corners,
 }
 
@@ -51,12 +51,12 @@ pub struct Place<C> {
     pub rows: Tally,
 }
 
-/// What is to be known of the rows of columns.
+/// The facts wanted about the rows of columns.
 #[derive(Clone, Copy)]
 pub(super) struct Listing<'a> {
     /// The number of the row at a position; ascends.
     pub(super) row: &'a dyn Fn(usize) -> u64,
-    /// How many numbers are listed of each place.
+    /// The most row numbers that are listed for each place.
     pub(super) most: usize,
 }
 
@@ -213,7 +213,7 @@ impl<C: Coordinate, I: Index<C>> Filter<C, I> {
         survivors
     }
 
-    /// How many of the sample survive.
+    /// Returns how many of the sample survive.
     fn count(&self, sample: &Sample<C>) -> usize {
         sample.points.iter().filter(|point| !self.discards(point.x, point.y)).count()
     }

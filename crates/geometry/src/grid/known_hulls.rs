@@ -12,14 +12,14 @@ use crate::tally::Tally;
 /// Corners of both hulls, from left to right.
 pub(super) struct KnownHulls([Vec<GridPoint>; 2]);
 
-/// Where a point is, as one hull sees it.
+/// The place of a point, as one hull sees it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Seen {
-    /// On the side where the other hull is.
+    /// The side where the other hull is.
     Inside,
     /// Strictly within the edge that begins at this corner.
     Within(usize),
-    /// On the other side, at a corner, or left or right of all.
+    /// The other side, a corner, or left or right of all.
     Elsewhere,
 }
 

@@ -49,7 +49,7 @@ impl Tied for GridPoint {
     }
 }
 
-/// Whether the [`doubled_area`] of any three points is exact.
+/// Returns whether the [`doubled_area`] of any three points is exact.
 pub(super) fn are_narrow(points: &[GridPoint]) -> bool {
     points.iter().all(|point| point.x.unsigned_abs() < NARROW && point.y.unsigned_abs() < NARROW)
 }
@@ -76,7 +76,7 @@ pub fn doubled_area(p: &GridPoint, q: &GridPoint, r: &GridPoint) -> i128 {
         .wrapping_sub(product(difference(q.y, p.y), difference(r.x, p.x)))
 }
 
-/// On which side of the line through `p` and `q`, in that order, `r` lies, for any coordinates: `Positive` is to the left.
+/// Returns the side of the line through `p` and `q`, in that order, `r` lies, for any coordinates: `Positive` is to the left.
 fn wide_orientation(p: &GridPoint, q: &GridPoint, r: &GridPoint) -> Sign {
     let order = compare_products(
         [difference(q.x, p.x), difference(r.y, p.y)],

@@ -29,7 +29,7 @@ impl RoundedSieve {
 /// Positions, ascending, of the rows of two rounded columns of equal length that may [touch](super::touching) a hull: every
 /// one that does is among them, and of data with some width few others. Cost: linear.
 pub fn candidates_of_rounded(x: &[f64], y: &[f64]) -> Vec<usize> {
-    /// Up to so many rows are not filtered.
+    /// The most rows that are not filtered.
     const FEW: usize = 64;
     let mut positions: Vec<usize> = (0..x.len().min(y.len())).collect();
     let (mut xs, mut ys) = (x.to_vec(), y.to_vec());

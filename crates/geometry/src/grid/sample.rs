@@ -130,7 +130,7 @@ impl<C: Coordinate> Sample<C> {
         Equal::of_span(self.span, self.blur())
     }
 
-    /// How far apart two x have to be for their order to be that of what they are rounded from.
+    /// Returns how far apart two x have to be for their order to be that of what they are rounded from.
     pub(super) fn blur(&self) -> f64 {
         // Each is within 2^-50 of the greatest, and so are offsets and sums: eight times that is more.
         BLUR * self.blurred
@@ -188,7 +188,7 @@ impl<C: Coordinate> Sample<C> {
         Chord { slope: chord.slope, intercept: chord.intercept + self.margin(chord, [p, q]) }
     }
 
-    /// What must be added to the intercept; see the top of this file.
+    /// Returns what must be added to the intercept; see the top of this file.
     fn margin(&self, chord: Chord, ends: [&Sampled<C>; 2]) -> f64 {
         /// 2⁻¹⁰⁶⁸.
         const UNDERFLOW: f64 = f64::from_bits(1 << 6);

@@ -64,7 +64,7 @@ impl Strip {
         })
     }
 
-    /// Whether a point is certainly strictly between the hulls.
+    /// Returns whether a point is certainly strictly between the hulls.
     #[inline]
     pub(super) fn contains(&self, x: i64, y: i64) -> bool {
         let offset = x.wrapping_sub(self.x0);

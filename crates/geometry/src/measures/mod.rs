@@ -82,7 +82,7 @@ impl<'a> Measures<'a> {
         Measure(Kind::Area { of: self, unit: Rational::one() })
     }
 
-    /// How much the area is of another, positive one; `None` where either is not a finite positive number, except that no
+    /// Returns how much the area is of another, positive one; `None` where either is not a finite positive number, except that no
     /// area is 0 of any.
     pub fn share_of(&self, whole: &Rational) -> Option<Measure<'_>> {
         let area = self.area()?;
@@ -215,7 +215,7 @@ impl<'a> Measure<'a> {
         levels.filter_map(|level| self.ends(level))
     }
 
-    /// Whether it is made of corners of tens of thousands of bits.
+    /// Returns whether it is made of corners of tens of thousands of bits.
     fn is_long(&self) -> bool {
         const LONG: u64 = 1 << 14;
         match &self.0 {
@@ -226,7 +226,7 @@ impl<'a> Measure<'a> {
         }
     }
 
-    /// Whether it is made of corners that share a short denominator.
+    /// Returns whether it is made of corners that share a short denominator.
     fn is_on_grid(&self) -> bool {
         match &self.0 {
             Kind::Short(_) | Kind::Sum(_) => false,
@@ -265,7 +265,7 @@ impl<'a> Measure<'a> {
     }
 }
 
-/// Whether the coordinates of these points are multiples of one over a denominator of at most 64 bits.
+/// Returns whether the coordinates of these points are multiples of one over a denominator of at most 64 bits.
 fn is_on_grid(corners: &[Cow<Point>]) -> bool {
     let mut common = Integer::one();
     corners.iter().all(|corner| {

@@ -102,7 +102,7 @@ impl Ground<'_> {
         Some(measure.finding(Aspect::Farkas, line))
     }
 
-    /// What a multiplier that leans on no bound is measured by: of a column the sum of the sizes of what rows put there, of a row
+    /// Returns the measures of multipliers that lean on no bound. A column has the sum of the sizes of what rows put there, a row
     /// the largest multiplier.
     fn farkas_sizes(&self, multipliers: &[Rational]) -> Vec<Rational> {
         let mut columns = vec![Rational::zero(); self.model.columns.len()];

@@ -51,7 +51,7 @@ impl Ground<'_> {
         left
     }
 
-    /// What is found about duals and reduced costs; nothing where the solution has none.
+    /// Returns what is found about duals and reduced costs; nothing where the solution has none.
     pub(super) fn prices(&self, solution: &Solution, tolerances: &Tolerances) -> [Option<Finding>; 3] {
         let Some(duals) = &solution.duals else { return [None, None, None] };
         let costs = self.model.columns.iter().map(|column| column.cost.clone());

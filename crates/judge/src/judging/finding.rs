@@ -1,19 +1,19 @@
-//! What is found about one aspect of an answer.
+//! Findings about one aspect of an answer.
 
 use boundfit_exact::{Foreign, Rational};
 
 use crate::answer::Side;
 
-/// How far an answer may be from the truth.
+/// The distance that an answer may be from the truth.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Tolerances {
     /// An error counts as within tolerance up to this part of what it is measured by.
     pub relative: Rational,
-    /// Whether a number may be half a unit of its last printed digit away from the one that was meant.
+    /// True if a number may be half a unit of its last printed digit away from the one that was meant.
     pub digits_as_printed: bool,
 }
 
-/// What is judged on its own.
+/// An aspect that is judged on its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Aspect {
     /// Optimal, infeasible or unbounded.
@@ -65,7 +65,7 @@ impl Aspect {
         }
     }
 
-    /// What it asks, as a sentence without its end.
+    /// Returns what it asks, as a sentence without its end.
     pub fn question(self) -> &'static str {
         match self {
             Aspect::Status => "the status is that of the program",
@@ -81,14 +81,14 @@ impl Aspect {
     }
 }
 
-/// What one aspect is worth, from best to worst.
+/// The worth of one aspect, from best to worst.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Worth {
-    /// There is no error.
+    /// No error.
     Exact,
-    /// What rounding explains: 4 units in the last place of binary64, or half a unit of the last printed digit, of each number.
+    /// An error that rounding explains: 4 units in the last place of binary64, or half a unit of the last printed digit, of each number.
     Rounded,
-    /// Beyond rounding, by no more than the tolerance.
+    /// An error beyond rounding, by no more than the tolerance.
     WithinTolerance,
     /// Nothing was claimed, or one of two statuses, of which one is right.
     NoAnswer,
@@ -109,21 +109,21 @@ impl Worth {
     }
 }
 
-/// What is wrong, where that is known.
+/// The fault, where it is known.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Fault {
     /// The status is another one.
     Status {
-        /// What is claimed, in the solver's words where it is no answer.
+        /// The claim, in the solver's words where it is no answer.
         claimed: Foreign,
         /// `optimal`, `infeasible` or `unbounded`.
         exact: &'static str,
     },
     /// A number is another one.
     Value {
-        /// What is claimed.
+        /// The claim.
         claimed: Rational,
-        /// What is true.
+        /// The truth.
         exact: Rational,
     },
     /// The point is beyond a bound.
@@ -146,7 +146,7 @@ pub enum Fault {
     ReducedCost {
         /// The column.
         column: usize,
-        /// What is claimed.
+        /// The claim.
         claimed: Rational,
         /// What the duals leave.
         exact: Rational,
@@ -157,7 +157,7 @@ pub enum Fault {
         side: Side,
         /// Its price.
         price: Rational,
-        /// How far away the point is.
+        /// The distance of the point.
         slack: Rational,
     },
     /// A direction leaves the values that a row or column may have.
@@ -179,12 +179,12 @@ pub enum Fault {
     },
 }
 
-/// What was found about one aspect.
+/// The finding about one aspect.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
-    /// Which one.
+    /// The aspect.
     pub aspect: Aspect,
-    /// What it is worth.
+    /// The worth.
     pub worth: Worth,
     /// The line of the file that is to blame, from 1.
     pub line: usize,
@@ -192,7 +192,7 @@ pub struct Finding {
     pub error: Option<Rational>,
     /// The error in units of what it is measured by.
     pub relative: Option<Rational>,
-    /// What is wrong with the worst row or column; `None` where nothing is.
+    /// The fault of the worst row or column; `None` where nothing is.
     pub fault: Option<Fault>,
     /// The smallest tolerance that excuses all errors of the aspect, as solvers define theirs; where there is one.
     pub excuse: Option<Excuse>,

@@ -1,4 +1,4 @@
-//! What errors are measured by.
+//! The measures of errors.
 
 use boundfit_exact::Rational;
 use boundfit_lp::{Model, ModelRow, ObjectiveSense};
@@ -18,11 +18,11 @@ use crate::certificate::value_of;
 pub struct Ground<'a> {
     pub(super) model: &'a Model,
     pub(super) answer: &'a Answer,
-    /// Of each column's value.
+    /// The measure of each column's value.
     columns: Vec<Rational>,
-    /// Of each column's reduced cost.
+    /// The measure of each column's reduced cost.
     costs: Vec<Rational>,
-    /// Of the objective.
+    /// The measure of the objective.
     objective: Rational,
 }
 
@@ -38,12 +38,12 @@ impl<'a> Ground<'a> {
         Ground { model, answer, columns, costs, objective }
     }
 
-    /// Of the objective.
+    /// The measure of the objective.
     pub(super) fn objective_scale(&self) -> Rational {
         self.objective.clone()
     }
 
-    /// Of a bound of a row or a column.
+    /// The measure of a bound of a row or a column.
     pub(super) fn scale_of(&self, side: Side, bound: &Rational) -> Rational {
         let terms = match side.item {
             Item::Row(row) => self.model.rows.get(row).map(|row| self.terms(row)).unwrap_or_default(),
@@ -57,12 +57,12 @@ impl<'a> Ground<'a> {
         row.coefficients.iter().filter_map(size).fold(Rational::zero(), |sum, term| sum + term)
     }
 
-    /// Of a column's reduced cost.
+    /// The measure of a column's reduced cost.
     pub(super) fn cost_scale(&self, column: usize) -> Rational {
         self.costs.get(column).cloned().unwrap_or_else(Rational::one)
     }
 
-    /// Of a price of a row or column.
+    /// The measure of a price of a row or column.
     pub(super) fn price_scale(&self, item: Item) -> Rational {
         let row = match item {
             Item::Column(column) => return self.cost_scale(column),
@@ -75,7 +75,7 @@ impl<'a> Ground<'a> {
     }
 }
 
-/// How large each column is at the optimum; where it is 0, or there is no optimum, as large as its rows let it be.
+/// Returns how large each column is at the optimum; where it is 0, or there is no optimum, as large as its rows let it be.
 fn column_sizes(model: &Model, answer: &Answer) -> Vec<Rational> {
     let points: Vec<&Vec<Rational>> = match answer {
         Answer::Optimal { face, .. } => face.vertices.iter().chain(&face.points).collect(),
@@ -105,7 +105,7 @@ fn column_sizes(model: &Model, answer: &Answer) -> Vec<Rational> {
     sizes.into_iter().map(|size| size.unwrap_or_else(|| largest.clone())).collect()
 }
 
-/// How large the terms of each column's reduced cost are.
+/// Returns how large the terms of each column's reduced cost are.
 fn cost_sizes(model: &Model, answer: &Answer) -> Vec<Rational> {
     let mut sums = vec![Rational::zero(); model.columns.len()];
     if let Answer::Optimal { prices, .. } = answer {
@@ -133,7 +133,7 @@ fn objective_terms(model: &Model, answer: &Answer) -> Rational {
     face.vertices.iter().chain(&face.points).map(at).max().unwrap_or_default()
 }
 
-/// How much the objective varies over the feasible set, where that is finite and not 0.
+/// Returns how much the objective varies over the feasible set, where that is finite and not 0.
 fn objective_range(model: &Model, answer: &Answer) -> Option<Rational> {
     let Answer::Optimal { value, .. } = answer else { return None };
     let sense = match model.sense {

@@ -7,11 +7,11 @@ use super::finding::{Aspect, Excuse, Fault, Finding, Tolerances, Worth};
 
 /// One error.
 pub(super) struct Measured {
-    /// Its size; nothing wrong where it is 0.
+    /// The size of the error; 0 where nothing is wrong.
     pub(super) error: Rational,
-    /// How much of it rounding explains.
+    /// The part of the error that rounding explains.
     pub(super) rounding: Rational,
-    /// What it is measured by; positive.
+    /// The measure of the error; positive.
     pub(super) scale: Rational,
     /// The line to blame.
     pub(super) line: usize,
@@ -63,7 +63,7 @@ impl<'a> Measure<'a> {
         }
     }
 
-    /// What was found. `line` is to blame where nothing is wrong.
+    /// Returns what was found. `line` is to blame where nothing is wrong.
     pub(super) fn finding(self, aspect: Aspect, line: usize) -> Finding {
         let (line, fault) = self.worst.map_or((line, None), |(line, fault)| (line, Some(fault)));
         Finding {
@@ -78,7 +78,7 @@ impl<'a> Measure<'a> {
     }
 }
 
-/// How far the number that was meant may be from the one that is given.
+/// Returns how far the number that was meant may be from the one that is given.
 pub(super) fn rounding(printed: &Printed, tolerances: &Tolerances) -> Rational {
     let reach = if tolerances.digits_as_printed { printed.reach() } else { Rational::zero() };
     // Binary64 has no number that small: nothing was rounded to it.

@@ -19,7 +19,7 @@ pub use finding::{Aspect, Excuse, Fault, Finding, Tolerances, Worth};
 pub use ground::Ground;
 use measure::Measure;
 
-/// What was found about one solution.
+/// The findings about one solution.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Findings {
     /// One for each aspect that the solution says something about, in the order of [`Aspect::ALL`].
@@ -31,13 +31,13 @@ pub struct Findings {
 pub struct JudgedSolution {
     /// The file, as it was named.
     pub file: Foreign,
-    /// What it says.
+    /// The solution that the file gives.
     pub solution: Solution,
-    /// What that is worth.
+    /// The findings about it.
     pub findings: Findings,
 }
 
-/// What a solver of this build is worth on a model.
+/// The worth of a solver of this build on a model.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JudgedSolver {
     /// The solver with its version; `exact-simplex` for the exact one.
@@ -54,12 +54,12 @@ impl Findings {
         self.findings.iter().map(|finding| finding.worth).max().unwrap_or(Worth::NoAnswer)
     }
 
-    /// Whether something is refuted.
+    /// Returns whether something is refuted.
     pub fn is_refuted(&self) -> bool {
         self.worst() == Worth::Refuted
     }
 
-    /// What was found about an aspect, if the solution says something about it.
+    /// Returns what was found about an aspect, if the solution says something about it.
     pub fn about(&self, aspect: Aspect) -> Option<&Finding> {
         self.findings.iter().find(|finding| finding.aspect == aspect)
     }

@@ -9,7 +9,7 @@ use super::{Aspect, Excuse, Fault, Finding, Ground, Measure, Tolerances, value_a
 use crate::answer::{Answer, Item, Side};
 use crate::solution::{Given, Solution};
 
-/// What every row and column may be: rows first.
+/// Returns what every row and column may be: rows first.
 pub(super) fn items<'a>(ground: &Ground<'a>) -> impl Iterator<Item = (Item, &'a Bounds)> {
     let rows = ground.model.rows.iter().enumerate().map(|(place, row)| (Item::Row(place), &row.bounds));
     let columns = ground.model.columns.iter().enumerate();
@@ -21,7 +21,7 @@ pub(super) fn values(given: &[Given]) -> Vec<Rational> {
     given.iter().map(|given| given.number.value.clone()).collect()
 }
 
-/// How far each number may be from the one that was meant.
+/// Returns how far each number may be from the one that was meant.
 pub(super) fn roundings(given: &[Given], tolerances: &Tolerances) -> Vec<Rational> {
     given.iter().map(|given| rounding(&given.number, tolerances)).collect()
 }
@@ -46,7 +46,7 @@ impl Ground<'_> {
         solution.status == crate::solution::SolverStatus::Optimal
     }
 
-    /// How much of a row's or column's value rounding explains.
+    /// Returns how much of a row's or column's value rounding explains.
     pub(super) fn reach(&self, item: Item, roundings: &[Rational]) -> Rational {
         match item {
             Item::Column(column) => roundings.get(column).cloned().unwrap_or_default(),

@@ -16,12 +16,12 @@ const DIGITS: NumberFormat = NumberFormat::EIGHT;
 /// What `%15.8g` and `%.8f` both print.
 const OBJECTIVE: NumberFormat = NumberFormat::DownTo { place: -8, most: 8 };
 
-/// Whether a text is a solution of CBC: its first line is `STATUS - objective value NUMBER`.
+/// Returns whether a text is a solution of CBC: its first line is `STATUS - objective value NUMBER`.
 pub(super) fn is_cbc(text: &str) -> bool {
     text.lines().next().is_some_and(|line| line.contains(" - objective value "))
 }
 
-/// Whether a text is a solution of CLP: the second line is `Objective value NUMBER`.
+/// Returns whether a text is a solution of CLP: the second line is `Objective value NUMBER`.
 pub(super) fn is_clp(text: &str) -> bool {
     text.lines().nth(1).is_some_and(|line| line.starts_with("Objective value "))
 }

@@ -13,7 +13,7 @@ use super::{Entry, Reference, SolutionFile, SolverStatus};
 const FORMAT: &str = "CPLEX";
 const DIGITS: NumberFormat = NumberFormat::FIFTEEN;
 
-/// Whether a text is XML.
+/// Returns whether a text is XML.
 pub(super) fn is_xml(text: &str) -> bool {
     text.trim_start_matches('\u{feff}').trim_start().starts_with('<')
 }

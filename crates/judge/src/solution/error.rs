@@ -1,11 +1,11 @@
-//! What can be wrong with a solution file.
+//! The errors of a solution file.
 
 use std::borrow::Cow;
 
 use boundfit_exact::{Foreign, Limit, ParseNumberError};
 use thiserror::Error;
 
-/// Why a solution file cannot be used.
+/// The reason why a solution file cannot be used.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum SolutionError {
@@ -17,33 +17,33 @@ pub enum SolutionError {
     /// A line that is not understood.
     #[error("line {line}: {text:?} (expected {expected}, as {format} writes it)")]
     Line {
-        /// Who writes such files.
+        /// The program that writes such files.
         format: &'static str,
-        /// From 1.
+        /// The line, from 1.
         line: usize,
         /// The line, cut where it is long.
         text: Foreign,
-        /// What would be accepted.
+        /// The text that would be accepted.
         expected: Cow<'static, str>,
     },
     /// A number that is none, or beyond a limit.
     #[error("line {line}: {text:?}: {error} (expected a number, as {format} writes it)")]
     NumberAt {
-        /// Who writes such files.
+        /// The program that writes such files.
         format: &'static str,
-        /// From 1.
+        /// The line, from 1.
         line: usize,
         /// The number, cut where it is long.
         text: Foreign,
-        /// What is wrong with it.
+        /// The problem.
         error: ParseNumberError,
     },
     /// A file that stops too early.
     #[error("the file stops without {missing}, which {format} writes")]
     End {
-        /// Who writes such files.
+        /// The program that writes such files.
         format: &'static str,
-        /// What is not there.
+        /// The missing part.
         missing: &'static str,
     },
     /// JSON that is none.
@@ -55,25 +55,25 @@ pub enum SolutionError {
     /// A field of JSON that is not understood.
     #[error("line {line}: \"{field}\": {found} (expected {expected})")]
     Field {
-        /// Where it is, from 1.
+        /// The line, from 1.
         line: usize,
-        /// Its name.
+        /// The name.
         field: Foreign,
-        /// What is there, cut where it is long.
+        /// The text that is there, cut where it is long.
         found: Foreign,
-        /// What would be accepted.
+        /// The text that would be accepted.
         expected: &'static str,
     },
     /// A name or a place that the model has not.
     #[error("line {line}: {of} is no {kind} of the model (expected {available})")]
     Unknown {
-        /// Where it is, from 1.
+        /// The line, from 1.
         line: usize,
-        /// What the file names.
+        /// The name in the file.
         of: Foreign,
         /// Column or row.
         kind: &'static str,
-        /// What would be accepted.
+        /// The text that would be accepted.
         available: String,
     },
     /// Two values for one column or row.
@@ -89,9 +89,9 @@ pub enum SolutionError {
     /// A column without a value, of a writer that leaves none out.
     #[error("there is no value of the column {column}, which {format} writes")]
     NoValue {
-        /// Who writes such files.
+        /// The program that writes such files.
         format: &'static str,
-        /// Its name.
+        /// The name.
         column: Foreign,
     },
     /// XML that is none.

@@ -1,4 +1,4 @@
-//! What a solution file says about the columns and rows of a model.
+//! The entries of a solution file, by columns and rows of a model.
 
 use std::collections::HashMap;
 
@@ -20,9 +20,9 @@ pub struct Given {
 /// A solution with an entry for each column and row of a model.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Solution {
-    /// Who writes such files.
+    /// The program that writes such files.
     pub writer: &'static str,
-    /// How the solver ended.
+    /// The end of the solver.
     pub status: SolverStatus,
     /// The line of the status, from 1.
     pub status_line: usize,
@@ -154,7 +154,7 @@ fn given(figure: &Figure, line: usize) -> Option<Given> {
     figure.finite().map(|number| Given { number: number.clone(), line })
 }
 
-/// What a file says about one column or row.
+/// The entries of a file about one column or row.
 #[derive(Debug, Clone)]
 enum Slot {
     Missing,
@@ -230,7 +230,7 @@ impl<'a> Names<'a> {
         SolutionError::Unknown { line: entry.line, of, kind: self.kind, available: self.available() }
     }
 
-    /// What the entries say of each.
+    /// Returns what the entries say of each.
     fn fill<'e>(
         &self,
         entries: impl Iterator<Item = &'e Entry>,

@@ -19,14 +19,14 @@ const PRINTED: NumberFormat = NumberFormat::SIX;
 /// Of the objective in the heading.
 const HEADING: NumberFormat = NumberFormat::Significant(10);
 
-/// Whether a text is a solution for programs: comment lines, then `s bas`, `s ipt` or `s mip`.
+/// Returns whether a text is a solution for programs: comment lines, then `s bas`, `s ipt` or `s mip`.
 pub(super) fn is_plain(text: &str) -> bool {
     let is_comment = |line: &&str| line.split_whitespace().next().is_none_or(|word| word == "c");
     text.lines().find(|line| !is_comment(line)).is_some_and(|line| line.trim_start().starts_with("s "))
         || text.starts_with("c Problem:")
 }
 
-/// Whether a text is a solution for people: it starts with the problem's name and size.
+/// Returns whether a text is a solution for people: it starts with the problem's name and size.
 pub(super) fn is_printed(text: &str) -> bool {
     let mut lines = text.lines();
     let mut starts = |key: &str| lines.next().is_some_and(|line| line.starts_with(key));
@@ -153,7 +153,7 @@ impl Kind {
         Ok(Kind { value, has_duals, is_interior: *kind == "ipt", rows, announced, status })
     }
 
-    /// What a line `i` or `j` says, once its number was looked at.
+    /// Returns what a line `i` or `j` says, once its number was looked at.
     fn entry(
         &self,
         line: Line<'_>,
@@ -213,7 +213,7 @@ fn status(words: &str) -> SolverStatus {
     }
 }
 
-/// Where a line of a solution for people belongs.
+/// The place where a line of a solution for people belongs.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Section {
     Heading,

@@ -12,7 +12,7 @@ use super::{Entry, Reference, SolutionFile, SolverStatus};
 const GUROBI: &str = "Gurobi";
 const MIPLIB: &str = "MIPLIB";
 
-/// Whether a text is a list of values after `# Objective value = NUMBER` or `=obj= NUMBER`.
+/// Returns whether a text is a list of values after `# Objective value = NUMBER` or `=obj= NUMBER`.
 pub(super) fn is_gurobi(text: &str) -> bool {
     let text = text.trim_start_matches('\u{feff}');
     let first = text.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or_default();

@@ -15,19 +15,19 @@ const FORMAT: &str = "HiGHS";
 const RAW: NumberFormat = NumberFormat::HIGHS;
 const TABLE: NumberFormat = NumberFormat::SIX;
 
-/// Whether a text is a solution in raw style.
+/// Returns whether a text is a solution in raw style.
 pub(super) fn is_raw(text: &str) -> bool {
     text.lines().find(|line| !line.trim().is_empty()).is_some_and(|line| line.trim() == "Model status")
 }
 
-/// Whether a text is a table for people.
+/// Returns whether a text is a table for people.
 pub(super) fn is_table(text: &str) -> bool {
     let mut lines = text.lines();
     lines.next().is_some_and(|line| line.trim() == "Columns")
         && lines.next().is_some_and(|line| line.split_whitespace().take(2).eq(["Index", "Status"]))
 }
 
-/// What a line of the raw style belongs to.
+/// The part that a line of the raw style belongs to.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Section {
     Status,

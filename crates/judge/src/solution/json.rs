@@ -78,7 +78,7 @@ struct Cursor<'a> {
 }
 
 impl<'a> Cursor<'a> {
-    /// Where a field is; the first line where it is not found.
+    /// Returns where a field is; the first line where it is not found.
     fn at(text: &'a str, field: &str) -> Self {
         let mut cursor = Cursor { rest: text, line: 1 };
         cursor.next(field);

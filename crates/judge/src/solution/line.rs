@@ -11,7 +11,7 @@ use super::figure::Figure;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Line<'a> {
     pub(super) format: &'static str,
-    /// From 1.
+    /// The number of the line, from 1.
     pub(super) number: usize,
     pub(super) text: &'a str,
 }

@@ -18,18 +18,18 @@ pub use error::{SolutionError, quoted};
 pub use figure::Figure;
 pub use given::{Given, Solution};
 
-/// How a solver says that it ended.
+/// The end that a solver reports.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SolverStatus {
-    /// With an optimum.
+    /// An optimum.
     Optimal,
-    /// There is no feasible point.
+    /// No feasible point.
     Infeasible,
-    /// There is no optimum, because the objective improves for ever.
+    /// No optimum, because the objective improves for ever.
     Unbounded,
     /// One of the two.
     InfeasibleOrUnbounded,
-    /// With no answer, in its own words.
+    /// No answer, in the solver's own words.
     Other(String),
 }
 
@@ -50,19 +50,19 @@ impl SolverStatus {
     }
 }
 
-/// How a file refers to a column or a row.
+/// The reference of a file to a column or a row.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Reference {
-    /// By its name.
+    /// The name.
     Name(String),
-    /// By its place in the model, from 0.
+    /// The place in the model, from 0.
     Place(usize),
 }
 
-/// What a file says about one column or row.
+/// The entries of a file about one column or row.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Entry {
-    /// Which one.
+    /// The column or row.
     pub of: Reference,
     /// The line that says so, from 1.
     pub line: usize,
@@ -85,14 +85,14 @@ pub struct Announced {
     pub text: String,
 }
 
-/// What a solution file says, whatever its format. Numbers are exactly those of the text.
+/// The content of a solution file, whatever its format. Numbers are exactly those of the text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SolutionFile {
-    /// Who writes such files.
+    /// The program that writes such files.
     pub writer: &'static str,
     /// The names that the file gives its problem and its objective.
     pub about: Vec<String>,
-    /// How the solver ended, and the line that says so, from 1.
+    /// The end of the solver, and the line that says so, from 1.
     pub status: SolverStatus,
     /// The line of the status, from 1.
     pub status_line: usize,
@@ -107,7 +107,7 @@ pub struct SolutionFile {
     /// Multipliers of rows that are said to prove that there is no feasible point: positive ones take the lower bound of
     /// their row, negative ones the upper one; the bounds of columns take what is left.
     pub farkas: Option<Vec<Entry>>,
-    /// Whether the file has duals of rows; one without a number is 0 then.
+    /// True if the file has duals of rows; one without a number is 0 then.
     pub has_duals: bool,
     /// Columns that the writer leaves out are at most this large; `None` where it writes all of them.
     pub left_out: Option<Rational>,

@@ -83,7 +83,7 @@ fn write_sum(text: &mut impl fmt::Write, parts: &[Term<'_>], space: &str) -> fmt
     })
 }
 
-/// What separates the parts of a line: a line end, where they and so many more characters are too many for one.
+/// Returns what separates the parts of a line: a line end, where they and so many more characters are too many for one.
 fn separator(parts: &[Term<'_>], more: usize) -> &'static str {
     let length = more + parts.iter().flatten().map(|piece| piece.len()).sum::<usize>();
     if length > LONGEST_LINE { "\n  " } else { " " }

@@ -18,7 +18,7 @@ use crate::model::{Bounds, ObjectiveSense};
 use rows::{LargeBounds, WrittenRows};
 use written::{Written, WrittenColumn};
 
-/// How the form of a row is related to its right-hand side.
+/// The relation of a row's form to its right-hand side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sense {
     /// `a·θ ≤ b`.

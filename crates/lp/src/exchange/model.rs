@@ -126,7 +126,7 @@ fn sayable<'a>(row: NamedRow<'a>, format: ExchangeFormat, remarks: &mut Vec<Stri
     vec![lower, upper]
 }
 
-/// Where the coefficients of a row are.
+/// The place of the coefficients of a row.
 #[derive(Clone, Copy)]
 enum Form<'a> {
     Objective,

@@ -6,7 +6,7 @@ use super::rows::{WrittenRow, WrittenRows};
 use super::written::{Written, WrittenColumn, put};
 use crate::model::ObjectiveSense;
 
-/// What every reader takes for infinity.
+/// The number that every reader takes for infinity.
 const INFINITY: &str = "1e30";
 
 /// The program as free MPS, with the sections that it needs: not every reader knows OBJSENSE.

@@ -21,12 +21,12 @@ pub(super) fn decimal(value: &Rational) -> String {
     text
 }
 
-/// Whether a finite decimal is the number. Exact. Cost: as [`push_decimal`].
+/// Returns whether a finite decimal is the number. Exact. Cost: as [`push_decimal`].
 pub(super) fn has_finite_decimal(value: &Rational) -> bool {
     exact_decimal(value).is_some()
 }
 
-/// Whether the number is a finite decimal of two machine words, so that it has fewer than a hundred digits and is within the
+/// Returns whether the number is a finite decimal of two machine words, so that it has fewer than a hundred digits and is within the
 /// range of doubles. Cost: some nanoseconds.
 pub(super) fn is_short(value: &Rational) -> bool {
     value.to_words().is_some_and(|(_, denominator)| {

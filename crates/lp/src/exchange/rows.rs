@@ -23,7 +23,7 @@ pub(super) struct WrittenRows {
     remarks: Vec<String>,
 }
 
-/// Which pieces a row has.
+/// The pieces that a row has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Shape {
     coefficients: usize,
@@ -48,7 +48,7 @@ pub(super) struct WrittenRow<'a> {
 /// What is done about bounds that readers would take for infinite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum LargeBounds {
-    /// They stand as they are.
+    /// Bounds stand as they are.
     Kept,
     /// If one is 10³⁰ or more, all numbers of the row become smaller.
     Scaled,
@@ -138,12 +138,12 @@ impl WrittenRows {
         }
     }
 
-    /// What a reader has to know about the numbers.
+    /// Returns what a reader has to know about the numbers.
     pub(super) fn remarks(&self) -> &[String] {
         &self.remarks
     }
 
-    /// Whether a row has two bounds that differ.
+    /// Returns whether a row has two bounds that differ.
     pub(super) fn has_ranges(&self) -> bool {
         self.shapes.iter().any(|shape| shape.has_range)
     }
@@ -191,7 +191,7 @@ fn first_piece<'a>(pieces: &mut &'a str) -> &'a str {
     piece
 }
 
-/// What all numbers of a row were multiplied with.
+/// The factor of all numbers of a row.
 struct Scale {
     by: Rational,
     why: &'static str,
@@ -225,7 +225,7 @@ fn factor(by: &Rational) -> String {
     if by.denominator() == Integer::one() { by.to_string() } else { decimal(by) }
 }
 
-/// Whether a number and its double are both zero or both not, and the double is finite.
+/// Returns whether a number and its double are both zero or both not, and the double is finite.
 fn is_in_range(value: &Rational) -> bool {
     let double = value.to_f64();
     double.is_finite() && (double != 0.0 || value.is_zero())

@@ -19,7 +19,7 @@ pub(super) enum Extended {
 }
 
 impl Extended {
-    /// What a number says as a bound.
+    /// Returns what a number says as a bound.
     pub(super) fn new(value: Rational) -> Self {
         match () {
             () if value >= *INFINITE => Extended::Plus,

@@ -1,4 +1,4 @@
-//! What can be wrong with a file of a linear program, and where.
+//! The errors of a file of a linear program, with their places.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use crate::format::ExchangeFormat;
 /// A place in a file, with what stands there.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ModelPlace {
-    /// From 1.
+    /// The line, from 1.
     pub line: u64,
     /// The character of the line, from 1.
     pub column: usize,
@@ -22,9 +22,9 @@ pub struct ModelPlace {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{}{kind}{}", At(.place.as_deref()), Expected(.kind))]
 pub struct ModelError {
-    /// Where; nowhere if the file as a whole is meant.
+    /// The place; `None` if the file as a whole is meant.
     pub place: Option<Box<ModelPlace>>,
-    /// What is wrong there.
+    /// The problem.
     #[source]
     pub kind: ModelErrorKind,
 }
@@ -46,7 +46,7 @@ impl ModelError {
     }
 }
 
-/// What is wrong with a file of a linear program.
+/// The kinds of errors of a file of a linear program.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ModelErrorKind {
@@ -246,7 +246,7 @@ impl ModelErrorKind {
         }
     }
 
-    /// What would be accepted instead, where that is not said already.
+    /// Returns what would be accepted instead, where that is not said already.
     fn expected(&self) -> Option<&'static str> {
         Some(match self {
             ModelErrorKind::Empty(ExchangeFormat::Mps) | ModelErrorKind::NoSection(_) => {

@@ -24,10 +24,10 @@ pub(crate) use lp_format::{ends_name, is_keyword};
 
 pub use error::{ModelError, ModelErrorKind, ModelPlace};
 
-/// What a file may ask for. What passes a limit is refused before memory is taken for it.
+/// The limits of a file. What passes a limit is refused before memory is taken for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ModelLimits {
-    /// Of one number.
+    /// The limits of one number.
     pub number: Limits,
     /// Bytes of one line.
     pub line: usize,
@@ -40,7 +40,7 @@ pub struct ModelLimits {
 }
 
 impl Default for ModelLimits {
-    /// Those of numbers, 16,777,216 bytes, 10,000,000 rows, 100,000 columns and 100,000,000 coefficients.
+    /// The default limits of numbers, 16,777,216 bytes, 10,000,000 rows, 100,000 columns and 100,000,000 coefficients.
     fn default() -> Self {
         ModelLimits {
             number: Limits::default(),

@@ -47,7 +47,7 @@ impl<'a> Names<'a> {
     }
 }
 
-/// Whether one letter more, less or another, or two neighbours exchanged, make one text the other. Names of one or two
+/// Returns whether one letter more, less or another, or two neighbours exchanged, make one text the other. Names of one or two
 /// letters are all alike and never one edit apart.
 fn is_one_edit(first: &str, second: &str) -> bool {
     // The distance takes the product of both lengths: only names of about the same length are asked for it, and no endless ones.

@@ -8,9 +8,9 @@ use super::{ModelLimits, bounds::Extended};
 /// A line of a file.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Line<'a> {
-    /// From 1.
+    /// The number of the line, from 1.
     pub(super) number: u64,
-    /// Without its end.
+    /// The line without its end.
     pub(super) text: &'a str,
 }
 
@@ -19,7 +19,7 @@ pub(super) struct Line<'a> {
 pub(super) struct Field<'a> {
     pub(super) text: &'a str,
     pub(super) line: Line<'a>,
-    /// How many bytes of the line come before it.
+    /// The number of bytes of the line before it.
     start: usize,
 }
 
@@ -59,7 +59,7 @@ impl<'a> Line<'a> {
         Field { text: text.trim(), line: self, start }
     }
 
-    /// What blanks and tabs separate.
+    /// Returns what blanks and tabs separate.
     pub(super) fn words(self) -> impl Iterator<Item = Field<'a>> {
         let mut rest = 0;
         std::iter::from_fn(move || {

@@ -60,7 +60,7 @@ const SECTIONS: [(Section, &[&str]); 6] = [
     (Section::End, &["end"]),
 ];
 
-/// Whether a name would be read as a keyword.
+/// Returns whether a name would be read as a keyword.
 pub(crate) fn is_keyword(name: &str) -> bool {
     let senses = SENSES.iter().flat_map(|(_, words)| *words);
     let sections = SECTIONS.iter().flat_map(|(_, words)| *words);
@@ -227,7 +227,7 @@ impl<'a, I: Iterator<Item = Result<Line<'a>, ModelError>>> Reader<'a, I> {
         Ok(Value { value: if is_negative { value.negated() } else { value }, field: token.field })
     }
 
-    /// Whether a number and a relation come next.
+    /// Returns whether a number and a relation come next.
     fn begins_with_value(&mut self) -> Result<bool, ModelError> {
         let mut place = 0;
         while self.tokens.peek(place)?.is_some_and(|token| token.kind.is_sign()) {
@@ -257,7 +257,7 @@ impl<'a, I: Iterator<Item = Result<Line<'a>, ModelError>>> Reader<'a, I> {
         Ok(())
     }
 
-    /// What stands behind the name of a row: `3 x + y <= 2` or `1 <= 3 x + y <= 2`.
+    /// Returns what stands behind the name of a row: `3 x + y <= 2` or `1 <= 3 x + y <= 2`.
     fn row(&mut self) -> Result<(), ModelError> {
         let left = self.left_side()?;
         let mut is_first = true;
@@ -284,7 +284,7 @@ impl<'a, I: Iterator<Item = Result<Line<'a>, ModelError>>> Reader<'a, I> {
         Ok(Some((self.tokens.next()?, value)))
     }
 
-    /// Whether a row or a bound ends here.
+    /// Returns whether a row or a bound ends here.
     fn end_of_line(&mut self, expected: &'static str) -> Result<(), ModelError> {
         let before = self.tokens.passed;
         let is_section = self.section()?.is_some();
@@ -327,7 +327,7 @@ impl<'a, I: Iterator<Item = Result<Line<'a>, ModelError>>> Reader<'a, I> {
     }
 }
 
-/// What the numbers on the left and on the right of a form say about it.
+/// Returns what the numbers on the left and on the right of a form say about it.
 fn sides<'a>(
     left: Option<(Token<'a>, Value<'a>)>,
     right: Option<(Token<'a>, Value<'a>)>,

@@ -10,7 +10,7 @@ use crate::read::error::{ModelError, ModelErrorKind};
 use crate::read::names::Names;
 use crate::read::text::Field;
 
-/// What is known so far.
+/// The program as far as it is known.
 pub(super) struct Program<'a> {
     pub(super) sense: ObjectiveSense,
     pub(super) objective_name: &'a str,
@@ -21,7 +21,7 @@ pub(super) struct Program<'a> {
     /// The lines of rows that have a name, in the order of the names.
     row_lines: Vec<u64>,
     rows: Vec<Row<'a>>,
-    /// How many coefficients there are.
+    /// The number of coefficients there are.
     entries: usize,
     limits: &'a ModelLimits,
 }

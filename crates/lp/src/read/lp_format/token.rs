@@ -6,7 +6,7 @@ use crate::read::ModelLimits;
 use crate::read::error::{ModelError, ModelErrorKind};
 use crate::read::text::{Field, Line, lines};
 
-/// What a piece is.
+/// The kinds of pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     /// A number without a sign.
@@ -45,12 +45,12 @@ pub(super) struct Token<'a> {
 }
 
 impl Token<'_> {
-    /// Whether it is one of these words, in upper or lower case.
+    /// Returns whether it is one of these words, in upper or lower case.
     pub(super) fn is_word(&self, words: &[&str]) -> bool {
         self.kind == Kind::Word && words.iter().any(|word| self.field.text.eq_ignore_ascii_case(word))
     }
 
-    /// Whether it stands for infinity.
+    /// Returns whether it stands for infinity.
     pub(super) fn is_infinity(&self) -> bool {
         self.is_word(&["inf", "infinity"])
     }
@@ -147,13 +147,13 @@ impl<'a> Iterator for Pieces<'a> {
     }
 }
 
-/// Whether a name cannot go on with this character. CPLEX's names have fewer characters; those of Gurobi and HiGHS may look
+/// Returns whether a name cannot go on with this character. CPLEX's names have fewer characters; those of Gurobi and HiGHS may look
 /// like `x[1]`.
 pub(crate) fn ends_name(character: char) -> bool {
     matches!(character, ' ' | '\t' | '+' | '-' | '<' | '>' | '=' | ':' | '^' | '*' | '\\')
 }
 
-/// How long the number is that a text begins with: digits with a point, an exponent that has digits, a denominator.
+/// Returns how long the number is that a text begins with: digits with a point, an exponent that has digits, a denominator.
 fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits = |from: usize| bytes.iter().skip(from).take_while(|byte| byte.is_ascii_digit()).count();

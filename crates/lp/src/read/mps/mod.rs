@@ -106,7 +106,7 @@ impl<'a> Reader<'a> {
         Ok(section == Section::End)
     }
 
-    /// Whether a section may begin here.
+    /// Returns whether a section may begin here.
     fn check_place(&mut self, section: Section, word: Field<'a>) -> Result<(), ModelError> {
         let began_on = |wanted: Section| {
             Section::ALL

@@ -12,7 +12,7 @@ use crate::read::error::{ModelError, ModelErrorKind};
 use crate::read::names::Names;
 use crate::read::text::Field;
 
-/// What is known so far.
+/// The program as far as it is known.
 pub(super) struct Program<'a> {
     pub(super) name: &'a str,
     pub(super) sense: Option<ObjectiveSense>,
@@ -22,9 +22,9 @@ pub(super) struct Program<'a> {
     rows: Vec<Row<'a>>,
     column_names: Names<'a>,
     columns: Vec<Column>,
-    /// How many coefficients there are.
+    /// The number of coefficients there are.
     entries: usize,
-    /// Whether the columns to come are integer.
+    /// True if the columns to come are integer.
     is_integer: bool,
     /// The names of the vectors of right-hand sides, ranges and bounds; empty for none.
     vectors: [Option<&'a str>; 3],

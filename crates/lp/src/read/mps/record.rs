@@ -6,12 +6,12 @@ use super::super::text::{Field, Line, lines};
 use super::section::{Section, is_comment, is_marker};
 use crate::read::ModelLimits;
 
-/// How the pieces of a line are told apart.
+/// The way in which the pieces of a line are told apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Layout {
-    /// By blanks and tabs.
+    /// Blanks and tabs.
     Free,
-    /// By columns 2-3, 5-12, 15-22, 25-36, 40-47 and 50-61: names may contain blanks.
+    /// Columns 2-3, 5-12, 15-22, 25-36, 40-47 and 50-61: names may contain blanks.
     Fixed,
 }
 
@@ -29,7 +29,7 @@ pub(super) struct Record<'a> {
     pub(super) pairs: [Option<(Field<'a>, Option<Field<'a>>)>; 2],
 }
 
-/// What a line of a section has to be.
+/// Returns what a line of a section has to be.
 fn expected(section: Section) -> &'static str {
     match section {
         Section::Rows => "a type and a name: N, L, G or E, then a row",
@@ -128,7 +128,7 @@ fn cut(line: Line<'_>) -> Option<[Option<Field<'_>>; 6]> {
     rest.text.is_empty().then_some(fields)
 }
 
-/// Where a character of a text begins; where the text ends, if it has fewer.
+/// Returns where a character of a text begins; where the text ends, if it has fewer.
 fn byte_of(text: &str, character: usize) -> usize {
     // Most lines are ASCII.
     if text.get(..character).is_some_and(str::is_ascii) {
@@ -152,7 +152,7 @@ fn fixed(fields: [Option<Field<'_>>; 6], section: Section) -> Option<Record<'_>>
     shape_is_right.then_some(Record { code, name, pairs })
 }
 
-/// Whether every line of data is in the columns of the fixed format, and a field contains a blank.
+/// Returns whether every line of data is in the columns of the fixed format, and a field contains a blank.
 pub(super) fn has_fields_with_blanks(text: &str, limits: &ModelLimits) -> bool {
     let mut found = false;
     let mut is_cut = false;

@@ -61,7 +61,7 @@ pub(super) fn is_comment(line: Line<'_>) -> bool {
     line.text.starts_with(['*', '$'])
 }
 
-/// Whether a line begins or ends integer columns.
+/// Returns whether a line begins or ends integer columns.
 pub(super) fn is_marker(line: Line<'_>) -> bool {
     line.text.contains("'MARKER'")
 }
