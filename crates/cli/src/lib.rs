@@ -1,4 +1,15 @@
 //! The command line of boundfit as a library, so that tests can start it from a program of their own.
+//!
+//! | module | what it has |
+//! |---|---|
+//! | `arguments` | options of every command, with their help |
+//! | `usage` | command lines that are not understood, with a tip |
+//! | `commands` | one file per command: from arguments to the answer |
+//! | `input`, `output` | files that are read, and files that are written whole or not at all |
+//! | `work`, `memory` | limits of work and memory of each command |
+//! | `exit`, `interrupt`, `progress` | exit statuses, a clean stop, progress on a terminal |
+//!
+//! A command reads its arguments, asks a library crate, and hands the answer to `boundfit-report` or `boundfit-figures`.
 
 // What reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]

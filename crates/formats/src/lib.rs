@@ -1,4 +1,4 @@
-//! Files in.
+//! Files in: tables, workbooks, variables, half-planes, with the place of every error.
 //!
 //! [`Source`] opens a file or standard input; [`read_table`] reads the numeric columns that are asked for from
 //! delimited text in many dialects ([`AskedDialect`]), and [`scan`] does so in batches, for files of any size;
@@ -6,6 +6,16 @@
 //! V-representation of cdd and lrs. Every number is read exactly
 //! as [`boundfit_exact::Reading`] says. Every error is an [`InputError`], which names the file, the line, the column, the
 //! text found there and what would be accepted.
+//!
+//! | step | modules |
+//! |---|---|
+//! | open a file, tell its format | `source`, `open`, `binary`, `unpack`, `decoding` |
+//! | tell how a text is written | `start`, `dialect`, `heading`, `blocks`, `units` |
+//! | read records and cells | `records`, `blanks`, `chunks`, `cells`, `fractions`, `lacking` |
+//! | read columns in batches | `scan`, `threads`, `memory` |
+//! | other formats | `json`, `workbook`, `mat`, `arrow`, `cdd`, `half_planes`, `reduction` |
+//! | choose columns and rows | `columns`, `roles`, `wanted`, `selection`, `row_range`, `block` |
+//! | refuse what is too much, say what is wrong | `limits`, `budget`, `packing`, `error`, `notes` |
 
 // What reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]

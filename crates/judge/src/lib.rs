@@ -1,4 +1,14 @@
-//! Linear programs in two variables: the exact answer with its proof, and what solvers answer about them, judged exactly.
+//! Linear programs in two variables: the exact answer with its proof, and the answers of solvers, judged exactly.
+//!
+//! | module | what it has |
+//! |---|---|
+//! | `plane` | a model as half-planes that know their rows and bounds |
+//! | `solve` | the way to an [`Answer`]: polygon engine, exact simplex, proof |
+//! | `answer` | status, optimum, all optimal points, prices and basis |
+//! | `certificate` | [`Answer::verify`], which multiplies a proof out in the model itself |
+//! | `solution` | [`read_solution`]: files of CBC, CPLEX, GLPK, Gurobi, HiGHS, SCIP, and JSON |
+//! | `judging` | [`Ground::judge`]: one [`Finding`] for each aspect of a solution, with its worth |
+//! | `solvers` | solvers of this build, asked and judged (feature `float-solvers`) |
 //!
 //! A [`Model`](boundfit_lp::Model) may have any number of columns as long as bounds fix all but two of them.
 

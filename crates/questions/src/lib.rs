@@ -1,4 +1,18 @@
-//! What is asked of readings beyond the set of all parameters that agree with them, each answered exactly.
+//! Questions about readings beyond their feasible parameter set, each answered exactly and with a proof.
+//!
+//! | module | question |
+//! |---|---|
+//! | `status` | is a reading inner, boundary, outer or an outlier with respect to the others? |
+//! | `predict` | where does the line run at an x, where may a reading lie there, and which x has a reading? |
+//! | `linearity` | how far is a sensor's characteristic from a straight line, in four definitions of data sheets? |
+//! | `outliers` | which are the fewest readings to ignore so that some parameters agree with all others? |
+//! | `range` | which runs of readings does a line agree with? |
+//! | `window` | what is the set of the last readings, as the window moves on? |
+//! | `x_errors` | which lines agree with readings whose x have errors, too? |
+//! | `guarantee` | which share of further readings lies in the band of ε_min, for any source? |
+//! | [`times`] | how much more work than a fit is each question? |
+//!
+//! A question takes a problem and returns an answer as data. `boundfit-ask` reads what is asked; `boundfit-report` writes answers.
 
 mod guarantee;
 mod linearity;
