@@ -11,7 +11,7 @@
 //!
 //! A command reads its arguments, asks a library crate, and hands the answer to `boundfit-report` or `boundfit-figures`.
 
-// What reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
+// Code that reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
 mod arguments;

@@ -7,7 +7,7 @@ pub(crate) const LEAST_EXPONENT: i64 = -1074;
 /// Bits of a binary64 significand.
 const SIGNIFICAND_BITS: i64 = 53;
 
-/// Significand and exponent of a finite binary64: `significand * 2^exponent`, exactly. Of an infinity or NaN they mean nothing.
+/// Significand and exponent of a finite binary64: `significand * 2^exponent`, exactly. They mean nothing for an infinity or NaN.
 #[inline]
 pub fn significand_and_exponent(value: f64) -> (i64, i32) {
     let bits = value.to_bits();

@@ -201,7 +201,7 @@ mod tests {
         let unit = |exponent: i64| Rational::scientific(1, -exponent);
         // 1/3 rounded down and 1/3 + w rounded up: of w = 10^-k the next digit but one is the first to add less than w/20.
         assert_eq!([1, 2, 3, 4, 5, 6].map(|k| digits(third(), unit(k))), [5, 5, 5, 6, 7, 8]);
-        // What decimals hold is not widened at all.
+        // An end that the decimals hold is not widened at all.
         assert_eq!([3, 4, 5, 6].map(|k| digits(Rational::one(), unit(k))), [5, 5, 6, 7]);
         assert_eq!([38, 39, 60].map(|k| digits(third(), unit(k))), [40, 5, 5]);
         // Between 1 and 1.00001 exactly a twentieth is enough, and anything more is too much.

@@ -15,7 +15,7 @@
 //! # Ok::<(), boundfit_exact::ParseNumberError>(())
 //! ```
 
-// What reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
+// Code that reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
 mod binary64;

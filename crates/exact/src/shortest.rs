@@ -78,7 +78,7 @@ pub trait Shortest: Copy + std::fmt::Debug + std::fmt::Display + std::fmt::Lower
     /// ```
     fn in_shortest_digits(self, written: String) -> String {
         let (digits, exponent) = written.split_once('e').unwrap_or((&written, ""));
-        // Of two decimals that are equally near the standard library writes the upper one: the odd one, if it is not ours.
+        // For two decimals that are equally near the standard library writes the upper one: the odd one, if it is not ours.
         let Some((rest, odd @ ('1' | '3' | '5' | '7' | '9'))) = last_character(digits) else {
             return written;
         };
@@ -132,7 +132,7 @@ fn shortest_of(significand: u64, exponent: i32, is_power: bool) -> Option<(u64, 
     let tens = floor / 10;
     let (tens_above, tens_below) = (is_above(10 * tens), is_below(10 * tens + 10));
     let (floor_above, floor_below) = (is_above(floor), is_below(floor + 1));
-    // Of two that are equally near the even one: only a value that is exactly between them is an even number of quarters.
+    // The even one of two that are equally near: only a value that is exactly between them is an even number of quarters.
     let nearer = floor + u64::from(value + (floor & 1) > 4 * floor + 2);
     // No branches: whether digits are few is as good as random, and a wrong guess costs more than all of this.
     let one_of_two = floor + u64::from(floor_below);
@@ -410,7 +410,7 @@ mod tests {
     #[allow(clippy::excessive_precision)]
     #[test]
     fn of_two_that_are_equally_near_the_even_one_is_taken() {
-        // What Python 3.11 prints.
+        // The texts that Python 3.11 prints.
         for (value, text) in [
             (1_732_372_800_000_000.25, "1732372800000000.2"),
             (1_732_372_800_000_000.75, "1732372800000000.8"),

@@ -22,7 +22,7 @@ impl WideSum {
     #[inline]
     pub fn add(&mut self, term: i128) {
         self.add_unsigned(term as u128);
-        // What is negative was taken for 2^128 more than it is.
+        // Negative numbers were taken for 2^128 more than they are.
         self.high = self.high.wrapping_add((term >> 127) as i64);
     }
 

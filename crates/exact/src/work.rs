@@ -207,7 +207,7 @@ fn digits(bits: u64) -> u64 {
     bits.saturating_mul(30_103) / 100_000 + 1
 }
 
-/// The work on numbers that are being read, one after the other and on many threads. What is refused has not been kept: long
+/// The work on numbers that are being read, one after the other and on many threads. Refused numbers have not been kept: long
 /// numbers cost memory too, ten thousand digits of which are written in six characters.
 #[derive(Debug, Default)]
 pub struct WorkMeter(Mutex<Metered>);

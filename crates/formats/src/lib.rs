@@ -17,7 +17,7 @@
 //! | choose columns and rows | `columns`, `roles`, `wanted`, `selection`, `row_range`, `block` |
 //! | refuse what is too much, say what is wrong | `limits`, `budget`, `packing`, `error`, `notes` |
 
-// What reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
+// Code that reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
 #[cfg(feature = "arrow")]

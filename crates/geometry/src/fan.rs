@@ -26,7 +26,7 @@ pub(crate) enum FanSupport {
 
 /// A minimal set of half-planes whose intersection is the region, sorted by angle.
 ///
-/// Of coinciding half-planes the one with the lowest index is taken. Where lower-dimensional regions leave a
+/// The lowest index stands for coinciding half-planes. Where lower-dimensional regions leave a
 /// choice, it is made by a rule that does not depend on how the region was found.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct NormalFan {

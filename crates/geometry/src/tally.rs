@@ -226,7 +226,7 @@ impl Tally {
         self.others.as_ref().map_or(0, |others| size_of::<Others>() + others.rows.bytes.capacity())
     }
 
-    /// The readings, each of which stands for so many. Those that are not listed stand for nothing.
+    /// The readings, each of which stands for so many. Numbers that are not listed stand for nothing.
     pub fn weighted(self, weight: impl Fn(u64) -> u64) -> Self {
         let count: u64 = self.rows().map(weight).fold(0, u64::saturating_add);
         let rows: Vec<u64> = self.rows().collect();

@@ -12,7 +12,7 @@
 //!
 //! A [`Model`](boundfit_lp::Model) may have any number of columns as long as bounds fix all but two of them.
 
-// What reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
+// Code that reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
 mod answer;

@@ -19,7 +19,7 @@ pub struct Plane {
     polyhedron: Polyhedron,
     /// The bound behind each half-plane; none behind those that hold a missing coordinate at 0.
     sides: Vec<Option<Side>>,
-    /// What is to be made large: the costs of the columns that are left, negated for a minimum.
+    /// The form to be made large: the costs of the columns that are left, negated for a minimum.
     gain: [Rational; 2],
 }
 

@@ -100,7 +100,7 @@ fn infeasible(model: &Model, plane: &Plane, multipliers: &[Multiplier]) -> Resul
             terms.push(SideMultiplier { side, value: value.clone() });
         }
     }
-    // What the rows leave over in fixed columns, their bounds take away.
+    // The bounds of fixed columns take away whatever the rows leave over in them.
     let mut left: Vec<Rational> = vec![Rational::zero(); model.columns.len()];
     for SideMultiplier { side, value } in &terms {
         let Item::Row(row) = side.item else { continue };
@@ -195,7 +195,7 @@ impl Start {
         let optimal = |vertex: &&Vertex| multipliers.iter().all(|m| vertex.active().contains(&m.index));
         let proof = multipliers.iter().map(|multiplier| multiplier.index);
         if let Some(vertex) = polyhedron.region().vertices().iter().find(optimal) {
-            // Those of missing coordinates come last in the system.
+            // Half-planes of missing coordinates come last in the system.
             let half_planes = independent(plane, proof.chain(vertex.active().iter().copied()));
             return Start { point: vertex.point().coordinates(), half_planes };
         }

@@ -4,7 +4,7 @@ use boundfit_exact::Rational;
 
 use crate::printed::Printed;
 
-/// What the distance between a claimed number and the true one amounts to, from best to worst.
+/// The verdict about the distance between a claimed number and the true one, from best to worst.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Closeness {
     /// Equal numbers.
@@ -29,7 +29,7 @@ pub enum RoundedTo {
 /// The most units in the last place that still count as rounding.
 pub const MOST_ULPS: i64 = 4;
 
-/// What a tolerance is relative to.
+/// The quantity that a tolerance is relative to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ToleranceUnit {
     /// The width of the true interval.

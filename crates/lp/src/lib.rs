@@ -8,7 +8,7 @@
 //! The feature `float-solvers` (on by default) has the solvers: they alone need threads and a clock, because one that hangs
 //! or crashes must not take the program with it.
 
-// What reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
+// Code that reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
 mod claim;

@@ -52,7 +52,7 @@ pub enum ExactOutcome {
         /// The rows of the final basis.
         basis: Vec<usize>,
     },
-    /// At most three rows that add up to `0 ≤ negative` (Farkas).
+    /// Rows, at most three, that add up to `0 ≤ negative` (Farkas).
     Infeasible {
         /// The multipliers, all positive.
         multipliers: Vec<Multiplier>,

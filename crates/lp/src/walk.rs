@@ -90,7 +90,7 @@ fn basis(rows: &[Row], objective: &[Rational; 2], indices: [usize; 2]) -> Option
     Some(Basis { rows: indices, theta, value, multipliers, pivot: None })
 }
 
-/// Of the rows with a negative multiplier the first.
+/// The first of the rows with a negative multiplier.
 fn leaving(basis: &Basis) -> Option<Place> {
     let [first, second] = &basis.rows;
     match basis.multipliers.each_ref().map(Rational::is_negative) {

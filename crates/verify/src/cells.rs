@@ -304,7 +304,7 @@ impl Model {
     /// The number that a cell spells.
     fn number(&self, cell: &[u8]) -> Result<Number, ParseNumberError> {
         let Limits { digits, exponent } = self.limits;
-        // What is plain keeps to these.
+        // Plain numbers keep to these.
         let is_fast =
             self.reading == Reading::Decimal && digits >= PLAIN_DIGITS && exponent >= PLAIN_EXPONENT;
         match plain_decimal(cell).filter(|_| is_fast) {

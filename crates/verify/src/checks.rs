@@ -27,7 +27,7 @@ pub struct Statement {
     pub names: BTreeMap<u64, Foreign>,
     /// The number of half-planes of the data and the conditions.
     pub half_planes: usize,
-    /// What is so.
+    /// The claim.
     pub found: Found,
 }
 

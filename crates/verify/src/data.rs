@@ -18,7 +18,7 @@ pub(crate) struct Data {
 }
 
 impl Data {
-    /// Section 2: the hash of the data, and that all wanted rows can be read. How many rows there are, and the names of columns.
+    /// Section 2: the hash of the data, and that all wanted rows can be read. The number of rows, and the names of columns.
     pub(crate) fn first_look<R: Read>(
         &self,
         data: R,

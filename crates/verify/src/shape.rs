@@ -8,7 +8,7 @@ use serde::{Deserialize, de};
 
 use crate::name::Named;
 
-/// The fields of the file, tuples included. What has another shape is no proof.
+/// The fields of the file, tuples included. A text of another shape is no proof.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Shape {

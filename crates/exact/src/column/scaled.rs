@@ -5,7 +5,7 @@ use crate::Rational;
 use crate::long_decimal::{WORD_DIGITS, power_of_ten};
 use crate::powers_of_ten;
 
-/// Integers on a common unit: number `i` is `counts[i]` units. How large they are is limited by [`Count`].
+/// Integers on a common unit: number `i` is `counts[i]` units. Their size is limited by [`Count`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Scaled<I> {
     counts: Vec<I>,

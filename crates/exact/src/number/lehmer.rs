@@ -10,7 +10,7 @@ use super::library::BigUint;
 pub(super) fn long_gcd(left: &BigUint, right: &BigUint) -> BigUint {
     let word = u64::from(u64::BITS);
     match (left.trailing_zeros(), right.trailing_zeros()) {
-        // Of sums of doubles most bits of the denominator are such zeros, and shorter numbers need fewer passes.
+        // In sums of doubles most bits of the denominator are such zeros, and shorter numbers need fewer passes.
         (Some(of_left), Some(of_right)) if of_left.max(of_right) >= word => {
             gcd_by_steps(&(left >> of_left), &(right >> of_right)) << of_left.min(of_right)
         }

@@ -135,7 +135,7 @@ mod tests {
         let of = |x: i64| {
             let behind = cells().filter(|&cell| between.is_before(x, 0.0, cell)).count();
             let ahead = cells().filter(|&cell| between.is_after(x, 0.0, cell)).count();
-            // What is left or right of a cell is in another.
+            // A place left or right of a cell is in another cell.
             assert!(!between.is_before(x + 1, 0.0, between.cell(x, 0.0)));
             assert!(!between.is_after(x - 1, 0.0, between.cell(x, 0.0)));
             (between.cell(x, 0.0), behind, ahead)

@@ -173,7 +173,7 @@ impl EnvelopeSieve {
         };
         let within_above = contain(&self.above, &lanes.slope, &lanes.from_above);
         let within_below = contain(&self.below, &lanes.slope.map(|slope| -slope), &lanes.from_below);
-        // What bounds θ1 alone is another kind.
+        // Half-planes that bound θ1 alone are another kind.
         std::array::from_fn(|k| within_above[k] & within_below[k] & (lanes.height[k] > 0.0))
     }
 

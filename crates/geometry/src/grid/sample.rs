@@ -8,7 +8,7 @@
 //! in x and hence largest at the ends of the chord; r, the evaluated one there, is within 4u·B + u·Y of the true. A y that
 //! is not above the true chord is rounded to no more than u·Y above it. With c + m in place of c, the evaluated v is
 //! therefore no less than any rounded y that is not above the chord, as soon as m ≥ r + 12u·B + 6u·m, where 6u·m is the
-//! rounding that the larger c brings. m = 2r + 32u·B + 2⁻¹⁰⁶⁸ is more. What overflows becomes infinite or NaN, and
+//! rounding that the larger c brings. m = 2r + 32u·B + 2⁻¹⁰⁶⁸ is more. Numbers that overflow become infinite or NaN, and
 //! comparisons with these discard nothing.
 //!
 //! # Numbers that are rounded already

@@ -184,7 +184,7 @@ impl<'a> Measure<'a> {
     }
 
     fn standing_in(&self, digits: usize, is_alike: impl Fn(&Rational, &Rational) -> bool) -> Rational {
-        // Of a middle between two decimals the next digit is 5.
+        // The next digit of a middle between two decimals is 5.
         let digits = digits.max(1) + 1;
         let is_settled = |(lower, upper): &(Rational, Rational)| {
             upper.rounded(digits, Rounding::Down) < *lower && is_alike(lower, upper)

@@ -20,19 +20,19 @@ pub enum Aspect {
     Status,
     /// The optimum that is claimed.
     Objective,
-    /// Whether the point fulfils rows and bounds.
+    /// Feasibility of the point: rows and bounds.
     Primal,
-    /// Whether the objective at the point is the optimum.
+    /// Equality of the objective at the point with the optimum.
     Optimality,
-    /// Whether prices lean on bounds that are there, and reduced costs are what duals leave of the costs.
+    /// Feasibility of the prices: they lean on bounds that are there, and reduced costs are what duals leave of the costs.
     Dual,
-    /// Whether each price belongs to a bound that the point attains.
+    /// Agreement of prices with the point: each belongs to a bound that the point attains.
     ComplementarySlackness,
-    /// Whether the prices prove what the objective is at the point.
+    /// The prices as a proof of the objective at the point.
     DualityGap,
-    /// Whether the ray stays feasible and improves.
+    /// The ray: it stays feasible and improves.
     Ray,
-    /// Whether the multipliers prove that there is no feasible point.
+    /// The multipliers as a proof that there is no feasible point.
     Farkas,
 }
 
@@ -130,7 +130,7 @@ pub enum Fault {
     Beyond {
         /// The bound.
         side: Side,
-        /// Its value.
+        /// The value.
         bound: Rational,
         /// The value of the row or column at the point.
         value: Rational,
@@ -148,14 +148,14 @@ pub enum Fault {
         column: usize,
         /// The claim.
         claimed: Rational,
-        /// What the duals leave.
+        /// The rest that the duals leave.
         exact: Rational,
     },
     /// A bound has a price though the point does not attain it.
     Slack {
         /// The bound.
         side: Side,
-        /// Its price.
+        /// The price.
         price: Rational,
         /// The distance of the point.
         slack: Rational,
@@ -164,7 +164,7 @@ pub enum Fault {
     Leaves {
         /// The bound that it passes in the end.
         side: Side,
-        /// What the row or column gains along the direction.
+        /// The gain of the row or column along the direction.
         change: Rational,
     },
     /// The objective does not improve along the direction, but changes by this, in the direction of the objective.
@@ -174,7 +174,7 @@ pub enum Fault {
     },
     /// The multiplied bounds do not contradict each other.
     NoContradiction {
-        /// What they add up to, which should be positive.
+        /// The sum, which should be positive.
         total: Rational,
     },
 }
@@ -201,13 +201,13 @@ pub struct Finding {
 /// The smallest tolerances that excuse an error, as solvers define theirs.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Excuse {
-    /// In the units of the rows and bounds as the file has them: HiGHS `primal_feasibility_tolerance` and
+    /// The tolerance in the units of the rows and bounds as the file has them: HiGHS `primal_feasibility_tolerance` and
     /// `dual_feasibility_tolerance`, Gurobi `FeasibilityTol` and `OptimalityTol`, SoPlex `feastol` and `opttol`.
     pub absolute: Rational,
-    /// In units of the larger of 1, the value and the bound: SCIP `numerics/feastol` and `numerics/dualfeastol`, which it
+    /// The tolerance in units of the larger of 1, the value and the bound: SCIP `numerics/feastol` and `numerics/dualfeastol`, which it
     /// asks of SoPlex.
     pub relative: Rational,
-    /// After each row is divided by its largest coefficient, as solvers scale: what they test before the scaling is undone.
+    /// The tolerance after each row is divided by its largest coefficient, as solvers scale: what they test before the scaling is undone.
     pub scaled: Rational,
 }
 

@@ -83,7 +83,7 @@ impl Ground<'_> {
         Findings { findings }
     }
 
-    /// The status. What excuses a wrong one is what excuses the point or the prices that come with it.
+    /// The status. A wrong one is excused by whatever excuses the point or the prices that come with it.
     fn status(&self, solution: &Solution, others: &[Finding]) -> Finding {
         let exact = match self.answer {
             Answer::Optimal { .. } => "optimal",

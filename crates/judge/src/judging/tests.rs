@@ -172,7 +172,7 @@ fn noise_at_a_bound_of_zero_is_measured_by_what_the_rows_let_the_column_be() {
     assert_eq!(worth("3", "-1e-17"), Worth::WithinTolerance);
     assert_eq!(worth("3", "-1e-9"), Worth::WithinTolerance);
     assert_eq!(worth("3", "-1e-5"), Worth::Refuted);
-    // What is next to nothing there is ten times all that is asked for here.
+    // A size next to nothing there is ten times all that is asked for here.
     assert_eq!(worth("1e-10", "-1e-9"), Worth::Refuted);
 }
 
@@ -210,7 +210,7 @@ fn certificates_are_judged_alone() {
         findings.about(Aspect::Farkas).unwrap().clone()
     };
     assert_eq!(farkas("[-1, 1]").worth, Worth::Exact);
-    // What is left of the columns leans on their lower bounds, which are 0.
+    // The rest of the columns leans on their lower bounds, which are 0.
     assert_eq!(farkas("[-2, 1]").worth, Worth::Exact);
     assert_eq!(farkas("[-1, 1.0000001]").worth, Worth::WithinTolerance);
     assert_eq!(farkas("[-1, 1.001]").worth, Worth::Refuted);
@@ -281,6 +281,6 @@ fn gurobi_miplib_and_clp_are_read() {
         assert_eq!(findings.about(Aspect::Dual).is_some(), text.contains("r1"), "{text}");
     }
     assert_eq!(refuted(&judged(&textbook(), "=infeas=\n")), [Aspect::Status]);
-    // What is left out is 0.
+    // Values that are left out are 0.
     assert_eq!(refuted(&judged(&textbook(), "=obj= 36\ny 6\n")), [Aspect::Optimality]);
 }

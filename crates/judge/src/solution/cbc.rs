@@ -1,4 +1,4 @@
-//! CBC and CLP: what `solution FILE` writes, a list of variables after the status. What is at most 10⁻⁸ is left out, rows are there
+//! CBC and CLP: what `solution FILE` writes, a list of variables after the status. Values of at most 10⁻⁸ are left out, rows are there
 //! if asked for (`printingOptions all`), before the columns and counted from 0 as they are.
 //!
 //! Source: CBC user guide, "solution"; `CbcSolver.cpp` and `ClpMain.cpp`: `%15.8g`, the objective in CBC 2 as `%.8f`.
@@ -32,7 +32,7 @@ pub(super) fn parse_cbc(text: &str, limits: &Limits) -> Result<SolutionFile, Sol
     if let Some(line) = lines.next() {
         let (words, value) = line.text.split_once(" - objective value ").unwrap_or((line.text, ""));
         status = words;
-        // What follows the number is about how it was found.
+        // The words behind the number are about how it was found.
         if let Some(value) = value.split_whitespace().next() {
             objective = Some((line.figure(value, OBJECTIVE, limits)?, line.number));
         }

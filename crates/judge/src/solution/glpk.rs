@@ -42,7 +42,7 @@ pub(super) fn parse_plain(text: &str, limits: &Limits) -> Result<SolutionFile, S
     }
     let Plain { heading, solution, mut file } = plain;
     let kind = solution.ok_or(SolutionError::End { format: FORMAT, missing: "a line \"s bas\"" })?;
-    // Of interior points the heading says infeasible where it may be unbounded.
+    // The heading of interior points says infeasible where the program may be unbounded.
     let told = heading.status.filter(|_| !kind.is_interior);
     file.status = told.unwrap_or(kind.status);
     file.status_line = kind.announced.line;

@@ -81,7 +81,7 @@ pub struct Announced {
     pub columns: usize,
     /// The line that says so, from 1.
     pub line: usize,
-    /// What the line says.
+    /// The text of the line.
     pub text: String,
 }
 
@@ -137,7 +137,7 @@ impl SolutionFile {
 /// Reads a solution file of any known format; its content tells which. Cost: a few looks at each byte.
 ///
 /// # Errors
-/// What is wrong with the file, with the line.
+/// When something is wrong with the file; the error names the line.
 pub fn read_solution(text: &str, limits: &Limits) -> Result<SolutionFile, SolutionError> {
     type Is = fn(&str) -> bool;
     type Parse = fn(&str, &Limits) -> Result<SolutionFile, SolutionError>;

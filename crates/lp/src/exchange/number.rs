@@ -14,7 +14,7 @@ pub(super) fn push_decimal(text: &mut String, value: &Rational) {
     };
 }
 
-/// As [`push_decimal`] writes it.
+/// Writes a number as [`push_decimal`] writes it.
 pub(super) fn decimal(value: &Rational) -> String {
     let mut text = String::new();
     push_decimal(&mut text, value);

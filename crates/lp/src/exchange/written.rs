@@ -12,7 +12,7 @@ pub(super) struct Written<'a> {
     pub(super) sense: ObjectiveSense,
     /// The objective, whose bounds say nothing.
     pub(super) objective: WrittenRow<'a>,
-    /// What is added to the objective, and its opposite.
+    /// The constant of the objective, and its opposite.
     pub(super) constant: [String; 2],
     pub(super) columns: &'a [WrittenColumn],
     pub(super) rows: &'a WrittenRows,

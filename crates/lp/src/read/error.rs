@@ -107,7 +107,7 @@ pub enum ModelErrorKind {
     /// A section for the second time.
     #[error("the section began on line {first} already")]
     SectionTwice {
-        /// Its first line.
+        /// The first line.
         first: u64,
     },
     /// A section that has to come later.
@@ -148,7 +148,7 @@ pub enum ModelErrorKind {
     /// A row for the second time.
     #[error("the row is on line {first} already")]
     RowTwice {
-        /// Its first line.
+        /// The first line.
         first: u64,
     },
     /// A column that comes again after others.

@@ -24,7 +24,7 @@ pub(crate) use lp_format::{ends_name, is_keyword};
 
 pub use error::{ModelError, ModelErrorKind, ModelPlace};
 
-/// The limits of a file. What passes a limit is refused before memory is taken for it.
+/// The limits of a file. A file beyond a limit is refused before memory is taken for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ModelLimits {
     /// The limits of one number.
