@@ -256,7 +256,7 @@ test("degenerate, unbounded, empty and flat sets are said in words", async () =>
   assert.match(await sentence(page), /has no maximum.*for ever in the direction/);
   await page.locator("#plane-tab-simplex").click();
   await page.locator("#plane-last").click().catch(() => undefined);
-  assert.match(await sentence(page), /nothing stops the way/);
+  assert.match(await sentence(page), /no half-plane bounds the direction/);
 });
 
 test("the simplex path is walked basis by basis, from the vertex that is clicked", async () => {

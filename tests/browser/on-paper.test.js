@@ -103,7 +103,7 @@ test("the teacher's notes are closed, speak of these data, and are printed when 
     assert.ok(notes.includes(words), words);
   assert.equal(await page.locator("#teacher-answers dt").count(), await page.locator("#question-list li").count());
   await page.locator("#language").selectOption("de");
-  assert.match(await page.locator("#teacher").innerText(), /Erwartet: 46; die Menge ist ein Vieleck mit 6 Ecken\.[^]*ε = 0,00039444/);
+  assert.match(await page.locator("#teacher").innerText(), /Erwartet: 46; die Menge ist ein Polygon mit 6 Ecken\.[^]*ε = 0,00039444/);
   await printed(page);
   assert.ok(await shown(page, "#teacher h3") >= 7);
   assert.equal(await shown(page, "#teacher dd"), await page.locator("#teacher dd").count());
