@@ -19,6 +19,9 @@ Record form := Form { first : Q; second : Q; low : option Q; high : option Q }.
 (* A condition as a row of text: its first and second coefficient, and its bounds. *)
 Definition form_of (r : row) : form := Form (number 0 r) (number 1 r) (entry 2 r) (entry 3 r).
 
+(* The number of a half-plane in text. *)
+Definition number_of (r : row) : Z := Qnum (number 0 r).
+
 Definition upper (u v b : Q) : triple :=
   let '(un # ud, vn # vd, bn # bd)%Q := (u, v, b) in
   if (ud =? bd)%positive then T (- (un * Zpos vd)) (- (vn * Zpos ud)) (bn * Zpos vd)
@@ -81,27 +84,28 @@ Fixpoint build (base : triple) (depth : nat) (l : list corner) : order * list co
     | c :: l => let (b, l) := build base depth l in (Fork a c (is_late base (before c)) b, l)
     end
   end.
-Fixpoint find (h : triple) (late : bool) (t : order) (best : corner) : corner :=
+Fixpoint seek (h : triple) (late : bool) (t : order) (best : corner) : corner :=
   match t with
   | Tip => best
   | Fork l c c_late r =>
-    if (if eqb late c_late then not_right (before c) h else late) then find h late r c else find h late l best
+    if (if eqb late c_late then not_right (before c) h else late) then seek h late r c else seek h late l best
   end.
 
 (* The fan of triangles from g0: each is positive, its outer edge is the line of a side, every turn is to the left, and all
-   are within half a turn of g1. *)
-Fixpoint fan (g0 g1 q r : triple) (rest sides : list triple) : bool :=
+   are within half a turn of g1, of which n = g0 x g1 tells. *)
+Fixpoint fan (g0 n q r : triple) (rest sides : list triple) : bool :=
   match rest, sides with
   | [], [last] => (dot last r =? 0) && (dot last g0 =? 0) && (0 <? dot last q)
   | s :: rest, h :: sides =>
-    (0 <? det g0 r s) && (0 <=? det q r s) && (0 <? det g0 g1 s) &&
-    (dot h r =? 0) && (dot h s =? 0) && (0 <? dot h g0) && fan g0 g1 r s rest sides
+    let m := cross r s in
+    (0 <? dot m g0) && (0 <=? dot m q) && (0 <? dot n s) &&
+    (dot h r =? 0) && (dot h s =? 0) && (0 <? dot h g0) && fan g0 n r s rest sides
   | _, _ => false
   end.
 Definition fan_of (gs sides : list triple) : bool :=
   match gs, sides with
   | g0 :: g1 :: g2 :: rest, h0 :: sides =>
-    (dot h0 g0 =? 0) && (dot h0 g1 =? 0) && (0 <? dot h0 g2) && fan g0 g1 g0 g1 (g2 :: rest) sides
+    (dot h0 g0 =? 0) && (dot h0 g1 =? 0) && (0 <? dot h0 g2) && fan g0 (cross g0 g1) g0 g1 (g2 :: rest) sides
   | _, _ => false
   end.
 (* The same without turns, for sets with two opposite directions. *)
@@ -173,7 +177,7 @@ Definition check_polygon (hs gs sides : list triple) : bool :=
   | c :: _ =>
     let base := before c in
     let t := fst (build base 40 cs) in
-    fan_of gs sides && forallb is_corner cs && forallb (fun h => enclosed (find h (is_late base h) t c) h) hs
+    fan_of gs sides && forallb is_corner cs && forallb (fun h => enclosed (seek h (is_late base h) t c) h) hs
   end.
 
 Definition check (forms : list form) (cert : certificate) (vertices rays : list (Q * Q)) : bool :=

@@ -116,10 +116,12 @@ Ltac split_checks :=
   end.
 
 (* What the recursive check of a fan says of each place: the list is g1, g2, ... and the sides h1, h2, ... *)
-Lemma fan_facts g0 g1 : forall rest sides q r, fan g0 g1 q r rest sides = true ->
+Lemma rotated a b c : dot (cross b c) a = det a b c.
+Proof. open_triples; ring. Qed.
+Lemma fan_facts g0 n0 : forall rest sides q r, fan g0 n0 q r rest sides = true ->
   let l := r :: rest in
   length sides = length l /\
-  (forall i, (S i < length l)%nat -> 0 < det g0 (nth i l q) (nth (S i) l q) /\ 0 < det g0 g1 (nth (S i) l q) /\
+  (forall i, (S i < length l)%nat -> 0 < det g0 (nth i l q) (nth (S i) l q) /\ 0 < dot n0 (nth (S i) l q) /\
      dot (nth i sides q) (nth i l q) = 0 /\ dot (nth i sides q) (nth (S i) l q) = 0 /\ 0 < dot (nth i sides q) g0) /\
   (forall i, (S i < length l)%nat -> 0 <= det (nth i (q :: l) q) (nth i l q) (nth (S i) l q)) /\
   (let n := length rest in dot (nth n sides q) (nth n l q) = 0 /\ dot (nth n sides q) g0 = 0 /\ 0 < dot (nth n sides q) (nth n (q :: l) q)).
@@ -127,7 +129,7 @@ Proof.
   induction rest as [| s rest IH]; intros sides q r H l.
   - destruct sides as [| h [| h' sides]]; cbn in H; try discriminate. split_checks.
     subst l. cbn. repeat split; try lia; auto.
-  - destruct sides as [| h sides]; cbn [fan] in H; try discriminate. split_checks.
+  - destruct sides as [| h sides]; cbn [fan] in H; try discriminate. cbv zeta in H. rewrite !rotated in H. split_checks.
     match goal with H : fan _ _ _ _ _ _ = true |- _ => apply IH in H; destruct H as (Hl & Hf & Ht & Hn) end.
     subst l. cbn zeta in *.
     (* the default element is r in the hypotheses and q in the goal: both lists are long enough *)

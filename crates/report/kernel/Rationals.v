@@ -81,6 +81,9 @@ Proof.
   unfold at_least, at_most. destruct lo, hi; rewrite ?E; reflexivity.
 Qed.
 
+Lemma at_most_is u v b p : fst p * u + snd p * v <= b <-> meets_q (Form u v None (Some b)) p.
+Proof. rewrite <- between_is. unfold at_least, at_most. tauto. Qed.
+
 (* The set of readings and conditions: [holds] is what a row says, [forms] what the checker is given. *)
 Lemma together (row : Type) (rows : list row) (says : row -> Q * Q -> Prop) (of_row : row -> form) conditions p :
   (forall r, says r p <-> meets_q (of_row r) p) ->

@@ -78,6 +78,8 @@ Proof. exact (keepsR_is (Form u v lo hi) p). Qed.
 Lemma line_betweenR_is x lo hi p :
   at_leastR lo (fst p * Q2R x + snd p) /\ at_mostR (fst p * Q2R x + snd p) hi <-> meets_r (Form x 1 lo hi) p.
 Proof. rewrite <- betweenR_is, Q2R_one, Rmult_1_r. reflexivity. Qed.
+Lemma at_mostR_is u v b p : fst p * Q2R u + snd p * Q2R v <= Q2R b <-> meets_r (Form u v None (Some b)) p.
+Proof. rewrite <- betweenR_is. unfold at_leastR, at_mostR. tauto. Qed.
 Lemma aloneR (row : Type) (rows : list row) (says : row -> R * R -> Prop) (of_row : row -> form) p :
   (forall r, says r p <-> meets_r (of_row r) p) -> (forall r, In r rows -> says r p) <-> feasible_r (map of_row rows) p.
 Proof.

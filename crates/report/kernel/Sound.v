@@ -172,6 +172,9 @@ Section Soundness.
     revert E. apply (table_all (fun h => holds h p)); [exact H |]. intros [] ? ?; discriminate.
   Qed.
 
+  Lemma phi_dot h g : phi (dot h g) == phi (tx h) *' phi (tx g) +' phi (ty h) *' phi (ty g) +' phi (tw h) *' phi (tw g).
+  Proof. unfold dot. rewrite !phi_plus, !phi_times. reflexivity. Qed.
+
   (* Sums of generators: three suffice in the plane. *)
   Definition mixed (gs : list triple) (p : F * F) :=
     exists g1 g2 g3 c1 c2 c3, In g1 gs /\ In g2 gs /\ In g3 gs /\ nonneg c1 /\ nonneg c2 /\ nonneg c3 /\
@@ -185,7 +188,7 @@ Section Soundness.
     assert (E : phi (tx h) *' fst p +' phi (ty h) *' snd p +' phi (tw h) ==
       c1 *' phi (dot h g1) +' c2 *' phi (dot h g2) +' c3 *' phi (dot h g3)).
     { transitivity (phi (tx h) *' fst p +' phi (ty h) *' snd p +' phi (tw h) *' one); [ring |].
-      rewrite Ex, Ey, Ew. unfold dot. rewrite !phi_plus, !phi_times. ring. }
+      rewrite Ex, Ey, Ew, !phi_dot. ring. }
     rewrite E. auto 10.
   Qed.
 
@@ -262,15 +265,15 @@ Section Soundness.
     - intros; apply Hs; now right.
     - apply (edge_holds h0 g0 g1 g2); auto. apply Hs; now left.
   Qed.
-  Lemma fan_is_cover g0 g1 : forall rest sides q0 r, fan g0 g1 q0 r rest sides = true -> cover g0 q0 r rest sides = true.
+  Lemma fan_is_cover g0 n : forall rest sides q0 r, fan g0 n q0 r rest sides = true -> cover g0 q0 r rest sides = true.
   Proof.
     induction rest as [| s rest IH]; intros [| h sides] q0 r; cbn [fan cover]; auto; intros H; try discriminate.
-    split_checks. rewrite IH by assumption. rewrite !andb_true_iff. repeat split; try apply Z.ltb_lt; try apply Z.eqb_eq; auto.
+    cbv zeta in H. rewrite !rotated in H. split_checks. rewrite IH by assumption. rewrite !andb_true_iff. repeat split; try apply Z.ltb_lt; try apply Z.eqb_eq; auto.
   Qed.
   Lemma fan_covered gs sides : fan_of gs sides = true -> cover_of gs sides = true.
   Proof.
     destruct gs as [| g0 [| g1 [| g2 rest]]]; try discriminate. destruct sides as [| h0 sides]; try discriminate.
-    unfold fan_of, cover_of. intros H. split_checks. rewrite (fan_is_cover g0 g1) by assumption.
+    unfold fan_of, cover_of. intros H. split_checks. rewrite (fan_is_cover g0 (cross g0 g1)) by assumption.
     rewrite !andb_true_iff. repeat split; try apply Z.ltb_lt; try apply Z.eqb_eq; auto.
   Qed.
 
@@ -316,14 +319,14 @@ Section Soundness.
 
   (* What is found is one of the corners. *)
   Lemma build_all (P : corner -> Prop) base : forall depth l, (forall c, In c l -> P c) ->
-    (forall best h late, P best -> P (find h late (fst (build base depth l)) best)) /\ (forall c, In c (snd (build base depth l)) -> P c).
+    (forall best h late, P best -> P (seek h late (fst (build base depth l)) best)) /\ (forall c, In c (snd (build base depth l)) -> P c).
   Proof.
     induction depth as [| depth IH]; intros l Hl; cbn [build]; [cbn; auto |].
     destruct (build base depth l) as [a l1] eqn:E1. destruct (IH l Hl) as [Fa R1]. rewrite E1 in *. cbn [fst snd] in *.
     destruct l1 as [| c l1]; [cbn; auto |].
     destruct (build base depth l1) as [b l2] eqn:E2.
     destruct (IH l1) as [Fb R2]; [intros; apply R1; now right |]. rewrite E2 in *. cbn [fst snd] in *.
-    split; [| exact R2]. intros best h late Hbest. cbn [find].
+    split; [| exact R2]. intros best h late Hbest. cbn [seek].
     destruct (if eqb late _ then _ else _); [apply Fb, R1; now left | now apply Fa].
   Qed.
 
@@ -338,7 +341,10 @@ Section Soundness.
   Lemma corners_sides gs sides c : In c (corners gs sides) -> In (before c) sides /\ In (after c) sides.
   Proof.
     destruct gs as [| g0 gs], sides as [| h0 sides]; cbn [corners]; try contradiction.
-    intros H. apply corners_from_sides in H. rewrite !in_app_iff in H. cbn in *. intuition.
+    intros H. apply corners_from_sides in H.
+    assert (A : forall h, In h (sides ++ [h0]) -> In h (h0 :: sides)).
+    { intros h Hh. apply in_app_or in Hh. destruct Hh as [Hh | [<- | []]]; [now right | now left]. }
+    destruct H as [[-> | Hb] Ha]; split; auto; now left.
   Qed.
 
   Lemma polygon_sound hs gs sides : check_polygon hs gs sides = true -> (forall g, In g gs -> 0 <= tw g) ->
@@ -349,7 +355,7 @@ Section Soundness.
     rewrite forallb_forall in Hall. rewrite forallb_forall in Hcs.
     split; [intros p Hp; apply covered with sides; auto using fan_covered |].
     intros h g Hh Hg. pose proof (Hall h Hh) as He.
-    set (found := find h _ _ c0) in *.
+    set (found := seek h _ _ c0) in *.
     assert (Hin : In found (c0 :: cs)).
     { apply (proj1 (build_all (fun c => In c (c0 :: cs)) (before c0) 40 (c0 :: cs) (fun c H => H))). now left. }
     pose proof Hin as Hs. rewrite <- E in Hs. apply corners_sides in Hs. destruct Hs as [Hb Ha].
@@ -429,7 +435,7 @@ Section Soundness.
   Proof.
     induction l as [| h l IH]; cbn [pairs]; [contradiction |].
     destruct l as [| h' l]; intros s [<- | H]; cbn; auto; try contradiction.
-    apply IH in H. cbn in *. tauto.
+    apply IH in H. destruct H as [Ha [Hb | Hb]]; split; auto; now right.
   Qed.
   Lemma pinned_mixed v sides p : pinned v sides = true -> 0 < tw v -> (forall h, In h sides -> holds h p) -> mixed [v] p.
   Proof.
@@ -510,8 +516,16 @@ Section Soundness.
       assert (Harr : forall g, In g (arranged (v :: vs) rs) <-> In g ((v :: vs) ++ rs)).
       { intros g. unfold arranged. destruct rs as [| r [| r' [| r'' rs']]]; cbn [length] in H.
         - now rewrite app_nil_r.
-        - rewrite in_app_iff. cbn. tauto.
-        - rewrite in_app_iff. cbn. rewrite in_app_iff. cbn. tauto.
+        - split; intros I.
+          + destruct I as [<- | I]; apply in_or_app; [right; now left | now left].
+          + apply in_app_or in I. destruct I as [I | [<- | []]]; [now right | now left].
+        - split; intros I.
+          + destruct I as [<- | I]; apply in_or_app; [right; now left |].
+            apply in_app_or in I. destruct I as [I | [<- | []]]; [now left | right; right; now left].
+          + apply in_app_or in I. destruct I as [I | [<- | [<- | []]]].
+            * right. apply in_or_app. now left.
+            * now left.
+            * right. apply in_or_app. right. now left.
         - exfalso. rewrite !Nat2Z.inj_succ in H. lia. }
       apply polygon_sound in Hc; [| intros; apply Hw; now apply Harr]. destruct Hc as [Hin Hdot].
       apply Main.
@@ -520,11 +534,11 @@ Section Soundness.
     - (* strip *)
       destruct vs as [| w [|]]; try discriminate. destruct rs as [| r [| r' [|]]]; try discriminate. split_checks.
       apply Main; [| now apply all_hold_is]. intros p Hp.
-      apply (mixed_incl [v; r; w; r']); [cbn; tauto |]. apply covered with (map (side t) sides); [assumption |]. now apply Sides.
+      apply (mixed_incl [v; r; w; r']); [intros g [<- | [<- | [<- | [<- | []]]]]; simpl; auto |]. apply covered with (map (side t) sides); [assumption |]. now apply Sides.
     - (* half-plane *)
       destruct vs as [|]; try discriminate. destruct rs as [| r [| n [| r' [|]]]]; try discriminate. split_checks.
       apply Main; [| now apply all_hold_is]. intros p Hp.
-      apply (mixed_incl [v; r; n; r']); [cbn; tauto |]. eapply covered; [eassumption |].
+      apply (mixed_incl [v; r; n; r']); [intros g [<- | [<- | [<- | [<- | []]]]]; simpl; auto |]. eapply covered; [eassumption |].
       intros h [<- | [<- | [<- | [<- | []]]]]; auto using holds_infinity.
     - (* segment *)
       destruct vs as [| w [|]]; try discriminate. destruct rs as [|]; try discriminate. split_checks.
@@ -633,14 +647,14 @@ Section Soundness.
     intros H. pose proof (vertex_positive v) as Hw. destruct (vertex_is v) as [Ex Ey]. unfold holds.
     apply (cancel_nonneg _ _ Hw).
     assert (E : phi (tw (vertex v)) *' val h (q (fst v), q (snd v)) == phi (dot h (vertex v))).
-    { unfold val, dot. cbn [fst snd]. rewrite !phi_plus, !phi_times, Ex, Ey. ring. }
+    { unfold val. cbn [fst snd]. rewrite phi_dot, Ex, Ey. ring. }
     rewrite E. now apply phi_pos.
   Qed.
   Lemma ray_holds h r : 0 <= dot h (ray r) -> nonneg (phi (tx h) *' q (fst r) +' phi (ty h) *' q (snd r)).
   Proof.
     intros H. destruct (ray_is r) as (s & Hs & Ex & Ey). apply (cancel_nonneg _ _ Hs).
     assert (E : phi s *' (phi (tx h) *' q (fst r) +' phi (ty h) *' q (snd r)) == phi (dot h (ray r))).
-    { unfold dot. rewrite ray_zero, !phi_plus, !phi_times, Ex, Ey, phi0. ring. }
+    { rewrite phi_dot, ray_zero, Ex, Ey, phi0. ring. }
     rewrite E. now apply phi_pos.
   Qed.
   Lemma hull_holds h vs p : (forall g, In g (map vertex vs) -> 0 <= dot h g) -> hull vs p -> holds h p.

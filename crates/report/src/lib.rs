@@ -47,6 +47,8 @@ mod guarantee;
 mod input_json;
 mod json;
 mod judge;
+#[cfg(feature = "files")]
+mod kernel;
 mod linearity;
 mod number;
 mod origin;
@@ -97,6 +99,8 @@ pub use generators::ActiveNames;
 pub use guarantee::guarantee_document;
 pub use json::{ActiveJson, RangeJson};
 pub use judge::{JudgeJson, judge_document, judge_json};
+#[cfg(feature = "files")]
+pub use kernel::{THEORY, Theory, kernel_fit, kernel_half_planes};
 pub use linearity::{linearity_csv, linearity_document, linearity_json};
 #[cfg(feature = "files")]
 pub use linearity::{linearity_proof, linearity_question};
