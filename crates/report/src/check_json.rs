@@ -4,109 +4,15 @@ use boundfit_check::{Approximation, Check, Directions, JudgedAnswer, ProgramRows
 use boundfit_estimation::Measurements;
 use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_lp::{Judgement, Multiplier, PuiEnd, Refutation, RoundedTo, Verdict};
-use serde::Serialize;
 
-use crate::json::{TermJson, to_text};
-use crate::number::Number;
+use crate::answer::check::{
+    ApproximationJson, CheckInputJson, CheckJson, ClaimJson, ClaimedEndJson, DirectionsJson, EvidenceJson,
+    ReadingsJson, RoundedToJson, WorstJson,
+};
+use crate::answer::parts::TermJson;
+use crate::answer::table::TableJson;
+use crate::json::to_text;
 use crate::style::Style;
-use crate::table_json::TableJson;
-
-#[derive(Serialize)]
-struct CheckJson<'a> {
-    schema: &'static str,
-    input: InputJson<'a>,
-    tolerance: Number,
-    digits_as_printed: bool,
-    readings: ReadingsJson,
-    claims: Vec<ClaimJson>,
-    worst: Option<WorstJson>,
-    worst_as_received: Option<WorstJson>,
-    directions: Option<DirectionsJson>,
-}
-
-/// How many readings the programs are about, and how many are fitted.
-#[derive(Serialize)]
-struct ReadingsJson {
-    asked: usize,
-    fitted: usize,
-}
-
-/// What the answers are about.
-#[derive(Serialize)]
-struct InputJson<'a> {
-    file: Option<Foreign<&'a str>>,
-    table: Option<TableJson>,
-}
-
-/// The worst verdict against one reading of the data.
-#[derive(Serialize)]
-struct WorstJson {
-    verdict: &'static str,
-    reading: &'static str,
-    refuted: bool,
-}
-
-#[derive(Serialize)]
-struct ClaimJson {
-    source: Foreign,
-    reading: &'static str,
-    bounds: Vec<EndJson>,
-    verdict: &'static str,
-}
-
-#[derive(Serialize)]
-struct EndJson {
-    target: &'static str,
-    end: &'static str,
-    claimed: Option<Number>,
-    verdict: &'static str,
-    rounded_to: Option<RoundedToJson>,
-    exact: Option<Number>,
-    excess: Option<Number>,
-    excess_in_ulps: Option<Number>,
-    excess_in_units: Option<Number>,
-    unit: Option<&'static str>,
-    tau: Option<Number>,
-    tau_in_epsilon: Option<Number>,
-    row: Option<usize>,
-    bound: Option<String>,
-    violation: Option<Number>,
-    witness: Option<[Number; 2]>,
-    proof: Option<EvidenceJson>,
-    repairable: Option<bool>,
-    reason: Option<String>,
-}
-
-/// Which rounding explains a rounded claim: `binary64`, or `digits` with their number.
-#[derive(Serialize)]
-struct RoundedToJson {
-    kind: &'static str,
-    digits: Option<usize>,
-}
-
-#[derive(Serialize)]
-struct EvidenceJson {
-    shows: &'static str,
-    rows: Vec<TermJson>,
-    theta: Option<[Number; 2]>,
-    ray: Option<[Number; 2]>,
-}
-
-#[derive(Serialize)]
-struct DirectionsJson {
-    count: usize,
-    scaled: bool,
-    unbounded: usize,
-    inner: Option<ApproximationJson>,
-    exact: ApproximationJson,
-    outer: Option<ApproximationJson>,
-}
-
-#[derive(Serialize)]
-struct ApproximationJson {
-    vertices: Vec<[Number; 2]>,
-    area: Option<Number>,
-}
 
 /// The report as JSON, with a line end, about the readings of this file; `None` for standard input. `reading` is that of the data;
 /// `worst` is against it.
@@ -118,8 +24,8 @@ pub fn check_json(
     style: &Style,
 ) -> String {
     let report = CheckJson {
-        schema: "boundfit/check/2",
-        input: InputJson { file, table: TableJson::of_measurements(measurements) },
+        schema: CheckJson::SCHEMA,
+        input: CheckInputJson { file, table: TableJson::of_measurements(measurements) },
         tolerance: style.given_number(&check.tolerance),
         digits_as_printed: check.as_printed,
         readings: ReadingsJson { asked: check.readings.asked, fitted: check.readings.fitted },
@@ -155,7 +61,7 @@ fn bound(
     judgement: &Judgement,
     rows: &ProgramRows,
     style: &Style,
-) -> EndJson {
+) -> ClaimedEndJson {
     let number = |value: &Option<Rational>| value.as_ref().map(|value| style.number(value));
     let violated = judgement.violation.as_ref().map(|violation| {
         let TermJson { row, bound, multiplier } =
@@ -166,7 +72,7 @@ fn bound(
         Some((row, bound, by)) => (row, Some(bound), Some(by)),
         None => (None, None, None),
     };
-    EndJson {
+    ClaimedEndJson {
         target,
         end,
         claimed: number(&judgement.claimed),

@@ -9,89 +9,26 @@ use boundfit_estimation::{
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::{Measures, Multiplier};
 use boundfit_questions::Guarantee;
-use serde::Serialize;
 
-use crate::guarantee::GuaranteeJson;
-use crate::input_json::InputJson;
-use crate::json::{
-    ActiveJson, BoundJson, IntervalJson, ProgramJson, RangeJson, RegionJson, SlopeJson, SlopesJson, TermJson,
-    centroid_json, long_fractions, to_text,
+use crate::answer::fit::{
+    FitJson, FitLeastSquaresJson, FloatJson, GuaranteeJson, InverseJson, InversesJson, MinimaxJson,
 };
+use crate::answer::input::InputJson;
+use crate::answer::parts::{
+    ActiveJson, BoundJson, CentralJson, IntervalJson, LeastSquaresJson, ProgramJson, RangeJson, RegionJson,
+    SlopeJson, SlopesJson, TermJson,
+};
+use crate::answer::sweep::SweepJson;
+use crate::json::{centroid_json, long_fractions, to_text};
 use crate::number::Number;
 use crate::origin::Origin;
 use crate::style::Style;
-use crate::sweep_json::SweepJson;
 
 /// Why binary64 least squares is left out of a report.
 pub(crate) const NO_BINARY64: &str = "not computed, since not every reading is kept in memory";
 
-/// The report of a fit, which is serialised as schema `boundfit/fit/2`. A main part that is null (least squares, EUI, PUI,
-/// central, slopes, ε_min, minimax, inverse, tightness) has an entry in `reasons`. A family over the error bound becomes the part
-/// `sweep`, a guarantee for further readings the part `guarantee`.
-#[derive(Debug, Serialize)]
-pub struct FitJson {
-    schema: &'static str,
-    program: ProgramJson,
-    input: InputJson,
-    least_squares: Option<LeastSquaresJson>,
-    eui: Option<[RangeJson; 2]>,
-    fps: RegionJson<ActiveJson>,
-    pui: Option<[IntervalJson; 2]>,
-    central: Option<CentralJson>,
-    slopes: Option<SlopesJson>,
-    epsilon_min: Option<Number>,
-    inverse: Option<BTreeMap<&'static str, InverseJson>>,
-    minimax: Option<MinimaxJson>,
-    tightness: Option<Number>,
-    area_centroid: Option<[Number; 2]>,
-    mended_without: Option<Vec<usize>>,
-    reasons: BTreeMap<&'static str, String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    sweep: Option<SweepJson>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    guarantee: Option<GuaranteeJson>,
-}
-
 /// Why it is not known which row would mend an empty set.
 pub(crate) const NO_MENDING: &str = "since not every reading is kept in memory";
-
-#[derive(Debug, Serialize)]
-struct LeastSquaresJson {
-    theta: [Number; 2],
-    in_fps: bool,
-    guaranteed_error: Option<[Number; 2]>,
-    binary64: BTreeMap<&'static str, Option<FloatJson>>,
-}
-
-#[derive(Debug, Serialize)]
-struct FloatJson {
-    theta: [f64; 2],
-    distance: [Number; 2],
-}
-
-#[derive(Debug, Serialize)]
-pub(crate) struct CentralJson {
-    theta: [Number; 2],
-    guaranteed_error: [Number; 2],
-}
-
-#[derive(Debug, Serialize)]
-struct InverseJson {
-    exact_range: Vec<RangeJson>,
-    box_range: Vec<RangeJson>,
-    eui_range: Option<Vec<RangeJson>>,
-    central: Option<Number>,
-    least_squares: Option<Number>,
-}
-
-#[derive(Debug, Serialize)]
-struct MinimaxJson {
-    theta: [Number; 2],
-    unique: bool,
-    epsilon: Option<Number>,
-    epsilon_factor: Option<Number>,
-    proof: Vec<TermJson>,
-}
 
 /// The report as indented JSON, with a line end.
 pub fn fit_json(
@@ -132,7 +69,7 @@ impl FitJson {
             reasons.insert("tightness", style.too_long());
         }
         FitJson {
-            schema: "boundfit/fit/2",
+            schema: Self::SCHEMA,
             program: ProgramJson::OWN,
             input: InputJson::new(problem, origin, style),
             least_squares: least_squares(problem, fit, style),
@@ -142,9 +79,9 @@ impl FitJson {
             central: central(fit, style),
             slopes: slopes(problem, fit, style),
             epsilon_min: uniform_minimum(problem, fit).map(|epsilon| style.upper_number(epsilon)),
-            inverse: fit.inverse(problem.measurements.model()).as_ref().map(|inverse| {
-                let parameters = [("gain", &inverse.gain), ("offset", &inverse.offset)];
-                parameters.map(|(name, parameter)| (name, inverse_parameter(parameter, style))).into()
+            inverse: fit.inverse(problem.measurements.model()).as_ref().map(|inverse| InversesJson {
+                gain: inverse_parameter(&inverse.gain, style),
+                offset: inverse_parameter(&inverse.offset, style),
             }),
             minimax: minimax(problem, fit, style),
             tightness,
@@ -173,7 +110,7 @@ impl FitJson {
     }
 }
 
-fn least_squares(problem: &Problem, fit: &Fit, style: &Style) -> Option<LeastSquaresJson> {
+fn least_squares(problem: &Problem, fit: &Fit, style: &Style) -> Option<FitLeastSquaresJson> {
     let estimate = fit.least_squares.as_ref().ok()?;
     let float = |float: &Option<FloatEstimate>| {
         float.as_ref().map(|float| FloatJson {
@@ -184,28 +121,22 @@ fn least_squares(problem: &Problem, fit: &Fit, style: &Style) -> Option<LeastSqu
     let float = fit.float_least_squares(&problem.measurements).map(|floats| {
         BTreeMap::from([("qr", float(&floats.qr)), ("pseudo_inverse", float(&floats.pseudo_inverse))])
     });
-    let (theta, guaranteed_error) = least_squares_numbers(fit, &estimate.theta, style);
-    Some(LeastSquaresJson {
-        theta,
-        in_fps: least_squares_is_feasible(fit).unwrap_or(false),
-        guaranteed_error,
+    Some(FitLeastSquaresJson {
+        estimate: least_squares_of(fit, &estimate.theta, style),
         binary64: float.unwrap_or_default(),
     })
 }
 
 /// The least-squares estimate, with its guaranteed error where it has one.
-pub(crate) fn least_squares_numbers(
-    fit: &Fit,
-    theta: &[Rational; 2],
-    style: &Style,
-) -> ([Number; 2], Option<[Number; 2]>) {
-    match fit.least_squares_guaranteed_error() {
+pub(crate) fn least_squares_of(fit: &Fit, theta: &[Rational; 2], style: &Style) -> LeastSquaresJson {
+    let (theta, guaranteed_error) = match fit.least_squares_guaranteed_error() {
         Some(errors) => {
             let (theta, errors) = style.estimate_numbers(theta, &errors);
             (theta, Some(errors))
         }
         None => (style.numbers(theta), None),
-    }
+    };
+    LeastSquaresJson { theta, in_fps: least_squares_is_feasible(fit).unwrap_or(false), guaranteed_error }
 }
 
 fn fps(problem: &Problem, fit: &Fit, measures: &Measures, style: &Style) -> RegionJson<ActiveJson> {

@@ -3,9 +3,9 @@
 use boundfit_estimation::{Fit, InverseParameter, Problem};
 use boundfit_exact::{Endpoint, Interval, Rational};
 
+use crate::answer::parts::ProgramJson;
 use crate::fit_json::uniform_minimum;
 use crate::generators::ActiveNames;
-use crate::json::ProgramJson;
 use crate::number::{down, up};
 use crate::script::{assignment, literal, quoted, region_script};
 use crate::style::{LONGEST_FRACTION, USUAL_DIGITS, distance_of_double};

@@ -4,25 +4,13 @@ use boundfit_estimation::{ErrorBound, Fit, Minimax, Problem};
 use boundfit_exact::Rational;
 use boundfit_exact::english::counted;
 use boundfit_questions::Guarantee;
-use serde::Serialize;
 
+use crate::answer::fit::GuaranteeJson;
 use crate::document::{Block, Document, Symbol, Text};
-use crate::number::Number;
 use crate::style::Style;
 
 /// Who proved it.
 const SOURCE: &str = "Campi and Garatti, SIAM J. Optim. 19 (2008); of such bands Campi, Calafiore and Garatti, Automatica 45 (2009)";
-
-/// The guarantee of a fit: fields of `boundfit/fit/2`.
-#[derive(Debug, Serialize)]
-pub(crate) struct GuaranteeJson {
-    confidence: Number,
-    covered: Number,
-    readings: usize,
-    unknowns: u32,
-    assumes: Vec<String>,
-    source: &'static str,
-}
 
 impl GuaranteeJson {
     /// `None` where there is no band.

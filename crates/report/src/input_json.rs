@@ -3,87 +3,13 @@
 use boundfit_estimation::{ErrorBound, FractionCells, Model, MultipleOfLeast, Problem, Selection};
 use boundfit_exact::Foreign;
 use boundfit_exact::english::{split_unit, unit_by};
-use serde::Serialize;
 
-use crate::number::Number;
+use crate::answer::input::{
+    FractionsJson, FromLeastJson, InputJson, IntervalColumnsJson, SelectionJson, UnitsJson,
+};
+use crate::answer::table::TableJson;
 use crate::origin::Origin;
 use crate::style::Style;
-use crate::table_json::TableJson;
-
-/// The part `input` of all reports about readings.
-#[derive(Debug, Serialize)]
-pub(crate) struct InputJson {
-    file: Option<Foreign>,
-    rows: usize,
-    rows_total: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    selection: Option<SelectionJson>,
-    #[serde(skip_serializing_if = "is_zero")]
-    rows_missing: usize,
-    /// What the table was taken for; null unless it is text or a sheet.
-    table: Option<TableJson>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    fractions: Vec<FractionsJson>,
-    reading: &'static str,
-    sha256: Option<String>,
-    model: &'static str,
-    x: Vec<Foreign>,
-    y: Option<Foreign>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    units: Option<UnitsJson>,
-    epsilon: Option<Number>,
-    epsilon_column: Option<Foreign>,
-    /// The law that was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    epsilon_law: Option<Foreign>,
-    /// The columns of bounds, of which one may be null.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    interval: Option<IntervalColumnsJson>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    epsilon_from_least: Option<FromLeastJson>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    x_origin: Option<Number>,
-    r#where: Vec<Foreign>,
-}
-
-/// A column with cells that are fractions.
-#[derive(Debug, Serialize)]
-pub(crate) struct FractionsJson {
-    column: Foreign,
-    cells: usize,
-    first: Foreign,
-}
-
-/// Which rows were asked for.
-#[derive(Debug, Serialize)]
-pub(crate) struct SelectionJson {
-    rows: Option<String>,
-    without: Option<String>,
-    where_row: Vec<Foreign>,
-}
-
-/// An error bound that was found from the readings themselves.
-#[derive(Debug, Serialize)]
-struct FromLeastJson {
-    factor: Number,
-    epsilon_min: Number,
-    assumes: &'static str,
-}
-
-#[derive(Debug, Serialize)]
-struct IntervalColumnsJson {
-    lower: Option<Foreign>,
-    upper: Option<Foreign>,
-}
-
-/// The units that the names of the columns tell, and those that follow for the parameters; null where there is none.
-#[derive(Debug, Serialize)]
-struct UnitsJson {
-    x: Vec<Option<String>>,
-    y: Option<String>,
-    theta1: Option<String>,
-    theta2: Option<String>,
-}
 
 impl UnitsJson {
     /// `None` where no name has a unit.
@@ -168,9 +94,4 @@ pub(crate) fn selection(selection: &Selection) -> Option<SelectionJson> {
 
 pub(crate) fn fractions(FractionCells { column, cells, first }: FractionCells) -> FractionsJson {
     FractionsJson { column, cells, first }
-}
-
-/// Whether there is nothing to be said.
-fn is_zero(count: &usize) -> bool {
-    *count == 0
 }

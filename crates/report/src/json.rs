@@ -9,16 +9,12 @@ use boundfit_questions::BoxBound;
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
 
-use crate::number::Number;
-use crate::number::Reader;
+use crate::answer::parts::{
+    ActiveJson, ActiveListJson, BoundJson, CertificateJson, EndJson, ProgramJson, RangeJson, RegionJson,
+    SlopeJson, TermJson, VertexJson,
+};
+use crate::number::{Number, Reader};
 use crate::style::Style;
-
-/// The ends of an interval, null where there is none. They are numbers, or functions of the factor on the error bounds.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct RangeJson<V = Number> {
-    pub(crate) lower: Option<V>,
-    pub(crate) upper: Option<V>,
-}
 
 impl RangeJson {
     /// An interval, its ends rounded as the style says.
@@ -28,13 +24,6 @@ impl RangeJson {
             upper: interval.upper().value().map(|value| style.upper_number(value)),
         }
     }
-}
-
-/// The name of a half-plane in JSON. `row` is null for a condition.
-#[derive(Debug, Clone, Serialize)]
-pub struct ActiveJson {
-    row: Option<usize>,
-    bound: String,
 }
 
 impl From<BoundName> for ActiveJson {
@@ -61,19 +50,6 @@ impl From<BoxBound> for ActiveJson {
     }
 }
 
-/// The first names of half-planes in JSON, and how many there are beside them: no key where there are none.
-#[derive(Debug, Clone, Serialize)]
-pub(crate) struct ActiveListJson<A> {
-    active: Vec<A>,
-    #[serde(skip_serializing_if = "is_zero")]
-    active_more: usize,
-}
-
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "as serde asks")]
-fn is_zero(count: &usize) -> bool {
-    *count == 0
-}
-
 impl<A> ActiveListJson<A> {
     /// Names, and how many there are beside them.
     pub(crate) fn of(active: Vec<A>, active_more: usize) -> Self {
@@ -94,34 +70,11 @@ impl From<&ActiveBounds> for ActiveListJson<ActiveJson> {
     }
 }
 
-/// A multiple of a named half-plane. `row` is null for a condition.
-#[derive(Debug, Clone, Serialize)]
-pub(crate) struct TermJson {
-    pub(crate) row: Option<usize>,
-    pub(crate) bound: String,
-    pub(crate) multiplier: Number,
-}
-
 impl TermJson {
     pub(crate) fn new(name: impl Into<ActiveJson>, multiplier: &Rational, style: &Style) -> Self {
         let ActiveJson { row, bound } = name.into();
         TermJson { row, bound, multiplier: style.number(multiplier) }
     }
-}
-
-/// One end of an interval, a number with what proves it beside its forms; where nothing bounds, all forms are null.
-#[derive(Debug, Clone, Serialize)]
-pub(crate) struct BoundJson {
-    #[serde(flatten)]
-    end: EndJson,
-    active: Vec<TermJson>,
-}
-
-/// The forms of an end.
-#[derive(Debug, Clone)]
-enum EndJson {
-    Bounded(Number),
-    Unbounded(Reader),
 }
 
 impl BoundJson {
@@ -136,6 +89,7 @@ impl BoundJson {
     }
 
     /// Whether there is an end.
+    #[cfg(feature = "files")]
     pub(crate) fn is_bounded(&self) -> bool {
         matches!(self.end, EndJson::Bounded(_))
     }
@@ -159,13 +113,6 @@ impl Serialize for EndJson {
     }
 }
 
-/// The program that wrote a document.
-#[derive(Debug, Serialize)]
-pub(crate) struct ProgramJson {
-    name: &'static str,
-    version: &'static str,
-}
-
 impl ProgramJson {
     /// This one.
     pub(crate) const OWN: ProgramJson = ProgramJson { name: "boundfit", version: env!("CARGO_PKG_VERSION") };
@@ -175,29 +122,6 @@ impl fmt::Display for ProgramJson {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {}", self.name, self.version)
     }
-}
-
-/// A parameter interval with its proofs.
-#[derive(Debug, Clone, Serialize)]
-pub(crate) struct IntervalJson {
-    pub(crate) lower: BoundJson,
-    pub(crate) upper: BoundJson,
-}
-
-/// The lines at the two ends of the slopes, null where there is no end.
-#[derive(Debug, Clone, Serialize)]
-pub(crate) struct SlopesJson {
-    pub(crate) largest: Option<SlopeJson>,
-    pub(crate) smallest: Option<SlopeJson>,
-}
-
-/// A line at an end of the slopes, and the bounds that it touches. `side` says in which of several sets it is.
-#[derive(Debug, Clone, Serialize)]
-pub(crate) struct SlopeJson {
-    theta: [Number; 2],
-    #[serde(skip_serializing_if = "Option::is_none")]
-    side: Option<&'static str>,
-    active: Vec<ActiveJson>,
 }
 
 impl SlopeJson {
@@ -212,40 +136,6 @@ impl SlopeJson {
         let active = proof.multipliers.iter().map(|own| name(own.index).into()).collect();
         Some(SlopeJson { theta: style.numbers(&proof.attained_at.coordinates()), side, active })
     }
-}
-
-/// A corner with the half-planes that meet there. `V` is a coordinate, `A` names a half-plane.
-#[derive(Debug, Serialize)]
-pub(crate) struct VertexJson<V, A> {
-    pub(crate) theta: [V; 2],
-    #[serde(flatten)]
-    pub(crate) active: ActiveListJson<A>,
-}
-
-/// What proves that a set is empty.
-#[derive(Debug, Serialize)]
-pub(crate) struct CertificateJson {
-    pub(crate) farkas: Vec<TermJson>,
-}
-
-/// A region in JSON; `A` names a half-plane.
-#[derive(Debug, Serialize)]
-pub(crate) struct RegionJson<A> {
-    kind: &'static str,
-    vertices: Vec<VertexJson<Number, A>>,
-    rays: Vec<[Number; 2]>,
-    lines: Vec<[Number; 2]>,
-    boundaries: Vec<BoundaryJson<A>>,
-    witness: Option<[Number; 2]>,
-    area: Option<Number>,
-    certificate: Option<CertificateJson>,
-}
-
-/// A whole line of the boundary of a region without vertices.
-#[derive(Debug, Serialize)]
-struct BoundaryJson<A> {
-    #[serde(flatten)]
-    active: ActiveListJson<A>,
 }
 
 impl<A> RegionJson<A> {
@@ -267,7 +157,7 @@ impl<A> RegionJson<A> {
             vertices: region.vertices().iter().map(vertex).collect(),
             rays: region.rays().iter().map(direction).collect(),
             lines: region.lines().iter().map(direction).collect(),
-            boundaries: boundaries.map(|b| BoundaryJson { active: name(b.active()) }).collect(),
+            boundaries: boundaries.map(|boundary| name(boundary.active())).collect(),
             witness: region.witness().as_ref().map(point),
             area: measures.area().filter(|_| !region.is_empty()).map(|area| style.measure_number(&area)),
             certificate: farkas.map(|farkas| CertificateJson { farkas }),

@@ -26,6 +26,7 @@
 
 mod advice;
 mod align;
+pub mod answer;
 mod cdd;
 mod check;
 mod check_json;
@@ -82,14 +83,15 @@ mod window;
 mod wkt;
 mod x_errors;
 
+pub use answer::{ActiveJson, FitJson, JudgeJson, RangeJson, SolutionJson, SweepJson, TableJson};
 pub use cdd::{h_representation, v_representation};
 pub use check::{check_document, verdict_line};
 pub use check_json::check_json;
 pub use document::Document;
-pub use findings::{SolutionJson, solutions_document, solutions_json, solutions_junit, solutions_sarif};
+pub use findings::{solutions_document, solutions_json, solutions_junit, solutions_sarif};
 pub use fit::{InverseLine, brief_document, fit_document};
 pub use fit_csv::fit_csv;
-pub use fit_json::{FitJson, fit_json};
+pub use fit_json::fit_json;
 pub use fit_script::fit_script;
 pub use fleet_csv::FleetCsv;
 pub use fleet_json::write_group_json;
@@ -97,8 +99,7 @@ pub use fleet_summary::{FleetSummary, GroupReport};
 pub use fleet_text::{FleetTable, GroupCells};
 pub use generators::ActiveNames;
 pub use guarantee::guarantee_document;
-pub use json::{ActiveJson, RangeJson};
-pub use judge::{JudgeJson, judge_document, judge_json};
+pub use judge::{judge_document, judge_json};
 #[cfg(feature = "files")]
 pub use kernel::{THEORY, Theory, kernel_fit, kernel_half_planes};
 pub use linearity::{linearity_csv, linearity_document, linearity_json};
@@ -133,8 +134,6 @@ pub use status::status_proof;
 pub use status::{NewReadings, StatusCsv, StatusJson, StatusReport, status_document};
 pub use style::{EndRounding, LONGEST_FRACTION, Style};
 pub use sweep::sweep_document;
-pub use sweep_json::SweepJson;
-pub use table_json::TableJson;
 #[cfg(feature = "files")]
 pub use table_json::table_line;
 pub use verify::{Verdict, condition as condition_text, verify_text};

@@ -4,25 +4,10 @@ use boundfit_estimation::{BoundName, Fit, Fps, ParameterBound, Problem};
 use boundfit_exact::{Rational, Reading};
 use boundfit_geometry::predicates::{Turn, normal_turn};
 use boundfit_geometry::{Multiplier, Polyhedron, Vertex};
-use serde::Serialize;
 
+use crate::answer::proof::{EndProofJson, MultipleJson, ProofJson};
 use crate::json::to_text;
 use crate::proof_question::ProofQuestion;
-
-#[derive(Serialize)]
-struct ProofJson {
-    schema: &'static str,
-    #[serde(flatten)]
-    question: ProofQuestion,
-    vertices: Vec<[String; 2]>,
-    active: Vec<(usize, String)>,
-    sides: Vec<(String, Option<usize>)>,
-    farkas: Vec<NamedMultiplier>,
-    bounds: Vec<(Vec<NamedMultiplier>, [String; 2], [String; 2])>,
-}
-
-/// The name of a half-plane and its multiplier.
-type NamedMultiplier = (String, String);
 
 /// The proof of a fit as JSON, with a line end: what was read from which bytes, the feasible parameter set with the
 /// half-planes of its sides, and its bounds; for an empty set the readings that contradict each other. `None` when the
@@ -44,11 +29,11 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
     let sides = polyhedron.irredundant_by_angle().iter().zip(corners(polyhedron));
     let sides: Vec<_> = sides.map(|(&index, vertex)| (name(index), vertex)).collect();
     let contradiction = fit.contradiction(problem.measurements.error_bound()).unwrap_or_default();
-    let farkas: Vec<NamedMultiplier> = contradiction.iter().map(|(name, value)| term(*name, value)).collect();
+    let farkas: Vec<MultipleJson> = contradiction.iter().map(|(name, value)| term(*name, value)).collect();
     let ends = fit.pui.iter().flatten().flat_map(|interval| [&interval.lower, &interval.upper]);
     let bounds = ends.map(|end| bound_json(end, &fit.fps)).collect();
     let proof = ProofJson {
-        schema: "boundfit/proof/1",
+        schema: ProofJson::SCHEMA,
         question,
         vertices: vertices.iter().map(theta).collect(),
         active: active.collect(),
@@ -84,7 +69,7 @@ pub(crate) fn corners(polyhedron: &Polyhedron) -> Vec<Option<usize>> {
 }
 
 /// Multipliers, a point and a ray. At a finite end the ray is zero; where there is none, there are no multipliers.
-fn bound_json(bound: &ParameterBound, fps: &Fps) -> (Vec<NamedMultiplier>, [String; 2], [String; 2]) {
+fn bound_json(bound: &ParameterBound, fps: &Fps) -> EndProofJson {
     let (multipliers, point, ray) = match bound {
         ParameterBound::Bounded { proof, .. } => {
             let multiplier = |m: &Multiplier| term(fps.name(m.index), &m.value);
@@ -98,6 +83,6 @@ fn bound_json(bound: &ParameterBound, fps: &Fps) -> (Vec<NamedMultiplier>, [Stri
     (multipliers, point.coordinates().map(|coordinate| coordinate.to_string()), ray)
 }
 
-fn term(name: BoundName, multiplier: &Rational) -> NamedMultiplier {
+fn term(name: BoundName, multiplier: &Rational) -> MultipleJson {
     (name.to_string(), multiplier.to_string())
 }

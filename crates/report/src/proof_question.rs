@@ -4,25 +4,41 @@ use boundfit_estimation::{Condition, ErrorBound, Model, Problem};
 use boundfit_exact::{Foreign, Rational, Reading};
 use serde::Serialize;
 
-/// Which rows of which bytes are read, how, and what they say about the parameters: all numbers as exact fractions.
+/// The question of a proof: which rows of which bytes are read, how, and what they say about the parameters. Numbers are exact
+/// fractions as text.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ProofQuestion {
+    /// SHA-256 of the bytes of the data.
     sha256: String,
+    /// The character between cells.
     delimiter: char,
+    /// Whether the first row names the columns.
     header: bool,
+    /// First and last row of each range, one after the other.
     rows: Vec<usize>,
+    /// How numbers are read: exactly as written, or as the nearest doubles.
+    #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::READINGS)))]
     reading: &'static str,
+    /// φ1, φ2, y and ε: the number of a column, and by how much it is multiplied. Column 0 holds 1 in every row.
     model: [(usize, String); 4],
+    /// The columns of lower and of upper bounds that take the place of y and ε; absent if there are none.
     #[serde(skip_serializing_if = "Option::is_none")]
     interval: Option<[Option<usize>; 2]>,
+    /// The bounds above and below y beside ε: a quantity, `abs` or `written`, the number of a column, and by how much it is
+    /// multiplied. Absent without a law.
     #[serde(skip_serializing_if = "Option::is_none")]
     law: Option<[Vec<LawTermJson>; 2]>,
+    /// The number that is taken from the column of φ1 before it is multiplied; absent if it is 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     x_origin: Option<String>,
+    /// The column of bounds on the errors of x, and by how much it is multiplied; absent where x is exact.
     #[serde(skip_serializing_if = "Option::is_none")]
     x_error: Option<(usize, String)>,
+    /// The columns whose sum takes the place of y, and by how much each is multiplied; absent if there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     response: Vec<(usize, String)>,
+    /// The conditions a1·θ1 + a2·θ2 ≤ b as a1, a2 and b; a fourth text `=` makes an equation.
     conditions: Vec<Vec<String>>,
 }
 

@@ -2,81 +2,13 @@
 
 use boundfit_exact::Rational;
 use boundfit_questions::{BoxBound, Corner, Side};
-use serde::Serialize;
 
+use crate::answer::proof::{
+    EndProofJson, MultipleJson, ScopeJson, StatedJson, StatementJson, StatementsJson, VectorJson,
+};
 use crate::json::to_text;
 use crate::proof_question::ProofQuestion;
 use crate::statements::{Claim, ErrorScale, FormEnd, Multiple, Scope, Statement};
-
-#[derive(Serialize)]
-struct ProofJson<'a> {
-    schema: &'static str,
-    #[serde(flatten)]
-    question: &'a ProofQuestion,
-    statements: Vec<StatementJson>,
-}
-
-#[derive(Serialize)]
-struct StatementJson {
-    kind: &'static str,
-    #[serde(flatten)]
-    scope: ScopeJson,
-    #[serde(flatten)]
-    claim: ClaimJson,
-}
-
-#[derive(Serialize)]
-struct ScopeJson {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    rows: Option<Vec<usize>>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    without: Vec<usize>,
-    #[serde(rename = "where", skip_serializing_if = "Option::is_none")]
-    conditions: Option<Vec<usize>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    factor: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    epsilon: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    side: Option<&'static str>,
-}
-
-#[derive(Serialize)]
-#[serde(untagged)]
-enum ClaimJson {
-    Form {
-        form: VectorJson,
-        lower: EndJson,
-        upper: EndJson,
-    },
-    Point {
-        point: VectorJson,
-    },
-    Empty {
-        multipliers: Vec<MultipleJson>,
-    },
-    Least {
-        point: VectorJson,
-        multipliers: Vec<MultipleJson>,
-    },
-    Set {
-        point: VectorJson,
-        vertices: Vec<VectorJson>,
-        sides: Vec<(String, Option<usize>)>,
-    },
-    LeftOut {
-        least: usize,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        sets: Option<Vec<Vec<usize>>>,
-        contradictions: Vec<(Vec<usize>, Vec<MultipleJson>)>,
-    },
-}
-
-type VectorJson = [String; 2];
-/// The name of a half-plane and its multiplier.
-type MultipleJson = (String, String);
-/// Multipliers, a point and a ray.
-type EndJson = (Vec<MultipleJson>, VectorJson, VectorJson);
 
 /// Statements about a question as JSON, with a line end. All numbers are exact fractions as text.
 ///
@@ -109,28 +41,28 @@ type EndJson = (Vec<MultipleJson>, VectorJson, VectorJson);
 /// ```
 pub fn statements_json(question: &ProofQuestion, statements: &[Statement]) -> String {
     let statements = statements.iter().map(statement_json).collect();
-    to_text(&ProofJson { schema: "boundfit/proof/2", question, statements })
+    to_text(&StatementsJson { schema: StatementsJson::SCHEMA, question, statements })
 }
 
 fn statement_json(Statement { scope, claim }: &Statement) -> StatementJson {
     let (kind, claim) = match claim {
         Claim::Form { form, lower, upper } => {
-            ("form", ClaimJson::Form { form: vector(form), lower: end(lower), upper: end(upper) })
+            ("form", StatedJson::Form { form: vector(form), lower: end(lower), upper: end(upper) })
         }
-        Claim::Point(point) => ("point", ClaimJson::Point { point: vector(point) }),
-        Claim::Empty(multipliers) => ("empty", ClaimJson::Empty { multipliers: multiples(multipliers) }),
+        Claim::Point(point) => ("point", StatedJson::Point { point: vector(point) }),
+        Claim::Empty(multipliers) => ("empty", StatedJson::Empty { multipliers: multiples(multipliers) }),
         Claim::Least { point, multiples: own } => {
-            ("least", ClaimJson::Least { point: vector(point), multipliers: multiples(own) })
+            ("least", StatedJson::Least { point: vector(point), multipliers: multiples(own) })
         }
         Claim::Set { point, vertices, sides } => {
             let sides = sides.iter().map(|(name, vertex)| (half_plane(*name), *vertex)).collect();
             let vertices = vertices.iter().map(vector).collect();
-            ("set", ClaimJson::Set { point: vector(point), vertices, sides })
+            ("set", StatedJson::Set { point: vector(point), vertices, sides })
         }
         Claim::LeftOut { least, sets, contradictions } => {
             let contradictions = contradictions.iter().map(|(rows, own)| (sorted(rows), multiples(own)));
             let sets = sets.as_ref().map(|sets| sets.iter().map(|set| sorted(set)).collect());
-            let claim = ClaimJson::LeftOut { least: *least, sets, contradictions: contradictions.collect() };
+            let claim = StatedJson::LeftOut { least: *least, sets, contradictions: contradictions.collect() };
             ("left out", claim)
         }
     };
@@ -179,7 +111,7 @@ fn multiples(multiples: &[Multiple]) -> Vec<MultipleJson> {
 }
 
 /// At a finite end the ray is zero; where there is none, there are no multipliers.
-fn end(end: &FormEnd) -> EndJson {
+fn end(end: &FormEnd) -> EndProofJson {
     match end {
         FormEnd::At { multiples: own, point } => {
             (multiples(own), vector(point), ["0", "0"].map(ToOwned::to_owned))

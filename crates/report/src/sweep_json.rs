@@ -6,75 +6,11 @@ use boundfit_estimation::{
 };
 use boundfit_exact::Rational;
 use boundfit_geometry::{Direction, RegionKind};
-use serde::Serialize;
 
-use crate::json::{ActiveJson, ActiveListJson, RangeJson, VertexJson};
+use crate::answer::parts::{ActiveJson, ActiveListJson, RangeJson, VertexJson};
+use crate::answer::sweep::{BoundaryJson, BreakpointJson, LinearJson, PieceJson, QuadraticJson, SweepJson};
 use crate::number::Number;
 use crate::style::Style;
-
-/// The sets FPS(s·ε) from one factor to another, which are serialised as the part `sweep` of `boundfit/fit/2`.
-#[derive(Debug, Serialize)]
-pub struct SweepJson {
-    from: Number,
-    to: Number,
-    least: Option<Number>,
-    breakpoints: Vec<BreakpointJson>,
-    pieces: Vec<PieceJson>,
-}
-
-#[derive(Debug, Serialize)]
-struct BreakpointJson {
-    s: Number,
-    epsilon: Option<Number>,
-    kind: &'static str,
-    vertices: Vec<VertexJson<Number, ActiveJson>>,
-    rays: Vec<[String; 2]>,
-    lines: Vec<[String; 2]>,
-    boundaries: Vec<BoundaryJson<Number>>,
-    pui: Option<[RangeJson; 2]>,
-    area: Option<Number>,
-    entering: Vec<ActiveJson>,
-    leaving: Vec<ActiveJson>,
-}
-
-#[derive(Debug, Serialize)]
-struct PieceJson {
-    from: Number,
-    to: Number,
-    kind: &'static str,
-    vertices: Vec<VertexJson<LinearJson, ActiveJson>>,
-    rays: Vec<[String; 2]>,
-    lines: Vec<[String; 2]>,
-    boundaries: Vec<BoundaryJson<LinearJson>>,
-    pui: Option<[RangeJson<LinearJson>; 2]>,
-    area: Option<QuadraticJson>,
-}
-
-/// normal·θ ≤ offset.
-#[derive(Debug, Serialize)]
-struct BoundaryJson<V> {
-    normal: [String; 2],
-    offset: V,
-    #[serde(flatten)]
-    active: ActiveListJson<ActiveJson>,
-}
-
-/// `constant + slope·s`.
-#[derive(Debug, Serialize)]
-struct LinearJson {
-    constant: String,
-    slope: String,
-}
-
-/// `constant + slope·s + quadratic·s²`. A coefficient is null where its fraction is too long; then all three have decimals.
-#[derive(Debug, Serialize)]
-struct QuadraticJson {
-    constant: Option<String>,
-    slope: Option<String>,
-    quadratic: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    decimals: Option<[String; 3]>,
-}
 
 impl SweepJson {
     /// The family between the factors that it was made for.

@@ -1,55 +1,14 @@
 //! What a table was taken for: the part `input.table` of all documents about readings, and the line of reports.
 
 use boundfit_estimation::Measurements;
-use boundfit_exact::Foreign;
 #[cfg(feature = "files")]
 use boundfit_formats::{BlockNote, DELIMITERS, Dialect, TableNotes};
 use boundfit_questions::LinearityInput;
-use serde::Serialize;
 
+use crate::answer::table::TableJson;
+#[cfg(feature = "files")]
+use crate::answer::table::{BlocksJson, HeaderJson, SkippedJson};
 use crate::document::Text;
-
-/// What a table of text, or a sheet, was taken for.
-#[derive(Debug, Serialize)]
-pub struct TableJson {
-    header: HeaderJson,
-    /// `comma`, `semicolon`, `tab`, `space`, `pipe` or the character; null of a sheet and of records.
-    delimiter: Option<String>,
-    decimal: &'static str,
-    thousands: Option<&'static str>,
-    /// Null of a sheet.
-    encoding: Option<&'static str>,
-    /// With which characters lines start that are passed over.
-    comment: Option<String>,
-    /// Null where there is one block.
-    blocks: Option<BlocksJson>,
-    skipped: SkippedJson,
-}
-
-/// What names the columns.
-#[derive(Debug, Serialize)]
-struct HeaderJson {
-    line: Option<u64>,
-    comment: bool,
-    open: bool,
-    row_names: bool,
-}
-
-#[derive(Debug, Serialize)]
-struct BlocksJson {
-    total: usize,
-    /// Null where all were read.
-    read: Option<usize>,
-    name: Option<Foreign>,
-}
-
-#[derive(Debug, Serialize)]
-struct SkippedJson {
-    lines: u64,
-    comments: u64,
-    short_rows: u64,
-    long_rows: u64,
-}
 
 #[cfg(feature = "files")]
 impl TableJson {
@@ -112,12 +71,6 @@ impl TableJson {
     pub(crate) fn of_input(_: &LinearityInput) -> Option<Self> {
         None
     }
-}
-
-/// The part `input` of a line of a report that has many: what is the same for all of them.
-#[derive(Debug, Clone, Copy, Serialize)]
-pub(crate) struct LineInputJson<'a> {
-    pub(crate) table: Option<&'a TableJson>,
 }
 
 /// What is not plain about a table as a line of text, with its line end; nothing where all is.

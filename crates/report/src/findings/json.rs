@@ -1,46 +1,11 @@
 //! What was found about solutions, for the schema `boundfit/judge/1`.
 
-use boundfit_exact::Foreign;
 use boundfit_judge::{Excuse, Fault, Finding, Item, JudgedSolution, Side, SolverStatus};
 use boundfit_lp::Model;
-use serde::Serialize;
 
 use super::sentence::sentence;
-use crate::number::Number;
+use crate::answer::judge::{FindingJson, SolutionJson, ToleranceJson};
 use crate::style::Style;
-
-/// One solution.
-#[derive(Debug, Serialize)]
-pub struct SolutionJson {
-    file: Foreign,
-    writer: &'static str,
-    status: String,
-    verdict: &'static str,
-    findings: Vec<FindingJson>,
-}
-
-#[derive(Debug, Serialize)]
-struct FindingJson {
-    aspect: &'static str,
-    verdict: &'static str,
-    line: usize,
-    error: Option<Number>,
-    relative: Option<Number>,
-    row: Option<Foreign>,
-    column: Option<Foreign>,
-    bound: Option<&'static str>,
-    claimed: Option<Number>,
-    exact: Option<Number>,
-    tolerance: Option<ToleranceJson>,
-    message: String,
-}
-
-#[derive(Debug, Serialize)]
-struct ToleranceJson {
-    absolute: Number,
-    relative: Number,
-    scaled: Number,
-}
 
 /// All solutions, in their order.
 pub fn solutions_json(model: &Model, solutions: &[JudgedSolution], style: &Style) -> Vec<SolutionJson> {

@@ -10,7 +10,7 @@ use boundfit_lp::Model;
 
 use crate::document::{Block, Document, Facts, Text};
 
-pub use json::{SolutionJson, solutions_json};
+pub use json::solutions_json;
 pub use junit::solutions_junit;
 pub use sarif::solutions_sarif;
 use sentence::{bounded, sentence};

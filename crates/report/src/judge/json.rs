@@ -3,95 +3,16 @@
 use boundfit_exact::{Foreign, Interval, Rational};
 use boundfit_judge::{Answer, Basis, Face, Item, Plane, Prices, Side, SideMultiplier};
 use boundfit_lp::{Bounds, Model, ObjectiveSense};
-use serde::Serialize;
 
 use super::basis_name;
 use super::tables::row_value;
-use crate::findings::SolutionJson;
-use crate::json::{RangeJson, RegionJson, to_text};
+use crate::answer::judge::{
+    ColumnJson, FaceJson, JudgeJson, ModelJson, PlaneJson, RowJson, SideJson, SideTermJson, SolutionJson,
+};
+use crate::answer::parts::{RangeJson, RegionJson};
+use crate::json::to_text;
 use crate::number::Number;
 use crate::style::Style;
-
-/// The document.
-#[derive(Debug, Serialize)]
-pub struct JudgeJson {
-    schema: &'static str,
-    input: InputJson,
-    status: &'static str,
-    objective: Option<Number>,
-    face: Option<FaceJson>,
-    columns: Vec<ColumnJson>,
-    rows: Vec<RowJson>,
-    farkas: Option<Vec<TermJson>>,
-    point: Option<Vec<Number>>,
-    ray: Option<Vec<Number>>,
-    plane: PlaneJson,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    solutions: Vec<SolutionJson>,
-}
-
-#[derive(Debug, Serialize)]
-struct InputJson {
-    file: Option<Foreign>,
-    sha256: String,
-    name: Foreign,
-    sense: &'static str,
-    objective: Foreign,
-    constant: Number,
-}
-
-/// The optimal points.
-#[derive(Debug, Serialize)]
-struct FaceJson {
-    vertices: Vec<Vec<Number>>,
-    points: Vec<Vec<Number>>,
-    rays: Vec<Vec<Number>>,
-    lines: Vec<Vec<Number>>,
-}
-
-#[derive(Debug, Serialize)]
-struct ColumnJson {
-    name: Foreign,
-    lower: Option<Number>,
-    upper: Option<Number>,
-    cost: Number,
-    value: Option<Number>,
-    reduced_cost: Option<Number>,
-    basis: Option<&'static str>,
-}
-
-#[derive(Debug, Serialize)]
-struct RowJson {
-    name: Foreign,
-    lower: Option<Number>,
-    upper: Option<Number>,
-    value: Option<Number>,
-    dual: Option<Number>,
-    basis: Option<&'static str>,
-}
-
-/// A bound of a row or of a column; the other one of both names is null.
-#[derive(Debug, Serialize)]
-struct SideJson {
-    row: Option<Foreign>,
-    column: Option<Foreign>,
-    side: &'static str,
-}
-
-#[derive(Debug, Serialize)]
-struct TermJson {
-    #[serde(flatten)]
-    side: SideJson,
-    multiplier: Number,
-}
-
-/// The feasible set in the plane of the columns that bounds do not fix.
-#[derive(Debug, Serialize)]
-struct PlaneJson {
-    columns: Vec<Foreign>,
-    region: RegionJson<SideJson>,
-    ranges: Option<Vec<RangeJson>>,
-}
 
 /// What every part of the document is made of.
 struct Parts<'a> {
@@ -112,7 +33,7 @@ impl JudgeJson {
     ) -> Self {
         let parts = Parts { model, plane, style };
         let none = || JudgeJson {
-            schema: "boundfit/judge/1",
+            schema: Self::SCHEMA,
             input: parts.input(file, sha256),
             status: "optimal",
             objective: None,
@@ -170,9 +91,9 @@ struct Solved<'a> {
 }
 
 impl Parts<'_> {
-    fn input(&self, file: Option<Foreign<&str>>, sha256: &str) -> InputJson {
+    fn input(&self, file: Option<Foreign<&str>>, sha256: &str) -> ModelJson {
         let model = self.model;
-        InputJson {
+        ModelJson {
             file: file.map(Foreign::from),
             sha256: sha256.to_owned(),
             name: model.name.clone(),
@@ -244,8 +165,8 @@ impl Parts<'_> {
         SideJson { row, column, side: side.end.name() }
     }
 
-    fn term(&self, term: &SideMultiplier) -> TermJson {
-        TermJson { side: self.side(term.side), multiplier: self.style.number(&term.value) }
+    fn term(&self, term: &SideMultiplier) -> SideTermJson {
+        SideTermJson { side: self.side(term.side), multiplier: self.style.number(&term.value) }
     }
 
     fn plane(&self) -> PlaneJson {

@@ -12,7 +12,7 @@ use crate::document::{Block, Document, Operator, Symbol, Text};
 use crate::formula::products;
 use crate::style::{Style, is_readable};
 
-pub use json::{JudgeJson, judge_json};
+pub use json::judge_json;
 
 /// The report of an answer to the model of a file of this name: status, optimum, all optimal points, prices and basis, or the
 /// certificate; then the feasible set. Numbers are exact; `about` stands before those that are too long to read.

@@ -8,98 +8,17 @@ use boundfit_questions::{
     AlternatingPoint, Characteristic, Difference, Linearity, LinearityInput, LinearityLine, LinearityOptions,
     ResponseColumns,
 };
-use serde::Serialize;
 
 use super::NO_PERCENT;
-use crate::input_json::{FractionsJson, SelectionJson, fractions, selection};
+use crate::answer::linearity::{
+    AlternatingJson, CalibrationJson, CharacteristicJson, DirectionJson, LinearityJson, LinearityLineJson,
+    PlaceJson,
+};
+use crate::answer::table::TableJson;
+use crate::input_json::{fractions, selection};
 use crate::json::to_text;
-use crate::number::Number;
 use crate::origin::Origin;
 use crate::style::Style;
-use crate::table_json::TableJson;
-
-#[derive(Serialize)]
-struct LinearityJson {
-    schema: &'static str,
-    input: InputJson,
-    #[serde(flatten)]
-    average: CharacteristicJson,
-    hysteresis: Option<Number>,
-    repeatability: Option<Number>,
-    hysteresis_percent: Option<Number>,
-    repeatability_percent: Option<Number>,
-    hysteresis_at: Vec<PlaceJson>,
-    repeatability_at: Vec<PlaceJson>,
-    proof: Vec<ProofJson>,
-    through: [Number; 2],
-    up: Option<CharacteristicJson>,
-    down: Option<CharacteristicJson>,
-    reasons: BTreeMap<&'static str, String>,
-}
-
-#[derive(Serialize)]
-struct InputJson {
-    file: Option<Foreign>,
-    rows: usize,
-    rows_total: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    selection: Option<SelectionJson>,
-    rows_missing: usize,
-    table: Option<TableJson>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    fractions: Vec<FractionsJson>,
-    reading: &'static str,
-    sha256: Option<String>,
-    x: Foreign,
-    y: Option<Foreign>,
-    up: Option<Foreign>,
-    down: Option<Foreign>,
-    direction: Option<DirectionJson>,
-    points: usize,
-    full_scale: &'static str,
-}
-
-#[derive(Serialize)]
-struct DirectionJson {
-    column: Foreign,
-    up: Vec<Foreign>,
-    down: Vec<Foreign>,
-}
-
-#[derive(Serialize)]
-struct CharacteristicJson {
-    full_scale: Number,
-    span: Number,
-    independent: LineJson,
-    terminal: Option<LineJson>,
-    zero_based: LineJson,
-    least_squares: Option<LineJson>,
-}
-
-#[derive(Serialize)]
-struct LineJson {
-    deviation: Number,
-    percent: Option<Number>,
-    theta: [Number; 2],
-    rows: Vec<usize>,
-    unique: bool,
-}
-
-#[derive(Serialize)]
-struct PlaceJson {
-    x: Number,
-    rows: Vec<usize>,
-}
-
-#[derive(Serialize)]
-struct ProofJson {
-    x: Number,
-    y: Number,
-    rows: Vec<usize>,
-    /// y less the line.
-    residual: Number,
-    weight: Number,
-}
 
 /// The linearity as indented JSON, with a line end.
 pub fn linearity_json(
@@ -121,7 +40,7 @@ pub fn linearity_json(
     };
     let [hysteresis, repeatability] = [linearity.hysteresis.as_ref(), linearity.repeatability.as_ref()];
     to_text(&LinearityJson {
-        schema: "boundfit/linearity/1",
+        schema: LinearityJson::SCHEMA,
         input: input_json(linearity, options, input, origin),
         average: characteristic(average, style),
         hysteresis: value(hysteresis),
@@ -144,7 +63,7 @@ fn rows_of(rows: &Tally) -> Vec<usize> {
 }
 
 fn characteristic(characteristic: &Characteristic, style: &Style) -> CharacteristicJson {
-    let line = |line: &LinearityLine| LineJson {
+    let line = |line: &LinearityLine| LinearityLineJson {
         deviation: style.upper_number(&line.deviation),
         percent: line.percent.as_ref().map(|percent| style.upper_number(percent)),
         theta: style.numbers(&line.theta),
@@ -161,9 +80,9 @@ fn characteristic(characteristic: &Characteristic, style: &Style) -> Characteris
     }
 }
 
-fn proof(average: &Characteristic, point: &AlternatingPoint, style: &Style) -> Option<ProofJson> {
+fn proof(average: &Characteristic, point: &AlternatingPoint, style: &Style) -> Option<AlternatingJson> {
     let place = average.points.get(point.position)?;
-    Some(ProofJson {
+    Some(AlternatingJson {
         x: style.number(&place.x),
         y: style.number(&place.y),
         rows: rows_of(&place.rows),
@@ -177,7 +96,7 @@ fn input_json(
     options: &LinearityOptions,
     input: &LinearityInput,
     origin: &Origin,
-) -> InputJson {
+) -> CalibrationJson {
     let (y, up, down, direction) = match input.response.clone() {
         ResponseColumns::One(y) => (Some(y), None, None, None),
         ResponseColumns::Two { up, down } => (None, Some(up), Some(down), None),
@@ -185,7 +104,7 @@ fn input_json(
             (Some(y), None, None, Some(DirectionJson { column: direction, up, down }))
         }
     };
-    InputJson {
+    CalibrationJson {
         file: origin.file.map(Foreign::from),
         rows: input.rows,
         rows_total: input.rows_total,

@@ -6,60 +6,15 @@ use boundfit_estimation::{Measurement, Problem, Ties};
 use boundfit_exact::Rational;
 use boundfit_geometry::{Direction, Measure, Vertex};
 use boundfit_questions::{Growth, NoOutliers, Outliers, Piece};
-use serde::Serialize;
 
 use super::OutliersReport;
-use crate::input_json::InputJson;
-use crate::json::{ActiveJson, ActiveListJson, CertificateJson, RangeJson, TermJson, VertexJson, to_text};
+use crate::answer::input::InputJson;
+use crate::answer::outliers::{GrowthJson, LeftRegionJson, MissedJson, OutliersJson};
+use crate::answer::parts::{ActiveJson, ActiveListJson, CertificateJson, RangeJson, TermJson, VertexJson};
+use crate::json::to_text;
 use crate::number::Number;
 use crate::origin::Origin;
 use crate::style::Style;
-
-#[derive(Debug, Serialize)]
-struct OutliersJson {
-    schema: &'static str,
-    input: InputJson,
-    least: Option<usize>,
-    sets: Vec<Vec<usize>>,
-    complete: bool,
-    pieces: Vec<Vec<VertexJson<Number, ActiveJson>>>,
-    regions: Vec<RegionJson>,
-    pui: Option<[RangeJson; 2]>,
-    area: Option<Number>,
-    growth: Vec<GrowthJson>,
-    certificate: Option<CertificateJson>,
-    reasons: BTreeMap<&'static str, String>,
-}
-
-/// What is left without a set, beside its vertices.
-#[derive(Debug, Serialize)]
-struct RegionJson {
-    kind: &'static str,
-    rays: Vec<[Number; 2]>,
-    lines: Vec<[Number; 2]>,
-    boundaries: Vec<ActiveListJson<ActiveJson>>,
-    witness: Option<[Number; 2]>,
-    pui: Option<[RangeJson; 2]>,
-    area: Option<Number>,
-    missed: Option<Vec<MissedJson>>,
-}
-
-/// A reading that is left out: which of its bounds is passed, and by how much.
-#[derive(Debug, Serialize)]
-struct MissedJson {
-    row: usize,
-    bound: Option<&'static str>,
-    by: Option<RangeJson>,
-}
-
-#[derive(Debug, Serialize)]
-struct GrowthJson {
-    most: usize,
-    pieces: usize,
-    holes: usize,
-    pui: Option<[RangeJson; 2]>,
-    area: Option<Number>,
-}
 
 /// Of how many rows in all it is told by how much they are missed.
 const MOST_TOLD: usize = 20_000;
@@ -69,7 +24,7 @@ pub fn outliers_json(report: &OutliersReport, origin: &Origin, style: &Style) ->
     let outliers = report.outliers.ok();
     let pieces = outliers.map(|outliers| outliers.pieces.as_slice()).unwrap_or_default();
     let mut told = 0;
-    let regions: Vec<RegionJson> = pieces
+    let regions: Vec<LeftRegionJson> = pieces
         .iter()
         .map(|piece| {
             told += piece.rows.len();
@@ -96,7 +51,7 @@ pub fn outliers_json(report: &OutliersReport, origin: &Origin, style: &Style) ->
         _ => None,
     };
     to_text(&OutliersJson {
-        schema: "boundfit/outliers/1",
+        schema: OutliersJson::SCHEMA,
         input: InputJson::new(report.problem, origin, style),
         least: outliers.map(|outliers| outliers.least),
         sets: pieces.iter().map(|piece| piece.rows.clone()).collect(),
@@ -123,7 +78,7 @@ fn names(piece: &Piece, indices: &[usize]) -> ActiveListJson<ActiveJson> {
     (&piece.left.active(indices, Ties::MOST_LISTED)).into()
 }
 
-fn region(problem: &Problem, piece: &Piece, tells_missed: bool, style: &Style) -> RegionJson {
+fn region(problem: &Problem, piece: &Piece, tells_missed: bool, style: &Style) -> LeftRegionJson {
     let polyhedron = piece.left.polyhedron();
     let region = polyhedron.region();
     let direction = |d: &Direction| [d.dx(), d.dy()].map(|c| style.number(&Rational::from(c)));
@@ -136,7 +91,7 @@ fn region(problem: &Problem, piece: &Piece, tells_missed: bool, style: &Style) -
         let by = missed.map(|(_, by)| RangeJson::new(&by, style));
         MissedJson { row, bound, by }
     };
-    RegionJson {
+    LeftRegionJson {
         kind: region.kind().name(),
         rays: region.rays().iter().map(direction).collect(),
         lines: region.lines().iter().map(direction).collect(),

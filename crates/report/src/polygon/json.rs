@@ -1,46 +1,15 @@
 //! The JSON report of any half-planes or generators, schema `boundfit/polygon/2`.
 
-use std::collections::BTreeMap;
-
 use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_formats::{HalfPlaneFile, RowOrigin};
 use boundfit_geometry::{Inequality, Multiplier, Polyhedron, Support};
-use serde::Serialize;
 
 use super::rows::{redundant_rows, rows_of};
-use crate::json::{BoundJson, IntervalJson, RegionJson, TermJson, centroid_json, long_fractions, to_text};
+use crate::answer::parts::{BoundJson, IntervalJson, RegionJson, RowNumberJson, TermJson};
+use crate::answer::polygon::{HalfPlaneFileJson, HalfPlaneJson, PolygonJson};
+use crate::json::{centroid_json, long_fractions, to_text};
 use crate::number::Number;
 use crate::style::Style;
-
-#[derive(Serialize)]
-struct PolygonJson {
-    schema: &'static str,
-    input: InputJson,
-    region: RegionJson<usize>,
-    redundant: Vec<usize>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    facets: Option<Vec<HalfPlaneJson>>,
-    bounds: Option<[IntervalJson; 2]>,
-    area_centroid: Option<[Number; 2]>,
-    squared_diameter: Option<Number>,
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    reasons: BTreeMap<&'static str, String>,
-}
-
-#[derive(Serialize)]
-struct InputJson {
-    file: Option<Foreign>,
-    rows: usize,
-    reading: &'static str,
-    sha256: String,
-}
-
-/// The half-plane `a·θ ≤ b`.
-#[derive(Serialize)]
-struct HalfPlaneJson {
-    a: [Number; 2],
-    b: Number,
-}
 
 /// The report as JSON, with a line end, about the file of this name; `None` for standard input. Half-planes are named by their row in the file, from 1; the bound is `upper`
 /// for a row as given and `lower` for the other direction of an equation.
@@ -61,12 +30,15 @@ pub fn polygon_json(
         .map(|certificate| certificate.multipliers().iter().map(|m| term(file, m, style)).collect());
     let measures = region.measures();
     let area_centroid = centroid_json(&measures, style);
-    let region_json =
-        RegionJson::new(region, &measures, style, |indices| rows_of(file, indices).into(), farkas);
+    let active = |indices: &[usize]| {
+        let rows = rows_of(file, indices).into_iter();
+        rows.map(RowNumberJson).collect::<Vec<_>>().into()
+    };
+    let region_json = RegionJson::new(region, &measures, style, active, farkas);
     let reasons = long_fractions("region.area", region_json.area(), area_centroid.as_ref(), style).collect();
     let report = PolygonJson {
-        schema: "boundfit/polygon/2",
-        input: InputJson {
+        schema: PolygonJson::SCHEMA,
+        input: HalfPlaneFileJson {
             file: name.map(Foreign::from),
             rows: file.rows,
             reading: reading.name(),

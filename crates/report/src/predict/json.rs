@@ -4,100 +4,19 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use boundfit_exact::{Foreign, Rational};
+use boundfit_exact::Rational;
 use boundfit_geometry::Support;
 use boundfit_questions::{FurtherError, PossibleEnd, PossibleX, Predictor};
 use serde::{Serialize, Serializer};
 
 use super::{AskedValues, Prediction};
-use crate::input_json::InputJson;
-use crate::json::{CertificateJson, RangeJson, TermJson};
-use crate::number::Number;
+use crate::answer::input::InputJson;
+use crate::answer::parts::{CertificateJson, RangeJson, SetJson, TermJson};
+use crate::answer::predict::{
+    NewReadingJson, PossibleJson, PredictedJson, PredictionJson, ProofEndJson, SourceEndJson, SourceJson,
+    ValueJson,
+};
 use crate::style::Style;
-
-#[derive(Serialize)]
-struct PredictionJson<A: Serialize, F: Serialize> {
-    schema: &'static str,
-    input: InputJson,
-    fps: FpsJson,
-    new_reading: Option<NewReadingJson>,
-    at: A,
-    from: F,
-    reasons: BTreeMap<&'static str, String>,
-}
-
-#[derive(Serialize)]
-struct FpsJson {
-    kind: &'static str,
-    certificate: Option<CertificateJson>,
-}
-
-/// What is known of the error of a further reading.
-#[derive(Serialize)]
-struct NewReadingJson {
-    epsilon: Option<Number>,
-    law: Option<Foreign>,
-    given: bool,
-}
-
-#[derive(Serialize)]
-struct AtJson {
-    x: ValueJson,
-    line: RangeJson,
-    reading: Option<RangeJson>,
-    proof: EndsJson,
-}
-
-/// An x, or both regressors.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum ValueJson {
-    One(Number),
-    Two([Number; 2]),
-}
-
-#[derive(Serialize)]
-struct EndsJson {
-    lower: Option<EndJson>,
-    upper: Option<EndJson>,
-}
-
-/// Where an end of the line's interval is reached, and the half-planes that prove it; or along which ray there is none.
-#[derive(Serialize)]
-struct EndJson {
-    theta: [Number; 2],
-    active: Vec<TermJson>,
-    ray: Option<[Number; 2]>,
-}
-
-#[derive(Serialize)]
-struct FromJson {
-    y: Number,
-    x: Vec<PossibleJson>,
-}
-
-#[derive(Serialize)]
-struct PossibleJson {
-    #[serde(flatten)]
-    range: RangeJson,
-    lower_included: Option<bool>,
-    upper_included: Option<bool>,
-    proof: SourceEndsJson,
-}
-
-#[derive(Serialize)]
-struct SourceEndsJson {
-    lower: Option<SourceEndJson>,
-    upper: Option<SourceEndJson>,
-}
-
-/// Which end of the line's interval decides where an interval of x ends, and why it is what it is there.
-#[derive(Serialize)]
-struct SourceEndJson {
-    line: &'static str,
-    #[serde(flatten)]
-    end: Option<EndJson>,
-}
 
 /// A list that is made while it is written, once.
 struct Each<I>(Cell<Option<I>>);
@@ -125,7 +44,7 @@ pub fn write_prediction_json(prediction: &Prediction, style: &Style, to: &mut dy
         predictor.as_ref().map(|predictor| at().map(|value| at_json(prediction, predictor, &value, style)));
     let from = predictor.as_ref().map(|predictor| {
         let of = prediction.sources(predictor);
-        from().map(move |[y, _]| FromJson {
+        from().map(move |[y, _]| SourceJson {
             x: of(&y).into_iter().map(|own| possible_json(prediction, predictor, &own, style)).collect(),
             y: style.number(&y),
         })
@@ -139,9 +58,9 @@ pub fn write_prediction_json(prediction: &Prediction, style: &Style, to: &mut dy
         reasons.insert("reading", reason.to_string());
     }
     let written = PredictionJson {
-        schema: "boundfit/predict/1",
+        schema: PredictionJson::SCHEMA,
         input: InputJson::new(problem, origin, style),
-        fps: FpsJson { kind: fit.fps.polyhedron().region().kind().name(), certificate },
+        fps: SetJson { kind: fit.fps.polyhedron().region().kind().name(), certificate },
         new_reading: prediction.error.as_ref().ok().map(|error| new_reading(prediction, error, style)),
         at: Each(Cell::new(Some(at.into_iter().flatten()))),
         from: Each(Cell::new(Some(from.into_iter().flatten()))),
@@ -160,7 +79,12 @@ fn new_reading(prediction: &Prediction, error: &FurtherError, style: &Style) -> 
     }
 }
 
-fn at_json(prediction: &Prediction, predictor: &Predictor, value: &[Rational; 2], style: &Style) -> AtJson {
+fn at_json(
+    prediction: &Prediction,
+    predictor: &Predictor,
+    value: &[Rational; 2],
+    style: &Style,
+) -> PredictedJson {
     let form = prediction.form(value);
     let (line, reading) = prediction.at(predictor, &form);
     let [lower, upper] = predictor.ends(&form).map(|support| end_json(prediction, &support, style));
@@ -168,27 +92,27 @@ fn at_json(prediction: &Prediction, predictor: &Predictor, value: &[Rational; 2]
         true => ValueJson::One(style.number(&value[0])),
         false => ValueJson::Two(style.numbers(value)),
     };
-    AtJson {
+    PredictedJson {
         x,
         line: RangeJson::new(&line, style),
         reading: reading.map(|reading| RangeJson::new(&reading, style)),
-        proof: EndsJson { lower, upper },
+        proof: RangeJson { lower, upper },
     }
 }
 
-fn end_json(prediction: &Prediction, support: &Support, style: &Style) -> Option<EndJson> {
+fn end_json(prediction: &Prediction, support: &Support, style: &Style) -> Option<ProofEndJson> {
     Some(match support {
         Support::Empty(_) => return None,
         Support::Bounded { proof, .. } => {
             let named = proof.multipliers.iter();
             let named = named.map(|m| TermJson::new(prediction.fit.fps.name(m.index), &m.value, style));
-            EndJson {
+            ProofEndJson {
                 theta: style.numbers(&proof.attained_at.coordinates()),
                 active: named.collect(),
                 ray: None,
             }
         }
-        Support::Unbounded(proof) => EndJson {
+        Support::Unbounded(proof) => ProofEndJson {
             theta: style.numbers(&proof.point.coordinates()),
             active: Vec::new(),
             ray: Some(style.numbers(&[proof.ray.dx(), proof.ray.dy()].map(Rational::from))),
@@ -216,6 +140,6 @@ fn possible_json(
         },
         lower_included: included(lower),
         upper_included: included(upper),
-        proof: SourceEndsJson { lower: why(lower), upper: why(upper) },
+        proof: RangeJson { lower: why(lower), upper: why(upper) },
     }
 }

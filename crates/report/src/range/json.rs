@@ -2,61 +2,15 @@
 
 use boundfit_estimation::{Fit, Problem};
 use boundfit_questions::{Contradiction, Order, Run};
-use serde::Serialize;
 
-use crate::fit_json::{CentralJson, central, pui, uniform_minimum};
-use crate::input_json::InputJson;
-use crate::json::{IntervalJson, TermJson, to_text};
-use crate::number::Number;
+use crate::answer::input::InputJson;
+use crate::answer::parts::TermJson;
+use crate::answer::range::{AloneJson, LinearRangeJson, LongestJson, RunJson};
+use crate::fit_json::{central, pui, uniform_minimum};
+use crate::json::to_text;
 use crate::origin::Origin;
 use crate::range::RangeReport;
 use crate::style::Style;
-
-#[derive(Debug, Serialize)]
-struct ReportJson {
-    schema: &'static str,
-    input: InputJson,
-    by: &'static str,
-    order: Vec<usize>,
-    runs: Vec<Ends>,
-    longest: Option<Ends>,
-    widest: Option<Ends>,
-    fewest: Vec<Ends>,
-    parts: Vec<PartJson>,
-    alone: Vec<AloneJson>,
-    longest_fit: Option<LongestJson>,
-}
-
-/// First and last position, from 1.
-type Ends = [usize; 2];
-
-/// A run with what stops it.
-#[derive(Debug, Serialize)]
-struct PartJson {
-    first: usize,
-    last: usize,
-    rows: [usize; 2],
-    x: Option<[Number; 2]>,
-    before: Option<Vec<TermJson>>,
-    after: Option<Vec<TermJson>>,
-}
-
-/// A reading that is in no run.
-#[derive(Debug, Serialize)]
-struct AloneJson {
-    position: usize,
-    row: usize,
-    farkas: Vec<TermJson>,
-}
-
-/// What the readings of the longest run say.
-#[derive(Debug, Serialize)]
-struct LongestJson {
-    kind: &'static str,
-    pui: Option<[IntervalJson; 2]>,
-    central: Option<CentralJson>,
-    epsilon_min: Option<Number>,
-}
 
 /// The report as indented JSON, with a line end.
 pub fn range_json(report: &RangeReport<'_>, origin: &Origin, style: &Style) -> String {
@@ -65,7 +19,7 @@ pub fn range_json(report: &RangeReport<'_>, origin: &Origin, style: &Style) -> S
     let terms = |why: &Contradiction| -> Vec<TermJson> {
         why.terms.iter().map(|(name, multiplier)| TermJson::new(*name, multiplier, style)).collect()
     };
-    let part = |run: &Run| PartJson {
+    let part = |run: &Run| RunJson {
         first: run.first + 1,
         last: run.last + 1,
         rows: [report.row(run.first), report.row(run.last)],
@@ -78,8 +32,8 @@ pub fn range_json(report: &RangeReport<'_>, origin: &Origin, style: &Style) -> S
         row: report.row(*position),
         farkas: terms(why),
     };
-    to_text(&ReportJson {
-        schema: "boundfit/range/1",
+    to_text(&LinearRangeJson {
+        schema: LinearRangeJson::SCHEMA,
         input: InputJson::new(problem, origin, style),
         by: order.name(),
         order: (0..range.order.len()).map(|position| report.row(position)).collect(),

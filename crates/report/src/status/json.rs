@@ -5,8 +5,13 @@ use boundfit_exact::{Foreign, Rational};
 use boundfit_questions::{NoRepair, Repair, RowStatus, Standing, Widened};
 use serde::Serialize;
 
-use crate::input_json::InputJson;
-use crate::json::{TermJson, to_text};
+use crate::answer::input::InputJson;
+use crate::answer::parts::TermJson;
+use crate::answer::status::{
+    JudgedSetJson, NewStatusRowJson, RepairJson, RowMultiplierJson, StatusHeadJson, StatusRowJson,
+    StatusesJson, WidenedJson,
+};
+use crate::json::to_text;
 use crate::number::Number;
 use crate::origin::Origin;
 use crate::style::Style;
@@ -17,58 +22,6 @@ use crate::style::Style;
 #[derive(Debug)]
 pub struct StatusJson;
 
-#[derive(Debug, Serialize)]
-struct Head {
-    schema: &'static str,
-    input: InputJson,
-    set: SetJson,
-    deciding: Vec<usize>,
-}
-
-#[derive(Debug, Serialize)]
-struct SetJson {
-    kind: &'static str,
-    contradiction: Option<Vec<TermJson>>,
-}
-
-#[derive(Debug, Serialize)]
-struct RowJson {
-    row: usize,
-    leverage: Option<Number>,
-    residual: Option<Number>,
-    status: Option<&'static str>,
-    without: Option<&'static str>,
-    without_leverage: Option<Number>,
-    without_residual: Option<Number>,
-}
-
-#[derive(Debug, Serialize)]
-struct NewRowJson {
-    row: usize,
-    leverage: Option<Number>,
-    residual: Option<Number>,
-    status: Option<&'static str>,
-}
-
-/// The least total widening; null and empty where there is none.
-#[derive(Debug, Default, Serialize)]
-struct RepairJson {
-    total: Option<Number>,
-    count: Option<usize>,
-    theta: Option<[Number; 2]>,
-    widened: Vec<WidenedJson>,
-    multipliers: Vec<MultiplierJson>,
-    held: Vec<TermJson>,
-    contradiction: Option<Vec<TermJson>>,
-}
-
-#[derive(Debug, Serialize)]
-struct WidenedJson {
-    row: usize,
-    factor: Number,
-    half_width: Number,
-}
-
 impl WidenedJson {
     fn new(Widened { row, factor, half_width }: &Widened, style: &Style) -> Self {
         WidenedJson {
@@ -77,12 +30,6 @@ impl WidenedJson {
             half_width: style.upper_number(half_width),
         }
     }
-}
-
-#[derive(Debug, Serialize)]
-struct MultiplierJson {
-    row: usize,
-    value: Number,
 }
 
 impl StatusJson {
@@ -103,10 +50,10 @@ impl StatusJson {
     ) -> String {
         let contradiction = fit.contradiction(problem.measurements.error_bound());
         let term = |(name, multiplier): &(_, _)| TermJson::new(*name, multiplier, style);
-        let head = Head {
-            schema: "boundfit/status/1",
+        let head = StatusHeadJson {
+            schema: StatusesJson::SCHEMA,
             input: InputJson::new(problem, origin, style),
-            set: SetJson {
+            set: JudgedSetJson {
                 kind: fit.fps.polyhedron().region().kind().name(),
                 contradiction: contradiction.map(|terms| terms.iter().map(term).collect()),
             },
@@ -131,7 +78,7 @@ impl StatusJson {
                 multipliers: own
                     .multipliers
                     .iter()
-                    .map(|(row, value)| MultiplierJson { row: *row, value: style.number(value) })
+                    .map(|(row, value)| RowMultiplierJson { row: *row, value: style.number(value) })
                     .collect(),
                 held: terms(&own.held),
                 contradiction: None,
@@ -158,13 +105,21 @@ impl StatusJson {
         let ([leverage, residual], name) = parts(status.all.as_ref(), style);
         let ([without_leverage, without_residual], without) = parts(status.without.as_ref(), style);
         let row = status.row;
-        line(&RowJson { row, leverage, residual, status: name, without, without_leverage, without_residual })
+        line(&StatusRowJson {
+            row,
+            leverage,
+            residual,
+            status: name,
+            without,
+            without_leverage,
+            without_residual,
+        })
     }
 
     /// A further reading.
     pub fn new_row(row: usize, standing: Option<&Standing>, style: &Style) -> String {
         let ([leverage, residual], status) = parts(standing, style);
-        line(&NewRowJson { row, leverage, residual, status })
+        line(&NewStatusRowJson { row, leverage, residual, status })
     }
 }
 

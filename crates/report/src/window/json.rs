@@ -3,34 +3,15 @@
 
 use boundfit_estimation::{ParameterBound, ParameterInterval};
 use boundfit_exact::Rational;
-use serde::Serialize;
 
-use crate::fit_json::{CentralJson, central_of};
-use crate::json::{BoundJson, CertificateJson, IntervalJson, TermJson};
+use crate::answer::input::LineInputJson;
+use crate::answer::parts::{BoundJson, CertificateJson, IntervalJson, SetJson, TermJson};
+use crate::answer::table::TableJson;
+use crate::answer::window::WindowJson;
+use crate::fit_json::central_of;
 use crate::number::Number;
 use crate::style::Style;
-use crate::table_json::{LineInputJson, TableJson};
 use crate::window::WindowReport;
-
-#[derive(Serialize)]
-struct WindowJson<'a> {
-    schema: &'static str,
-    input: LineInputJson<'a>,
-    first_row: usize,
-    last_row: usize,
-    rows: usize,
-    x: Option<[Number; 2]>,
-    fps: FpsJson,
-    pui: Option<[IntervalJson; 2]>,
-    central: Option<CentralJson>,
-    epsilon_min: Option<Number>,
-}
-
-#[derive(Serialize)]
-struct FpsJson {
-    kind: &'static str,
-    certificate: Option<CertificateJson>,
-}
 
 /// Appends the line of a window of a table that was taken for this, with its line end.
 pub fn write_window_json(
@@ -60,13 +41,13 @@ pub fn write_window_json(
         why.terms.iter().map(|(name, multiplier)| TermJson::new(*name, multiplier, style)).collect()
     });
     let written = WindowJson {
-        schema: "boundfit/window/1",
+        schema: WindowJson::SCHEMA,
         input: LineInputJson { table },
         first_row: *first_row,
         last_row: *last_row,
         rows: *readings,
         x: x.as_ref().map(|x| style.numbers(x)),
-        fps: FpsJson { kind: fit.kind.name(), certificate: farkas.map(|farkas| CertificateJson { farkas }) },
+        fps: SetJson { kind: fit.kind.name(), certificate: farkas.map(|farkas| CertificateJson { farkas }) },
         pui: pui.map(|pui| pui.each_ref().map(interval)),
         central: fit.central.as_ref().map(|central| central_of(central, style)),
         epsilon_min: fit.least.as_ref().map(|least| style.upper_number(least)),

@@ -3,71 +3,22 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{Fit, ParameterBound, ParameterInterval, Ties, least_squares_is_feasible};
-use boundfit_exact::{Endpoint, Foreign, Interval};
+use boundfit_exact::{Endpoint, Interval};
 use boundfit_geometry::Multiplier;
 use boundfit_questions::{Agreement, LeastFactor, Side, SideSet, XBounds, XErrorFit, XErrorProblem};
-use serde::Serialize;
 
-use crate::input_json::InputJson;
-use crate::json::{
+use crate::answer::input::InputJson;
+use crate::answer::parts::{
     ActiveJson, ActiveListJson, BoundJson, IntervalJson, ProgramJson, RangeJson, RegionJson, SlopeJson,
-    SlopesJson, TermJson, to_text,
+    SlopesJson, TermJson,
 };
-use crate::number::Number;
+use crate::answer::x_errors::{
+    FactorJson, XErrorCentralJson, XErrorJson, XErrorLeastSquaresJson, XErrorSideJson,
+};
+use crate::fit_json::central_of;
+use crate::json::to_text;
 use crate::origin::Origin;
 use crate::style::Style;
-
-#[derive(Serialize)]
-struct XErrorJson {
-    schema: &'static str,
-    program: ProgramJson,
-    input: InputJson,
-    x_epsilon: Option<Number>,
-    x_epsilon_column: Option<Foreign>,
-    agreement: &'static str,
-    sides: Vec<SideJson>,
-    pieces: usize,
-    joined: Option<bool>,
-    pui: Option<[IntervalJson; 2]>,
-    central: Option<CentralJson>,
-    slopes: Option<SlopesJson>,
-    factor: Option<FactorJson>,
-    least_squares: Option<LeastSquaresJson>,
-    eui: Option<[RangeJson; 2]>,
-    reasons: BTreeMap<&'static str, String>,
-}
-
-#[derive(Serialize)]
-struct SideJson {
-    side: &'static str,
-    fps: RegionJson<ActiveJson>,
-    pui: Option<[IntervalJson; 2]>,
-}
-
-#[derive(Serialize)]
-struct CentralJson {
-    theta: [Number; 2],
-    guaranteed_error: [Number; 2],
-    in_fps: bool,
-}
-
-#[derive(Serialize)]
-struct FactorJson {
-    /// Less than the least factor, or the least factor itself where both ends are equal.
-    lower: Number,
-    upper: Number,
-    attained: bool,
-    side: &'static str,
-    theta: Option<[Number; 2]>,
-    fixed_by: Vec<ActiveJson>,
-}
-
-#[derive(Serialize)]
-struct LeastSquaresJson {
-    theta: [Number; 2],
-    in_fps: bool,
-    in_fps_without_x_errors: Option<bool>,
-}
 
 /// The report as indented JSON, with a line end.
 pub fn x_error_json(
@@ -86,7 +37,7 @@ pub fn x_error_json(
         Agreement::Strong => "strong",
     };
     to_text(&XErrorJson {
-        schema: "boundfit/x-errors/2",
+        schema: XErrorJson::SCHEMA,
         program: ProgramJson::OWN,
         input: InputJson::new(problem.problem(), origin, style),
         x_epsilon,
@@ -96,16 +47,16 @@ pub fn x_error_json(
         pieces: answer.pieces().len(),
         joined: answer.are_joined(),
         pui: pui(answer, style),
-        central: answer.central.as_ref().map(|central| {
-            let (theta, guaranteed_error) = style.estimate_numbers(&central.theta, &central.guaranteed_error);
-            CentralJson { theta, guaranteed_error, in_fps: answer.contains(&central.theta) }
+        central: answer.central.as_ref().map(|central| XErrorCentralJson {
+            estimate: central_of(central, style),
+            in_fps: answer.contains(&central.theta),
         }),
         slopes: (!answer.is_empty()).then(|| SlopesJson {
             largest: slope(answer, true, style),
             smallest: slope(answer, false, style),
         }),
         factor: answer.least.as_ref().ok().map(|least| factor(least, style)),
-        least_squares: plain.least_squares.as_ref().ok().map(|estimate| LeastSquaresJson {
+        least_squares: plain.least_squares.as_ref().ok().map(|estimate| XErrorLeastSquaresJson {
             theta: style.numbers(&estimate.theta),
             in_fps: answer.contains(&estimate.theta),
             in_fps_without_x_errors: least_squares_is_feasible(plain),
@@ -123,7 +74,7 @@ fn side_name(side: Side) -> &'static str {
     }
 }
 
-fn side(own: &SideSet, style: &Style) -> SideJson {
+fn side(own: &SideSet, style: &Style) -> XErrorSideJson {
     let region = own.polyhedron.region();
     let measures = region.measures();
     let names = |indices: &[usize]| {
@@ -137,7 +88,7 @@ fn side(own: &SideSet, style: &Style) -> SideJson {
         lower: bound(own, &interval.lower, false, style),
         upper: bound(own, &interval.upper, true, style),
     };
-    SideJson {
+    XErrorSideJson {
         side: side_name(own.side),
         fps: RegionJson::new(region, &measures, style, names, farkas),
         pui: own.pui.as_ref().filter(|pui| has_bounded_end(pui)).map(|pui| pui.each_ref().map(interval)),

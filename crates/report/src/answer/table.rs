@@ -1,0 +1,68 @@
+//! How a table was read: its header, dialect and what was passed over.
+
+use boundfit_exact::Foreign;
+use serde::Serialize;
+
+/// How a table of text, JSON or a sheet was read, so that no guess goes unsaid.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct TableJson {
+    /// The line that names the columns.
+    pub header: HeaderJson,
+    /// `comma`, `semicolon`, `tab`, `space`, `pipe` or the character; null for sheets and JSON.
+    pub delimiter: Option<String>,
+    /// The decimal mark.
+    #[cfg_attr(feature = "schema", schemars(extend("enum" = ["point", "comma"])))]
+    pub decimal: &'static str,
+    /// The character that groups digits; null where there is none.
+    pub thousands: Option<&'static str>,
+    /// The encoding of the text, such as `UTF-8`; null for sheets.
+    pub encoding: Option<&'static str>,
+    /// The characters that start a comment line; null where there are none.
+    pub comment: Option<String>,
+    /// The blocks of the file, and which was read; null for a file of one block.
+    pub blocks: Option<BlocksJson>,
+    /// The lines and rows that are unusual.
+    pub skipped: SkippedJson,
+}
+
+/// The line that names the columns.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct HeaderJson {
+    /// The number of the line, or of the row of a sheet; null without names.
+    pub line: Option<u64>,
+    /// Whether that line is a comment.
+    pub comment: bool,
+    /// Whether nothing told a header from a reading: every cell of the first line is a number or missing.
+    pub open: bool,
+    /// Whether each row begins with a name, so that it has a cell more than the header.
+    pub row_names: bool,
+}
+
+/// The blocks of a file.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct BlocksJson {
+    /// The number of blocks in the file.
+    pub total: usize,
+    /// The number of the block that was read, from 1; null where all were.
+    pub read: Option<usize>,
+    /// The name of that block; null where it has none.
+    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
+    pub name: Option<Foreign>,
+}
+
+/// Lines that were passed over, and rows of another length.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SkippedJson {
+    /// Lines before the table that were skipped because the names stand in a later one.
+    pub lines: u64,
+    /// Comment lines between rows.
+    pub comments: u64,
+    /// Rows with fewer cells than the first one.
+    pub short_rows: u64,
+    /// Rows with more cells than the first one.
+    pub long_rows: u64,
+}
