@@ -21,6 +21,7 @@ pub mod readings;
 pub mod reference_table;
 pub mod representations;
 pub mod runs;
+pub mod schemas;
 pub mod second_judge;
 pub mod shape;
 pub mod statuses;

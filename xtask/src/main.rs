@@ -3,9 +3,10 @@
 //! | task | module | does |
 //! |---|---|---|
 //! | `ci [STEP…]` | `ci` | runs the steps of continuous integration, all of them or those named |
+//! | `generate` | `generate` | writes what is made of types and options; `--check` names what is stale |
 //! | `prose` | `prose` | counts what STYLE.md asks of prose, per folder; the counts may only fall |
 //!
-//! The crate has no dependencies, so that it is built within two seconds.
+//! Without its feature `generate` the crate has no dependencies, so that it is built within two seconds.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a tool for people at a terminal")]
 
 mod ci;
@@ -20,6 +21,7 @@ const USAGE: &str = "\
 cargo xtask TASK
 
   ci [STEP…]    run the steps of continuous integration, all or these; `cargo xtask ci --list` explains them
+  generate      write schemas, declarations and references from the types; with --check, name what is stale
   prose         count long sentences and unclear beginnings per folder; `cargo xtask prose --help` says more";
 
 /// The top of the repository.
@@ -32,6 +34,7 @@ fn main() -> ExitCode {
     let (task, options) = arguments.split_first().map_or(("", &[][..]), |(task, rest)| (task.as_str(), rest));
     match task {
         "ci" => ci::main(options),
+        "generate" => generate(options),
         "prose" => prose::main(options),
         "" | "help" | "-h" | "--help" => {
             println!("{USAGE}");
@@ -42,4 +45,13 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+/// Writes what follows from types and options, or checks it: `cargo xtask generate [--check]`. The answers and the command line that
+/// it needs are built as the tests have them, and for no other task.
+fn generate(options: &[String]) -> ExitCode {
+    let cargo = env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
+    let start = ["run", "--quiet", "--locked", "--package", "tests", "--bin", "references", "--"];
+    let status = std::process::Command::new(cargo).args(start).args(options).status();
+    if status.is_ok_and(|status| status.success()) { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

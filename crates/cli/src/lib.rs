@@ -27,7 +27,9 @@ mod work;
 
 use std::process::ExitCode;
 
-use crate::arguments::Command;
+use clap::CommandFactory;
+
+use crate::arguments::{Arguments, Command};
 use crate::exit::Exit;
 
 /// Runs the command that the program's arguments ask for and gives the exit status: 0 an answer, 1 bad data or
@@ -58,6 +60,11 @@ pub fn main() -> ExitCode {
         Ok(exit) => exit.into(),
         Err(failure) => failure.report(),
     }
+}
+
+/// The command line with all commands and options, of which the reference in docs is made.
+pub fn command() -> clap::Command {
+    Arguments::command()
 }
 
 /// A failure that ends the program.

@@ -34,6 +34,7 @@ mod predict;
 mod range;
 mod reduce;
 mod replacing;
+mod schemas;
 mod selection;
 mod slope_lines;
 mod small_inputs;

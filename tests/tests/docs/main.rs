@@ -3,6 +3,7 @@
 mod architecture;
 mod book;
 mod circles;
+mod generated;
 mod pages;
 mod readme;
 mod sources;

@@ -49,12 +49,14 @@ fn anchor(heading: &str) -> String {
     kept.map(|c| if c == ' ' { '-' } else { c }).flat_map(char::to_lowercase).collect()
 }
 
-/// The README and all pages of the folder `docs`.
+/// The README and all pages of the folder `docs` and of the reference in it.
 pub fn pages() -> Vec<Page> {
-    let entries = fs::read_dir(root().join("docs")).unwrap();
-    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let mut paths: Vec<PathBuf> =
-        names.filter(|name| name.ends_with(".md")).map(|name| Path::new("docs").join(name)).collect();
+    let pages_of = |folder: &'static str| {
+        let entries = fs::read_dir(root().join(folder)).unwrap();
+        let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        names.filter(|name| name.ends_with(".md")).map(move |name| Path::new(folder).join(name))
+    };
+    let mut paths: Vec<PathBuf> = pages_of("docs").chain(pages_of("docs/reference")).collect();
     paths.push(PathBuf::from("README.md"));
     paths.sort();
     paths.iter().map(|path| Page::read(path)).collect()

@@ -1,0 +1,4 @@
+//! Tasks that tests share with `cargo xtask`.
+
+#[cfg(feature = "generate")]
+pub mod generate;
