@@ -5,17 +5,20 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable
 from fractions import Fraction
-from typing import Any
+from typing import Any, Generic, TypeVar, cast
 
 from ._bounds import Interval, Intervals, LowerBound, Point, ProvedInterval, Term, UpperBound
 from ._columns import Reading
 from ._html import of_text
 
+#: The document of an answer, of :mod:`boundfit.documents`.
+Document = TypeVar("Document")
+
 #: What gives an answer in a format, with so many digits.
 Ask = Callable[[str, "int | None"], str]
 
 
-class Answer:
+class Answer(Generic[Document]):
     """An answer to a question about readings. Every number is exact."""
 
     __slots__ = ("_ask", "_document", "_json", "_reading")
@@ -26,10 +29,11 @@ class Answer:
         self._json = ask("json", None)
         self._document: dict[str, Any] = json.loads(self._json)
 
-    def to_dict(self) -> dict[str, Any]:
-        """The document that the program writes with ``--format json``; ``to_dict()["schema"]`` names its schema."""
-        document: dict[str, Any] = json.loads(self._json)
-        return document
+    def to_dict(self) -> Document:
+        """The document that the program writes with ``--format json``; ``to_dict()["schema"]`` names its schema, and
+        :mod:`boundfit.documents` has its type.
+        """
+        return cast(Document, json.loads(self._json))
 
     def to_json(self) -> str:
         """As :meth:`to_dict`, as text."""

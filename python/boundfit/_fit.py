@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     import numpy
     from matplotlib.axes import Axes
 
+    from .documents import FitDocument
+
 
 class Central(NamedTuple):
     """The middle of the box of both intervals, and how far the true parameters can be from it."""
@@ -207,9 +209,9 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
                         exact[index, axis] = float(upper)
         return exact
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> FitDocument:
         """The report as ``boundfit fit --format json`` writes it, schema boundfit/fit/2."""
-        document: dict[str, Any] = json.loads(self._core.json())
+        document: FitDocument = json.loads(self._core.json())
         return document
 
     def to_json(self) -> str:

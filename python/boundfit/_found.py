@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ._answers import Answer, counted, interval, intervals, number, point, terms, value
 from ._bounds import Interval, Intervals, Point, Term
 from ._columns import Reading
+
+if TYPE_CHECKING:
+    from .documents import LinearRangeDocument, OutliersDocument, PredictionDocument, StatusesDocument, WindowDocument
 
 
 class RowStatus(NamedTuple):
@@ -46,7 +49,7 @@ class Repair(NamedTuple):
     widened: list[Widened]
 
 
-class Statuses(Answer):
+class Statuses(Answer["StatusesDocument"]):
     """What every reading and the set of all, and that of the others, say of each other."""
 
     __slots__ = ()
@@ -117,7 +120,7 @@ class PossibleX(NamedTuple):
     """One interval or two; none where no x gives such a reading."""
 
 
-class Prediction(Answer):
+class Prediction(Answer["PredictionDocument"]):
     """Where the line runs, where further readings lie, and where readings may come from."""
 
     __slots__ = ()
@@ -148,7 +151,7 @@ class Prediction(Answer):
         return [PossibleX(value(own["y"]), [interval(one, self._reading) for one in own["x"]]) for own in self._document["from"]]
 
 
-class Outliers(Answer):
+class Outliers(Answer["OutliersDocument"]):
     """The fewest readings to leave out so that some parameters agree with all others, and what is left then."""
 
     __slots__ = ()
@@ -217,7 +220,7 @@ class Run(NamedTuple):
     """Its least and largest x; ``None`` with two regressors."""
 
 
-class LinearRange(Answer):
+class LinearRange(Answer["LinearRangeDocument"]):
     """Every run of readings that some parameters agree with."""
 
     __slots__ = ()
@@ -278,7 +281,7 @@ class WindowFit(NamedTuple):
     epsilon_min: Fraction | None
     """``None`` unless the readings are of a line under one error bound, and there is no condition."""
     contradiction: tuple[Term, ...] | None
-    document: dict[str, Any]
+    document: WindowDocument
     """The line that the program writes, schema boundfit/window/1."""
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from fractions import Fraction
-from typing import Any, NamedTuple, Unpack
+from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
 from . import _boundfit
 from ._answers import Answer, number, point, value
@@ -12,6 +12,9 @@ from ._bounds import Point, decimal
 from ._asking import Name, Table, ask, exact
 from ._cells import cells
 from ._columns import Column, Missing, Number, Reading, asked, named, table
+
+if TYPE_CHECKING:
+    from .documents import LinearityDocument
 
 
 class LinearityLine(NamedTuple):
@@ -45,7 +48,7 @@ class Characteristic(NamedTuple):
     """From the least-squares line."""
 
 
-class Linearity(Answer):
+class Linearity(Answer["LinearityDocument"]):
     """How far a sensor is from a straight line, as laws and data sheets state it."""
 
     __slots__ = ()

@@ -6,13 +6,16 @@ import json
 import os
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _boundfit
 from ._bounds import Interval, Intervals, Point, lower_bound, upper_bound
 from ._columns import Number, Reading, text
 from ._html import of_text
 from ._plane import PlaneSet
+
+if TYPE_CHECKING:
+    from .documents import PolygonDocument
 
 
 class Polygon(PlaneSet["_boundfit.Plane"]):
@@ -36,9 +39,9 @@ class Polygon(PlaneSet["_boundfit.Plane"]):
         """The half-planes, from 0, without which the set is the same."""
         return self._core.redundant()
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> PolygonDocument:
         """The report as ``boundfit polygon --format json`` writes it, schema boundfit/polygon/2."""
-        document: dict[str, Any] = json.loads(self._core.json())
+        document: PolygonDocument = json.loads(self._core.json())
         return document
 
     def report(self, format: str = "text") -> str:

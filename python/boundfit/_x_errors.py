@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ._answers import Answer, interval, intervals, number, point, value
 from ._bounds import Intervals, Point
+
+if TYPE_CHECKING:
+    from .documents import XErrorDocument
 
 
 class Side(NamedTuple):
@@ -38,7 +41,7 @@ class Factor(NamedTuple):
         return self.upper if self.lower == self.upper else None
 
 
-class XErrorFit(Answer):
+class XErrorFit(Answer["XErrorDocument"]):
     """All lines that agree with all readings when x has errors too: one set, or one for each sign of theta1. Every number is exact.
 
     >>> import boundfit

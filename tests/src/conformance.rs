@@ -73,8 +73,8 @@ impl Verdicts {
 /// A linear program in a file of MPS.
 fn model(file: &Path) -> Model {
     let bytes = fs::read(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
-    let read = model_text(&bytes)
-        .and_then(|text| read_model(text, ExchangeFormat::Mps, &ModelLimits::default()));
+    let read =
+        model_text(&bytes).and_then(|text| read_model(text, ExchangeFormat::Mps, &ModelLimits::default()));
     read.unwrap_or_else(|error| panic!("{}: {error}", file.display()))
 }
 

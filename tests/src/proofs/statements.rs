@@ -6,9 +6,7 @@ use boundfit_estimation::{BoundName, Measurement, Minimax, Problem, conditions_b
 use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, Polyhedron, System};
 use boundfit_questions::{BoxBound, Corner, Side};
-use boundfit_report::{
-    Claim, ErrorScale, Multiple, ProofQuestion, Scope, Statement, statements_json,
-};
+use boundfit_report::{Claim, ErrorScale, Multiple, ProofQuestion, Scope, Statement, statements_json};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 

@@ -28,7 +28,6 @@ fn the_conformance_table_has_a_row_per_case() {
     assert_eq!(totals[sources - 1], "12 of 12");
 }
 
-
 const BEST: &str =
     "ROWS\n N cost\n G need\nCOLUMNS\n x cost 1 need 1\n y cost 2 need 1\nRHS\n RHS need 3\nENDATA\n";
 
@@ -51,5 +50,8 @@ fn fits_and_linear_programs_may_be_in_one_folder() {
         assert!(line.starts_with(&format!("| `{name}` | ")) && line.ends_with(" | exact |"), "{line}");
         assert!(["exact", "rounded", "within tolerance"].contains(&microlp), "{line}");
     }
-    assert!(lines[6].starts_with("| not refuted | 4 of 4 | ") && lines[6].ends_with(" | 4 of 4 |"), "{table}");
+    assert!(
+        lines[6].starts_with("| not refuted | 4 of 4 | ") && lines[6].ends_with(" | 4 of 4 |"),
+        "{table}"
+    );
 }

@@ -156,6 +156,13 @@ mdbook build docs",
         ..PLAIN
     },
     Step {
+        name: "generated",
+        holds: "schemas, declarations and references are those of the types and options",
+        changes: "types of answers, options",
+        script: "cargo run --profile test --quiet --locked --package tests --bin references -- --check",
+        ..PLAIN
+    },
+    Step {
         name: "peers",
         holds: "lrs, cddlib, GLPK, CBC, HiGHS, Octave, LaTeX and Python read what boundfit writes and answer the same",
         changes: "exporters, readers of solutions, answers",

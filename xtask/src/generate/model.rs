@@ -1,7 +1,5 @@
 //! Schemas as declarations need them: named types with fields.
 
-use std::collections::BTreeSet;
-
 use boundfit_report::answer::DocumentSchema;
 use serde_json::{Map, Value};
 
@@ -105,19 +103,6 @@ impl Definition {
         };
         Definition { name: name.to_owned(), description: described(schema), body }
     }
-
-    /// The types that this one names.
-    pub(super) fn names(&self) -> BTreeSet<&str> {
-        let mut names = BTreeSet::new();
-        match &self.body {
-            Body::Object { fields, variants } => {
-                let fields = fields.iter().chain(variants.iter().flatten());
-                fields.for_each(|field| field.shape.names(&mut names));
-            }
-            Body::Alias(shape) => shape.names(&mut names),
-        }
-        names
-    }
 }
 
 impl Field {
@@ -140,6 +125,10 @@ impl Field {
     }
 }
 
+#[allow(
+    clippy::panic,
+    reason = "the schemas are those of our own types: whoever writes another one is told what lacks here"
+)]
 impl Shape {
     /// # Panics
     /// Where a schema has what no type of an answer has yet.
@@ -192,17 +181,6 @@ impl Shape {
                 Shape::Map(Box::new(schema.get("additionalProperties").map_or(Shape::Null, Shape::of)))
             }
             _ => panic!("a schema of type {name}: {schema:?}"),
-        }
-    }
-
-    fn names<'a>(&'a self, names: &mut BTreeSet<&'a str>) {
-        match self {
-            Shape::Named(name) => {
-                names.insert(name);
-            }
-            Shape::List(shape) | Shape::Repeated(shape, _) | Shape::Map(shape) => shape.names(names),
-            Shape::Tuple(shapes) | Shape::Any(shapes) => shapes.iter().for_each(|shape| shape.names(names)),
-            _ => {}
         }
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use clap::{Arg, ArgAction, Command};
 
-use super::markdown::{anchor, cell};
+use super::markdown::{anchor, cell, plain};
 
 /// Where arguments without a heading stand.
 const ARGUMENTS: &str = "Arguments";
@@ -22,7 +22,7 @@ pub(super) fn reference(program: &Command) -> String {
         text.push_str(&format!(
             "| [`{name}`](#{}) | {} |\n",
             anchor(&format!("boundfit {name}")),
-            cell(&about)
+            cell(&plain(&about))
         ));
     }
     commands.iter().for_each(|command| text.push_str(&section(command)));
@@ -36,7 +36,7 @@ fn section(command: &Command) -> String {
     let mut text = format!(
         "\n## boundfit {}\n\n{}\n\n```text\n{usage}\n```\n",
         command.get_name(),
-        about.unwrap_or_default()
+        plain(&about.unwrap_or_default())
     );
     // Headings in the order of the help.
     let mut order: Vec<&str> = Vec::new();
@@ -75,7 +75,7 @@ fn name(argument: &Arg) -> String {
 
 fn meaning(argument: &Arg) -> String {
     let help = argument.get_long_help().or_else(|| argument.get_help()).map(ToString::to_string);
-    let mut parts = vec![help.unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" ")];
+    let mut parts = vec![plain(&help.unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" "))];
     let defaults: Vec<String> =
         argument.get_default_values().iter().map(|value| format!("`{}`", value.to_string_lossy())).collect();
     if !defaults.is_empty() && argument.get_action().takes_values() && !argument.is_hide_default_value_set() {
@@ -84,7 +84,7 @@ fn meaning(argument: &Arg) -> String {
     let values = argument.get_possible_values();
     if argument.get_action().takes_values() && !argument.is_hide_possible_values_set() && !values.is_empty() {
         let values = values.iter().filter(|value| !value.is_hide_set()).map(|value| match value.get_help() {
-            Some(help) => format!("`{}` ({help})", value.get_name()),
+            Some(help) => format!("`{}` ({})", value.get_name(), plain(&help.to_string())),
             None => format!("`{}`", value.get_name()),
         });
         parts.push(format!("Values: {}.", values.collect::<Vec<_>>().join(", ")));

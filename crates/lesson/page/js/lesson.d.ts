@@ -18,6 +18,13 @@ interface MeasureData {
   decimal: string;
 }
 
+/** A part of a document as a person gets it: numbers are without their doubles, and have fractions unless they are measures. */
+type Shown<T> = T extends import("../../engine/answers.d.mts").Exact
+  ? NumberData
+  : T extends object
+    ? { [K in keyof T]: Shown<T[K]> }
+    : T;
+
 /** constant + slope·s, or constant + slope·s + quadratic·s², where s multiplies every error bound. */
 interface PolynomialData {
   constant: Exact;
@@ -32,28 +39,10 @@ interface AreaPolynomialData {
   quadratic: Exact | null;
 }
 
-/** The name of a half-plane: "upper" or "lower" with the row of a reading, or "where:1" without one; of an
- * equation "where:1 upper" (≤) and "where:1 lower" (≥). */
-interface BoundName {
-  row: number | null;
-  bound: string;
-}
+/** The name of a half-plane. */
+type BoundName = import("../../engine/answers.d.mts").Active;
 
-interface MultiplierData extends BoundName {
-  multiplier: NumberData;
-}
-
-type Kind =
-  | "empty"
-  | "point"
-  | "segment"
-  | "ray"
-  | "line"
-  | "polygon"
-  | "unbounded-polygon"
-  | "strip"
-  | "half-plane"
-  | "plane";
+type Kind = import("../../engine/answers.d.mts").FeasibleSet["kind"];
 
 /** A region whose vertices are points and whose boundaries are half-planes, both by index. */
 interface RegionData {
@@ -64,64 +53,15 @@ interface RegionData {
   boundaries: number[];
 }
 
-/** A region as reports have it: with the names of what is active. */
-interface NamedRegionData<N, D> {
-  kind: Kind;
-  vertices: { theta: N[]; active: BoundName[] }[];
-  rays: D[][];
-  lines: D[][];
-  boundaries: { active: BoundName[] }[];
-}
+/** How a text or a sheet was read. */
+type TableData = import("../../engine/answers.d.mts").Table;
 
-interface RangeData {
-  lower: NumberData | null;
-  upper: NumberData | null;
-}
-
-/** An end with what proves it; where nothing bounds, its forms are null. */
-interface ProvedEndData {
-  exact: string | null;
-  decimal: string | null;
-  active: MultiplierData[];
-}
-
-interface EstimateData {
-  theta: NumberData[];
-}
-
-/** What a text or a sheet was taken for: `input.table` of docs/output.md. */
-interface TableData {
-  header: { line: number | null; comment: boolean; open: boolean };
-  delimiter: string | null;
-  decimal: DecimalMark;
-  thousands: string | null;
-  encoding: string | null;
-  comment: string | null;
-  blocks: { total: number; read: number | null; name: string | null } | null;
-  skipped: { lines: number; comments: number; short_rows: number; long_rows: number };
-}
-
-/** The parts of `boundfit fit --format json` that the page uses. */
-interface FitData {
-  input: {
-    /** What the table was taken for; null of what is neither text nor a sheet. */
-    table: TableData | null;
-    /** There if the error bounds are a multiple of the least ones that leave any parameters. */
-    epsilon_from_least?: { factor: NumberData; epsilon_min: NumberData };
-  };
-  least_squares: (EstimateData & { in_fps: boolean }) | null;
-  eui: RangeData[] | null;
-  fps: NamedRegionData<NumberData, NumberData> & {
-    area: MeasureData | null;
-    certificate: { farkas: MultiplierData[] } | null;
-  };
-  pui: { lower: ProvedEndData; upper: ProvedEndData }[] | null;
-  central: EstimateData | null;
-  minimax: (EstimateData & { unique: boolean; epsilon: NumberData | null }) | null;
+/** The document of `fit`; sums over the whole set may lack their fractions. */
+type FitData = Shown<Omit<import("../../engine/answers.d.mts").FitDocument, "fps" | "area_centroid" | "tightness">> & {
+  fps: Shown<Omit<import("../../engine/answers.d.mts").ActiveRegion, "area">> & { area: MeasureData | null };
   area_centroid: MeasureData[] | null;
-  /** Why a part is null. */
-  reasons: Record<string, string>;
-}
+  tightness: MeasureData | null;
+};
 
 interface ReadingData {
   row: number;
@@ -178,20 +118,10 @@ interface OrderData {
 }
 
 /** The set at a factor where half-planes enter or leave. */
-interface BreakpointData extends NamedRegionData<NumberData, Exact> {
-  s: NumberData;
-  epsilon: NumberData | null;
-  area: MeasureData | null;
-  entering: BoundName[];
-  leaving: BoundName[];
-}
+type BreakpointData = Shown<Omit<import("../../engine/answers.d.mts").Breakpoint, "area">> & { area: MeasureData | null };
 
 /** The set between two breakpoints. */
-interface PieceData extends NamedRegionData<PolynomialData, Exact> {
-  from: NumberData;
-  to: NumberData;
-  area: AreaPolynomialData | null;
-}
+type PieceData = Shown<Omit<import("../../engine/answers.d.mts").Piece, "area">> & { area: AreaPolynomialData | null };
 
 /** The sets under error bounds multiplied by s; `least` is the smallest s that leaves a feasible parameter. */
 interface SweepData {

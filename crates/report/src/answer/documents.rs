@@ -40,6 +40,13 @@ impl DocumentSchema {
         let generator = SchemaSettings::draft2020_12().for_serialize().into_generator();
         let mut schema = generator.into_root_schema_for::<T>().to_value();
         rename(&mut schema);
+        absent_or_not_null(&mut schema);
+        for (name, part) in schema.get_mut("$defs").and_then(Value::as_object_mut).into_iter().flatten() {
+            // A double may be beyond the largest one.
+            if name != NUMBER {
+                absent_or_not_null(part);
+            }
+        }
         DocumentSchema { name, command, schema }
     }
 }
@@ -92,9 +99,39 @@ fn rename(schema: &mut Value) {
     }
 }
 
+/// Takes null from the fields that may be absent: they are left out instead.
+fn absent_or_not_null(schema: &mut Value) {
+    for variant in schema.get_mut("anyOf").and_then(Value::as_array_mut).into_iter().flatten() {
+        absent_or_not_null(variant);
+    }
+    let required = schema.get("required").cloned().unwrap_or_default();
+    let is_required = |name: &str| required.as_array().is_some_and(|names| names.contains(&name.into()));
+    for (name, field) in schema.get_mut("properties").and_then(Value::as_object_mut).into_iter().flatten() {
+        if is_required(name) {
+            continue;
+        }
+        for keyword in ["type", "anyOf"] {
+            let Some(Value::Array(choices)) = field.get_mut(keyword) else { continue };
+            choices.retain(|choice| choice != "null" && choice["type"] != "null");
+            if let [only] = choices.as_slice() {
+                match (only.clone(), &mut *field) {
+                    (Value::Object(only), Value::Object(field)) => {
+                        field.remove(keyword);
+                        field.extend(only);
+                    }
+                    (only, field) => field[keyword] = only,
+                }
+            }
+        }
+    }
+}
+
+/// What numbers are called.
+const NUMBER: &str = "Exact";
+
 impl JsonSchema for Number {
     fn schema_name() -> Cow<'static, str> {
-        "Number".into()
+        NUMBER.into()
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {

@@ -23,9 +23,9 @@ pub struct JudgeJson {
     /// All optimal points; null unless optimal.
     pub face: Option<FaceJson>,
     /// The columns.
-    pub columns: Vec<ColumnJson>,
+    pub columns: Vec<ModelColumnJson>,
     /// The rows.
-    pub rows: Vec<RowJson>,
+    pub rows: Vec<ModelRowJson>,
     /// Bounds with multipliers that prove infeasibility: the forms add up to 0, the bounds to more than 0. Null unless infeasible.
     pub farkas: Option<Vec<SideTermJson>>,
     /// A feasible point, exact; null unless unbounded.
@@ -78,7 +78,7 @@ pub struct FaceJson {
 /// A column of the model.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct ColumnJson {
+pub struct ModelColumnJson {
     /// The name.
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub name: Foreign,
@@ -100,7 +100,7 @@ pub struct ColumnJson {
 /// A row of the model.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct RowJson {
+pub struct ModelRowJson {
     /// The name.
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub name: Foreign,

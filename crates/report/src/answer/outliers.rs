@@ -33,7 +33,7 @@ pub struct OutliersJson {
     pub pui: Option<[RangeJson; 2]>,
     /// The sum of the areas of all pieces, rounded to nearest; null where it is infinite.
     pub area: Option<Number>,
-    /// The parameters that miss at most 0, 1, 2, … readings.
+    /// The parameters that miss at most 0, 1, 2, … readings, up to `least` or to the number asked for.
     pub growth: Vec<GrowthJson>,
     /// The proof that the conditions contradict each other; null otherwise.
     pub certificate: Option<CertificateJson>,

@@ -157,7 +157,7 @@ pub struct RegionJson<A> {
 /// The kind of a set, and why it is empty.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct SetJson {
+pub struct FeasibleSetJson {
     /// The kind of the set.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::kinds())))]
     pub kind: &'static str,

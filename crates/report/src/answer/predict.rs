@@ -6,7 +6,7 @@ use boundfit_exact::Foreign;
 use serde::Serialize;
 
 use crate::answer::input::InputJson;
-use crate::answer::parts::{RangeJson, SetJson, TermJson};
+use crate::answer::parts::{FeasibleSetJson, RangeJson, TermJson};
 use crate::number::Number;
 
 /// The values of all feasible lines at given x, and the x that given readings may come from.
@@ -19,7 +19,7 @@ pub struct PredictionJson<A = Vec<PredictedJson>, F = Vec<SourceJson>> {
     /// The question.
     pub input: InputJson,
     /// The feasible parameter set.
-    pub fps: SetJson,
+    pub fps: FeasibleSetJson,
     /// The error of a further reading; null where nothing is known of it, with a reason.
     pub new_reading: Option<NewReadingJson>,
     /// The prediction at each value asked for; empty where the set is empty.
@@ -114,5 +114,5 @@ pub struct SourceEndJson {
     pub line: &'static str,
     /// The proof of that end.
     #[serde(flatten)]
-    pub end: Option<ProofEndJson>,
+    pub end: ProofEndJson,
 }

@@ -26,7 +26,7 @@ pub struct LinearRangeJson {
     pub longest: Option<PositionsJson>,
     /// The run with the widest range of x; null where the order is not by x or x is not known.
     pub widest: Option<PositionsJson>,
-    /// The fewest runs that have all readings, one after the other; empty where a reading is in no run.
+    /// The fewest runs that together have every reading that is in a run.
     pub fewest: Vec<PositionsJson>,
     /// Each run with what stops it, in the order of `runs`.
     pub parts: Vec<RunJson>,
@@ -49,11 +49,12 @@ pub struct RunJson {
     pub last: usize,
     /// The rows at both positions.
     pub rows: [usize; 2],
-    /// The x at both positions, exact; null where x is not known.
+    /// The least and the largest x, exact; null where x is not known.
     pub x: Option<[Number; 2]>,
-    /// The contradiction with the reading before the run; null at the first reading.
+    /// The terms that contradict each other once the readings at the x before the run are added (by row: the reading before it); null at
+    /// the first reading.
     pub before: Option<Vec<TermJson>>,
-    /// The contradiction with the reading after the run; null at the last reading.
+    /// The same of the readings after the run; null at the last reading.
     pub after: Option<Vec<TermJson>>,
 }
 
@@ -65,7 +66,7 @@ pub struct AloneJson {
     pub position: usize,
     /// Its row.
     pub row: usize,
-    /// The contradiction within the reading, or between it and the conditions.
+    /// The terms by which the readings at its x contradict each other or the conditions.
     pub farkas: Vec<TermJson>,
 }
 

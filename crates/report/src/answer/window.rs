@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::answer::input::LineInputJson;
 use crate::answer::parts::{
-    CentralJson, CertificateJson, IntervalJson, LeastSquaresJson, RangeJson, SetJson,
+    CentralJson, CertificateJson, FeasibleSetJson, IntervalJson, LeastSquaresJson, RangeJson,
 };
 use crate::number::Number;
 
@@ -24,10 +24,10 @@ pub struct WindowJson<'a> {
     pub last_row: usize,
     /// The number of readings in it.
     pub rows: usize,
-    /// The first and the last x, exact; null where windows are not of x.
+    /// The x of the oldest and of the newest reading, exact; null with two regressors.
     pub x: Option<[Number; 2]>,
     /// The feasible parameter set of the window.
-    pub fps: SetJson,
+    pub fps: FeasibleSetJson,
     /// The parameter uncertainty intervals; null where no end is bounded.
     pub pui: Option<[IntervalJson; 2]>,
     /// The central estimate; null where the set is empty or unbounded.

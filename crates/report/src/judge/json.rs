@@ -7,7 +7,8 @@ use boundfit_lp::{Bounds, Model, ObjectiveSense};
 use super::basis_name;
 use super::tables::row_value;
 use crate::answer::judge::{
-    ColumnJson, FaceJson, JudgeJson, ModelJson, PlaneJson, RowJson, SideJson, SideTermJson, SolutionJson,
+    FaceJson, JudgeJson, ModelColumnJson, ModelJson, ModelRowJson, PlaneJson, SideJson, SideTermJson,
+    SolutionJson,
 };
 use crate::answer::parts::{RangeJson, RegionJson};
 use crate::json::to_text;
@@ -121,11 +122,11 @@ impl Parts<'_> {
         }
     }
 
-    fn columns(&self, solved: Option<&Solved>) -> Vec<ColumnJson> {
+    fn columns(&self, solved: Option<&Solved>) -> Vec<ModelColumnJson> {
         let of = |(index, column): (usize, &boundfit_lp::ModelColumn)| {
             let [lower, upper] = self.ends(&column.bounds);
             let number = |value: Option<&Rational>| value.map(|value| self.style.number(value));
-            ColumnJson {
+            ModelColumnJson {
                 name: column.name.clone(),
                 lower,
                 upper,
@@ -138,10 +139,10 @@ impl Parts<'_> {
         self.model.columns.iter().enumerate().map(of).collect()
     }
 
-    fn rows(&self, solved: Option<&Solved>) -> Vec<RowJson> {
+    fn rows(&self, solved: Option<&Solved>) -> Vec<ModelRowJson> {
         let of = |(index, row): (usize, &boundfit_lp::ModelRow)| {
             let [lower, upper] = self.ends(&row.bounds);
-            RowJson {
+            ModelRowJson {
                 name: row.name.clone(),
                 lower,
                 upper,

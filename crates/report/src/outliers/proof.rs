@@ -69,9 +69,7 @@ fn contradictions(
             let own = contradiction.iter().filter_map(|(name, _)| name.row());
             next.extend(own.map(|row| rows.iter().copied().chain([row]).collect()));
         }
-        let multiples = contradiction
-            .iter()
-            .map(Multiple::of_bound);
+        let multiples = contradiction.iter().map(Multiple::of_bound);
         found.insert(rows, multiples.collect());
         if found.len() > MOST_CONTRADICTIONS {
             return Err(NoOutliersProof::TooMany(MOST_CONTRADICTIONS));

@@ -11,7 +11,7 @@ use serde::{Serialize, Serializer};
 
 use super::{AskedValues, Prediction};
 use crate::answer::input::InputJson;
-use crate::answer::parts::{CertificateJson, RangeJson, SetJson, TermJson};
+use crate::answer::parts::{CertificateJson, FeasibleSetJson, RangeJson, TermJson};
 use crate::answer::predict::{
     NewReadingJson, PossibleJson, PredictedJson, PredictionJson, ProofEndJson, SourceEndJson, SourceJson,
     ValueJson,
@@ -60,7 +60,7 @@ pub fn write_prediction_json(prediction: &Prediction, style: &Style, to: &mut dy
     let written = PredictionJson {
         schema: PredictionJson::SCHEMA,
         input: InputJson::new(problem, origin, style),
-        fps: SetJson { kind: fit.fps.polyhedron().region().kind().name(), certificate },
+        fps: FeasibleSetJson { kind: fit.fps.polyhedron().region().kind().name(), certificate },
         new_reading: prediction.error.as_ref().ok().map(|error| new_reading(prediction, error, style)),
         at: Each(Cell::new(Some(at.into_iter().flatten()))),
         from: Each(Cell::new(Some(from.into_iter().flatten()))),
@@ -127,10 +127,9 @@ fn possible_json(
     style: &Style,
 ) -> PossibleJson {
     let why = |end: &Option<PossibleEnd>| {
-        end.as_ref().map(|end| SourceEndJson {
-            line: if end.by_upper { "upper" } else { "lower" },
-            end: end_json(prediction, &prediction.why(predictor, end), style),
-        })
+        let end = end.as_ref()?;
+        let proof = end_json(prediction, &prediction.why(predictor, end), style)?;
+        Some(SourceEndJson { line: if end.by_upper { "upper" } else { "lower" }, end: proof })
     };
     let included = |end: &Option<PossibleEnd>| end.as_ref().map(|end| end.included);
     PossibleJson {

@@ -5,7 +5,7 @@ use boundfit_estimation::{ParameterBound, ParameterInterval};
 use boundfit_exact::Rational;
 
 use crate::answer::input::LineInputJson;
-use crate::answer::parts::{BoundJson, CertificateJson, IntervalJson, SetJson, TermJson};
+use crate::answer::parts::{BoundJson, CertificateJson, FeasibleSetJson, IntervalJson, TermJson};
 use crate::answer::table::TableJson;
 use crate::answer::window::WindowJson;
 use crate::fit_json::central_of;
@@ -47,7 +47,10 @@ pub fn write_window_json(
         last_row: *last_row,
         rows: *readings,
         x: x.as_ref().map(|x| style.numbers(x)),
-        fps: SetJson { kind: fit.kind.name(), certificate: farkas.map(|farkas| CertificateJson { farkas }) },
+        fps: FeasibleSetJson {
+            kind: fit.kind.name(),
+            certificate: farkas.map(|farkas| CertificateJson { farkas }),
+        },
         pui: pui.map(|pui| pui.each_ref().map(interval)),
         central: fit.central.as_ref().map(|central| central_of(central, style)),
         epsilon_min: fit.least.as_ref().map(|least| style.upper_number(least)),

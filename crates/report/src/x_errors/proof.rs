@@ -1,9 +1,7 @@
 //! The proof of lines under errors in x, schema `boundfit/proof/2`.
 
 use boundfit_exact::{Rational, Reading};
-use boundfit_questions::{
-    Agreement, BoxBound, Corner, Side, SideSet, XBounds, XErrorFit, XErrorProblem,
-};
+use boundfit_questions::{Agreement, BoxBound, Corner, Side, SideSet, XBounds, XErrorFit, XErrorProblem};
 
 use crate::proof_question::ProofQuestion;
 use crate::statements::{Claim, Multiple, Scope, Statement};
