@@ -218,9 +218,11 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         """The report as JSON text, schema boundfit/fit/2."""
         return self._core.json()
 
-    def report(self, format: str = "text", *, brief: bool = False, digits: int | None = None) -> str:
-        """The report as ``"text"``, ``"markdown"`` or ``"latex"``; the set as ``"wkt"``, ``"ine"`` or ``"ext"``; ``"csv"``."""
-        return self._core.text(format, brief, digits)
+    def report(self, format: str = "text", *, brief: bool = False, full: bool = False, digits: int | None = None) -> str:
+        """The report as ``"text"``, ``"markdown"`` or ``"latex"``; the set as ``"wkt"``, ``"ine"`` or ``"ext"``; ``"csv"``.
+
+        ``brief`` writes ten lines; ``full`` adds proofs, area and centroid, and all estimates of the inverse line."""
+        return self._core.text(format, brief, full, digits)
 
     def to_csv(self, path: str | os.PathLike[str] | None = None) -> bytes:
         """The columns in memory as CSV, every number exactly as it was read, and row K behind K lines: the bytes that proofs are
@@ -339,7 +341,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         return f"<boundfit.Fit of {self.rows} readings: {self.kind}, about {', '.join(ends)}>"
 
     def __str__(self) -> str:
-        return self._core.text("text", False, None)
+        return self._core.text("text", False, False, None)
 
     def _repr_html_(self) -> str:
         from ._html import of_fit

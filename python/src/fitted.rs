@@ -3,7 +3,7 @@
 use boundfit::ask::{self, Ask, Fittable, Form, Paper, Refusal};
 use boundfit::engine::estimation::least_squares_is_feasible;
 use boundfit::engine::exact::Foreign;
-use boundfit::report::{Origin, Style};
+use boundfit::report::{NextStep, Origin, Style};
 use boundfit::{BoundName, Endpoint, Fit, Interval, Number as _, ParameterBound, Problem, Rational, Reading};
 use pyo3::prelude::*;
 
@@ -247,8 +247,8 @@ impl Fitted {
     }
 
     /// The answer in another format.
-    fn text(&self, format: &str, brief: bool, digits: Option<usize>) -> PyResult<String> {
-        let question = ask::Fit { brief, ..ask::Fit::default() };
+    fn text(&self, format: &str, brief: bool, full: bool, digits: Option<usize>) -> PyResult<String> {
+        let question = ask::Fit { brief, full, ..ask::Fit::default() };
         let style = Style { digits, ..Style::default() };
         let text = self.written(&question, named(format)?, self.shown_origin(), style);
         text.map_err(|refusal| refuse(in_words(&refusal)))
@@ -259,6 +259,15 @@ impl Fitted {
         let question = ask::Fit::default();
         py.detach(|| self.written(&question, Form::Proof, self.origin(), Style::default())).ok()
     }
+}
+
+/// Says how a step is taken in Python.
+fn next_words(step: &NextStep) -> Option<String> {
+    Some(match step {
+        NextStep::Outliers => "fit.outliers()".to_owned(),
+        NextStep::Status => "fit.status()".to_owned(),
+        NextStep::LeastBound(least) => format!("eps=\"{least}\""),
+    })
 }
 
 impl Fitted {

@@ -5,9 +5,9 @@ use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{Guarantee, times};
 use boundfit_report::{
-    Document, InverseLine, active_names, brief_document, fit_csv, fit_document, fit_json, fit_script,
-    guarantee_document, h_representation, proof_json, region_wkt, sweep_document, v_representation,
-    vertices_csv,
+    Document, InverseLine, NextStep, active_names, brief_document, fit_csv, fit_document, fit_json,
+    fit_script, full_fit_document, guarantee_document, h_representation, next_document, next_steps,
+    proof_json, region_wkt, sweep_document, v_representation, vertices_csv,
 };
 use serde::Deserialize;
 
@@ -30,6 +30,8 @@ pub struct Fit {
     pub confidence: Option<Given>,
     /// Whether the report has ten lines only.
     pub brief: bool,
+    /// Whether the report has everything: also what proves each end, every estimate, and least squares in doubles.
+    pub full: bool,
     /// Whether the report has the inverse line also where 0 is in the interval of θ1.
     pub inverse: bool,
 }
@@ -59,6 +61,8 @@ pub struct Fitted {
     guarantee: Option<Guarantee>,
     /// What an LP solver makes of the same data, where a surface has one and asked it: a line of the report as text.
     pub verdict: Option<String>,
+    /// The surface's words for the next steps where the set is empty; the report as text names them.
+    pub next_words: Option<fn(&NextStep) -> Option<String>>,
 }
 
 impl From<Problem> for Fittable {
@@ -120,13 +124,20 @@ impl Fit {
         Ok(Some(confidence))
     }
 
-    fn document(&self, asked: &Fittable, answer: &Fitted, Paper { origin, style }: &Paper<'_>) -> Document {
+    fn document(
+        &self,
+        asked: &Fittable,
+        answer: &Fitted,
+        form: Form,
+        Paper { origin, style }: &Paper<'_>,
+    ) -> Document {
         let (problem, fit) = (&asked.problem, &answer.fit);
         if self.brief {
             return brief_document(problem, fit, origin, style);
         }
         let inverse = if self.inverse { InverseLine::Always } else { InverseLine::default() };
-        let mut document = fit_document(problem, fit, origin, inverse, style);
+        let written = if self.full { full_fit_document } else { fit_document };
+        let mut document = written(problem, fit, origin, inverse, style);
         if let Some(verdict) = &answer.verdict {
             document.add_result("LP solver", verdict);
         }
@@ -135,6 +146,9 @@ impl Fit {
         }
         if let Some(guarantee) = &answer.guarantee {
             document.append(guarantee_document(problem, fit, guarantee, style));
+        }
+        if let Some(words) = answer.next_words.filter(|_| form == Form::Text) {
+            document.append(next_document(&next_steps(problem, fit, style), words));
         }
         document
     }
@@ -176,6 +190,7 @@ impl Ask for Fit {
             family: asked.sweep.as_ref().map(family),
             guarantee: asked.confidence.as_ref().and_then(guarantee),
             verdict: None,
+            next_words: None,
         })
     }
 
@@ -205,7 +220,7 @@ impl Ask for Fit {
                 let why = if is_reduction { NoProof::Reduction } else { NoProof::NoText };
                 proof_json(problem, fit, origin.reading).ok_or(Refusal::NoProof(why))?
             }
-            _ => document(form, || self.document(asked, answer, paper)).ok_or(Self::no_form(form))?,
+            _ => document(form, || self.document(asked, answer, form, paper)).ok_or(Self::no_form(form))?,
         };
         put(out, text)?;
         Ok(Written::of_set(fit.is_empty()))

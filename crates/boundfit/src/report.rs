@@ -15,8 +15,8 @@ pub use boundfit_report::{
     OutliersReport, RangeReport, StatusCsv, StatusReport, Style, WindowReport, brief_document, fit_csv,
     fit_document, fit_json, fit_script, guarantee_document, h_representation, linearity_csv,
     linearity_document, linearity_json, outliers_csv, outliers_document, outliers_json, range_csv,
-    range_document, range_json, region_script, region_wkt, status_document, sweep_document,
-    v_representation, vertices_csv, x_error_csv, x_error_document, x_error_json, x_error_wkt,
+    range_document, range_json, region_script, region_wkt, status_document, sweep_document, v_representation,
+    vertices_csv, x_error_csv, x_error_document, x_error_json, x_error_wkt,
 };
 #[cfg(feature = "files")]
 pub use boundfit_report::{

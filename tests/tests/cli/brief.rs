@@ -38,11 +38,11 @@ fn options_that_a_format_has_no_use_for_are_refused() {
         ("--vertices", "'--vertices' is about '--format csv'; other formats have the vertices anyway"),
         (
             "--brief --format json",
-            "'--brief' and '--inverse' are about text, latex and markdown; other formats have all there is",
+            "'--brief', '--full' and '--inverse' need the format text, latex or markdown; other formats contain everything",
         ),
         (
             "--inverse --format csv",
-            "'--brief' and '--inverse' are about text, latex and markdown; other formats have all there is",
+            "'--brief', '--full' and '--inverse' need the format text, latex or markdown; other formats contain everything",
         ),
     ] {
         let run = boundfit(&root(), &format!("{FIT_TRANSDUCER} {options}"));
@@ -120,15 +120,20 @@ fn an_empty_set_says_which_row_would_mend_it() {
         boundfit_with_input(&root(), &line, table.as_bytes()).stdout
     };
     let outlier = "x,y\n0,0\n1,1\n2,2\n3,30\n4,4\n";
-    let said = "To leave out row 4 would mend it; no other single row would.";
+    let said = "Without row 4 the set is not empty; no other single row has this effect.";
     assert!(unbroken(&fit(outlier, "")).contains(said), "{}", fit(outlier, ""));
     let json: Value = serde_json::from_str(&fit(outlier, "--format json")).unwrap();
     assert_eq!((&json["mended_without"], &json["reasons"]["mended_without"]), (&json!([4]), &Value::Null));
     let three = "x,y\n0,0\n1,1\n2,0\n";
-    let said = "To leave out one of the rows 1, 2 and 3 would mend it; no other would.";
+    let said = "Without any one of the rows 1, 2 and 3 the set is not empty; no other row has this effect.";
     assert!(unbroken(&fit(three, "")).contains(said), "{}", fit(three, ""));
     let two = "x,y\n0,0\n0,1\n1,0\n1,1\n";
-    assert!(fit(two, "").contains("To leave out a single row would not mend it."), "{}", fit(two, ""));
+    assert!(
+        unbroken(&fit(two, ""))
+            .contains("No single row is to blame: without any one of them the set stays empty."),
+        "{}",
+        fit(two, "")
+    );
     let json: Value = serde_json::from_str(&fit("x,y\n0,0\n1,1\n", "--format json")).unwrap();
     assert_eq!(json["mended_without"], Value::Null);
     // Above ten thousand rows those that bound nothing now are not at hand.

@@ -19,7 +19,7 @@ fn curve(rows: u32) -> String {
     format!("x,y\n{}", lines.collect::<String>())
 }
 
-const FIT: &str = "fit curve.csv --x x --y y --eps 0.5 --no-lp";
+const FIT: &str = "fit curve.csv --x x --y y --eps 0.5 --full --no-lp";
 
 fn number(value: &Value) -> Rational {
     let limits = Limits { digits: usize::MAX, exponent: u32::MAX };

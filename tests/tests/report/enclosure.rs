@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use boundfit_estimation::{Columns, EpsilonColumn, Fit, LineForm, Measurements, Problem, fit};
 use boundfit_exact::{Interval, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Source, TableOptions};
-use boundfit_report::{InverseLine, Origin, Style, brief_document, fit_csv, fit_document, fit_json};
+use boundfit_report::{InverseLine, Origin, Style, brief_document, fit_csv, fit_json, full_fit_document};
 use boundfit_tests::cli::numbers::{check_enclosed, check_numbers};
 use boundfit_tests::program::root;
 
@@ -115,7 +115,7 @@ fn check(path: &Path, [x, y]: [&str; 2], epsilon: &str) -> bool {
     let origin = Origin { file: None, reading: Reading::Decimal, is_stored: false };
     for digits in (1..=12).map(Some).chain([None]) {
         let style = Style { digits, ..Style::default() };
-        let document = fit_document(&problem, &fit, &origin, InverseLine::default(), &style);
+        let document = full_fit_document(&problem, &fit, &origin, InverseLine::default(), &style);
         for text in [document.to_text(), document.to_markdown(), document.to_latex()] {
             check_document(&text, &fit);
         }

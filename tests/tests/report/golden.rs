@@ -16,13 +16,22 @@ fn transducer() {
     let fit = ["fit", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36"];
     let fit = [&fit[..], &["--eps", "0.5e-3"]].concat();
     check("transducer/fit.txt", &fit, 0);
+    check("transducer/fit-full.txt", &[&fit[..], &["--full"]].concat(), 0);
     check("transducer/fit.json", &[&fit[..], &["--format", "json"]].concat(), 0);
     let range = ["range", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--eps", "0.5e-3"];
     check("transducer/range.txt", &range, 0);
     check("transducer/range.csv", &[&range[..], &["--format", "csv"]].concat(), 0);
     check("transducer/range.json", &[&range[..], &["--format", "json"]].concat(), 0);
-    check("transducer/fit-exact.txt", &[&fit[..], &["--exact"]].concat(), 0);
+    check("transducer/fit-exact.txt", &[&fit[..], &["--exact", "--full"]].concat(), 0);
     check("transducer/fit-sweep.txt", &[&fit[..], &["--sweep", "0.5..2"]].concat(), 0);
+}
+
+#[test]
+fn the_usual_report_fits_a_screen() {
+    let fit = ["fit", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36"];
+    let report = run(&[&fit[..], &["--eps", "0.5e-3"]].concat()).stdout;
+    assert!(report.lines().count() <= 40, "{report}");
+    assert!(report.lines().all(|line| line.chars().count() <= 80), "{report}");
 }
 
 #[test]
@@ -37,6 +46,7 @@ fn steam_generator() {
 fn norris_is_empty_at_one_unit() {
     let fit = ["fit", "fixtures/norris/norris.csv", "--x", "x", "--y", "y", "--eps", "1"];
     check("norris/fit.txt", &fit, 3);
+    check("norris/fit-full.txt", &[&fit[..], &["--full"]].concat(), 3);
     check("norris/fit.json", &[&fit[..], &["--format", "json"]].concat(), 3);
 }
 
@@ -92,7 +102,7 @@ fn lines_through_the_origin_and_from_another_origin() {
 fn documents() {
     let transducer =
         ["fit", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36"];
-    let transducer = [&transducer[..], &["--eps", "0.5e-3", "--sweep", "0.75..0.9"]].concat();
+    let transducer = [&transducer[..], &["--eps", "0.5e-3", "--sweep", "0.75..0.9", "--full"]].concat();
     let empty = ["fit", "fixtures/hard-lp/empty-by-1e-9.csv", "--x", "x", "--y", "y", "--eps", "0.373923265"];
     let unbounded = ["fit", "fixtures/claims/strip.csv", "--x", "x", "--y", "y", "--eps", "0.2", "--exact"];
     let house = ["polygon", "fixtures/polygon/house.ine"];

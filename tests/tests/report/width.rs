@@ -38,8 +38,9 @@ fn reports_of_all_fixtures_fit() {
             let data = format!("{}|--x|x|--y|y", path.display());
             for options in [
                 "--eps|1e9",
-                "--eps|0",
-                "--eps|1e-3|--inverse",
+                "--eps|1e9|--full",
+                "--eps|0|--full",
+                "--eps|1e-3|--inverse|--full",
                 "--eps|1/3|--sweep|0.5..2",
                 "--eps|0.1|--reading|binary64",
             ] {
@@ -71,9 +72,10 @@ fn the_transducer_fits_in_every_way() {
     check(&format!("check|{data}"));
     for options in [
         "--exact",
+        "--exact|--full",
         "--digits|12",
-        "--digits|30",
-        "--digits|40|--inverse",
+        "--digits|30|--full",
+        "--digits|40|--inverse|--full",
         "--sweep|0..3",
         "--rounding|nearest",
     ] {

@@ -66,9 +66,8 @@ pub(super) const NOTES: Notes = Notes {
 /// Fit y = theta1*x + theta2 + e with |e| <= eps: every parameter pair that agrees with all readings
 ///
 /// The feasible parameter set (FPS) is the polygon of all (theta1, theta2) whose line stays within the error bound of
-/// every reading. Reported are its vertices, the parameter uncertainty intervals (PUI) with the readings that prove
-/// them, the central estimate, least squares with its uncertainty intervals (EUI), and the smallest error bound that
-/// leaves anything.
+/// every reading. The report lists its vertices, the interval of each parameter (PUI), the central estimate, least
+/// squares with its interval (EUI), and the smallest possible error bound.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction])))]
 pub(crate) struct FitArguments {
@@ -76,47 +75,52 @@ pub(crate) struct FitArguments {
     pub(crate) data: DataArguments,
     #[command(flatten)]
     pub(crate) x_errors: XErrorArguments,
-    /// Also report the sets FPS(s*eps) for all factors s from FROM to TO: where the set is born and changes its shape,
-    /// and every vertex and PUI end as an exact function of s
+    /// Also report the sets FPS(s*eps) for all factors s from FROM to TO: the factors at which the set begins and
+    /// changes its shape, and each vertex and PUI end as an exact function of s
     #[arg(long, value_name = "FROM..TO")]
     pub(crate) sweep: Option<String>,
-    /// Fit each group of rows with the same text in this column on its own: one line of text, JSON or CSV per group, in the
-    /// order in which they first occur, and a summary (with JSON and CSV on standard error)
+    /// Fit each group of rows with the same text in this column separately: one line of text, JSON or CSV per group in
+    /// order of first occurrence, and a summary (with JSON and CSV on standard error)
     #[arg(long, value_name = "COL", value_parser = column_text, conflicts_with = "sweep")]
     pub(crate) by: Option<String>,
-    /// Fit the last N readings, in order of rows, again and again: one line of text, JSON or CSV for each window that is whole
+    /// Fit the last N readings in order of rows, repeatedly: one line of text, JSON or CSV per whole window
     #[arg(long, value_name = "N", value_parser = value_parser!(u64).range(1..),
           conflicts_with_all = ["window_x", "by", "sweep", "brief", "vertices", "inverse", "proof"])]
     pub(crate) window: Option<u64>,
-    /// Fit the readings whose x is at most NUM less than that of the newest, in order of x, again and again: one line each
+    /// Fit the readings whose x is at most NUM below the x of the newest, in order of x, repeatedly: one line per
+    /// window
     #[arg(long, value_name = "NUM", allow_hyphen_values = true,
           conflicts_with_all = ["by", "sweep", "brief", "vertices", "inverse", "proof"])]
     pub(crate) window_x: Option<String>,
-    /// How many readings a window moves on each time; 1 when left out
+    /// Number of readings by which a window moves each time [default: 1]
     #[arg(long, value_name = "K", value_parser = value_parser!(u64).range(1..))]
     pub(crate) step: Option<u64>,
-    /// Leave out the line about what an LP solver makes of the same data
+    /// Report everything: also the proof of each PUI end, all estimates of the inverse line, area, centroid, least squares in
+    /// doubles, and the answer of an LP solver
+    #[arg(long, conflicts_with_all = ["by", "brief", "window", "window_x"])]
+    pub(crate) full: bool,
+    /// With --full: do not ask an LP solver
     #[arg(long)]
     pub(crate) no_lp: bool,
-    /// Leave out what would take further looks at more readings than are kept in memory (10000): the estimate uncertainty
-    /// intervals (EUI), and unless the model is a line under a uniform error bound also eps_min
+    /// Skip results that need a second pass over files of more than 10000 rows: the estimate uncertainty intervals (EUI), and
+    /// eps_min unless the model is a line under a uniform error bound
     #[arg(long)]
     pub(crate) no_eui: bool,
-    /// Report ten lines only: what was fitted, the set, PUI and central estimate, the least error bound
+    /// Report ten lines only: model, data, kind of set, PUI, central estimate, smallest error bound
     #[arg(long, conflicts_with_all = ["by", "sweep", "inverse"])]
     pub(crate) brief: bool,
-    /// With --format csv the vertices, rays and lines of the set in place of intervals and estimates
+    /// With --format csv: write the vertices, rays and lines of the set instead of intervals and estimates
     #[arg(long, conflicts_with = "by")]
     pub(crate) vertices: bool,
-    /// Also report gain and offset of the inverse line x = gain*y + offset where 0 is in the PUI of theta1
+    /// Also report the inverse line x = gain*y + offset if the PUI of theta1 contains 0
     #[arg(long, conflicts_with = "by")]
     pub(crate) inverse: bool,
-    /// Also report which share of further readings lies in the band of eps_min, with this confidence between 0 and 1, such as
-    /// 0.99, if all readings are independent draws from one source: at least so many, whatever the source is
+    /// Also report a guaranteed share of further readings in the band of eps_min, with this confidence between 0 and 1,
+    /// such as 0.99. It assumes that all readings are independent draws from one source
     #[arg(long, value_name = "NUM", allow_hyphen_values = true, conflicts_with_all = ["by", "brief"])]
     pub(crate) confidence: Option<String>,
-    /// Also write a proof of the answer to this file, whole or not at all: JSON that 'boundfit verify', or anybody else,
-    /// checks against the data by arithmetic alone; - for standard output when the report goes to a file
+    /// Also write a proof of the answer to this file, whole or not at all. The proof is JSON that 'boundfit verify', or
+    /// anybody else, checks against the data by arithmetic alone; - means standard output if the report goes to a file
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) proof: Option<String>,
     #[command(flatten)]
@@ -133,6 +137,7 @@ impl FitArguments {
             sweep: self.sweep.clone(),
             confidence: self.confidence.clone().map(Given::Read),
             brief: self.brief,
+            full: self.full,
             inverse: self.inverse,
         }
     }

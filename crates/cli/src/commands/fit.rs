@@ -6,7 +6,7 @@ use boundfit_ask::Form;
 use boundfit_check::{CheckOptions, EXACT_SIMPLEX, check, source_names};
 use boundfit_estimation::{Measurements, Problem};
 use boundfit_exact::{Rational, Reading};
-use boundfit_report::verdict_line;
+use boundfit_report::{NextStep, verdict_line};
 
 use crate::CommandResult;
 use crate::arguments::{FitArguments, ReportFormat};
@@ -35,11 +35,12 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     }
     let form = if arguments.vertices { Form::Vertices } else { format.into() };
     // A solver of linear programs in doubles is a part of this program, and of no other surface.
-    let asks_solver = form == Form::Text && !arguments.no_lp && !arguments.brief;
+    let asks_solver = form == Form::Text && arguments.full && !arguments.no_lp;
     arguments.job(form).run_with(&arguments.question(), &mut guard, |asked, answer, origin| {
         if asks_solver {
             answer.verdict = lp_verdict(&asked.problem, origin.reading)?;
         }
+        answer.next_words = Some(next_words);
         Ok(None)
     })
 }
@@ -57,13 +58,22 @@ impl FitArguments {
     }
 }
 
+/// Says how a step is taken on the command line.
+fn next_words(step: &NextStep) -> Option<String> {
+    Some(match step {
+        NextStep::Outliers => "boundfit outliers ...".to_owned(),
+        NextStep::Status => "boundfit status ...".to_owned(),
+        NextStep::LeastBound(least) => format!("boundfit fit ... --eps {least}"),
+    })
+}
+
 /// Refuses what only some formats have.
 fn check_usage_of_parts(arguments: &FitArguments, format: ReportFormat) -> Result<(), Failure> {
     let is_document = matches!(format, ReportFormat::Text | ReportFormat::Latex | ReportFormat::Markdown);
     let problem = if arguments.vertices && format != ReportFormat::Csv {
         "'--vertices' is about '--format csv'; other formats have the vertices anyway"
-    } else if (arguments.brief || arguments.inverse) && !is_document {
-        "'--brief' and '--inverse' are about text, latex and markdown; other formats have all there is"
+    } else if (arguments.brief || arguments.full || arguments.inverse) && !is_document {
+        "'--brief', '--full' and '--inverse' need the format text, latex or markdown; other formats contain everything"
     } else if arguments.confidence.is_some() && !is_document && format != ReportFormat::Json {
         "'--confidence' is about text, latex, markdown and json; other formats have no place for a guarantee"
     } else {

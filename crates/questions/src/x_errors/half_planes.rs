@@ -98,8 +98,7 @@ pub(super) fn of_side(
             corners.map(move |corner| (BoxBound::Bound(name, corner), at_corner(&own, name, corner, width)))
         })
     });
-    let conditions = conditions_by_name(&problem.problem().conditions)
-        .map(|(name, own)| (name.into(), own));
+    let conditions = conditions_by_name(&problem.problem().conditions).map(|(name, own)| (name.into(), own));
     let zero = Rational::zero;
     let slope = match side {
         Side::Rising => Some(-Rational::one()),

@@ -1,10 +1,10 @@
 //! The tables of estimates and intervals, and what their words and digits mean.
 
-use boundfit_estimation::{ErrorBound, Fit, Inverse, InverseParameter};
+use boundfit_estimation::{ErrorBound, Fit, Inverse, InverseParameter, Model};
 use boundfit_exact::{Interval, Rational};
 
-use super::Report;
-use crate::document::{Block, Facts, Inline, Symbol, THETA, Table, Text};
+use super::{Extent, Report};
+use crate::document::{Block, Facts, Inline, Operator, Symbol, THETA, Table, Text};
 use crate::scale::{Scale, scales};
 use crate::style::{EndRounding, GiveOrTake, Style};
 
@@ -15,33 +15,59 @@ pub(super) fn blocks(report: &Report) -> Vec<Block> {
         return Vec::new();
     }
     let words = Facts { width: 7, rows: words(report.fit, report.problem.measurements.error_bound()) };
-    let header = [Text::new()].into_iter().chain(THETA.map(Text::from));
+    let names = parameter_names(report.problem.measurements.model());
+    let header = [Text::new()].into_iter().chain(names);
     let mut blocks = vec![Block::Space, Block::Table(Table::new(header, rows))];
-    if let Some(inverse) = report.inverse() {
-        let gain = Text::from("gain ").number(1).mark("/").symbol(Symbol::Theta1);
-        let offset = Text::from("offset ").mark("-").symbol(Symbol::Theta2).mark("/").symbol(Symbol::Theta1);
-        blocks.push(Block::Space);
-        blocks.push(Block::Table(Table::new([Text::new(), gain, offset], inverse_rows(report, &inverse))));
-    }
     blocks.extend([Block::Paragraph(note(report).into()), Block::Facts(words)]);
+    blocks.extend(report.inverse().into_iter().flat_map(|inverse| inverse_blocks(report, &inverse)));
     blocks
 }
 
-/// What the words of the table mean.
+/// The two parameters; those of a line are its slope and its offset.
+pub(super) fn parameter_names(model: &Model) -> [Text; 2] {
+    match model {
+        Model::Line { .. } => [("slope ", Symbol::Theta1), ("offset ", Symbol::Theta2)]
+            .map(|(word, theta)| Text::from(word).symbol(theta)),
+        Model::TwoRegressors { .. } => THETA.map(Text::from),
+    }
+}
+
+/// The inverse line, with its title.
+fn inverse_blocks(report: &Report, inverse: &Inverse) -> Vec<Block> {
+    let rows = inverse_rows(report, inverse);
+    let measurements = &report.problem.measurements;
+    let Model::Line { x } = measurements.model() else { return Vec::new() };
+    if rows.is_empty() {
+        return Vec::new();
+    }
+    let x = measurements.line_form().abscissa(x);
+    let title = Text::from("Inverse line: ").given(&x).operator(Operator::Equals).words("gain");
+    let title =
+        title.operator(Operator::Dot).given(measurements.response()).operator(Operator::Plus).words("offset");
+    let gain = Text::from("gain ").number(1).mark("/").symbol(Symbol::Theta1);
+    let offset = Text::from("offset ").mark("-").symbol(Symbol::Theta2).mark("/").symbol(Symbol::Theta1);
+    vec![Block::Title(title), Block::Table(Table::new([Text::new(), gain, offset], rows))]
+}
+
+/// The meaning of each word in the table.
 fn words(fit: &Fit, error_bound: &ErrorBound) -> Vec<(Text, Text)> {
     let largest = match error_bound {
-        ErrorBound::Uniform(_) => "the estimate whose largest error is smallest",
+        ErrorBound::Uniform(_) => "the estimate with the smallest largest error",
         ErrorBound::Column(_) | ErrorBound::Law(_) => {
-            "the estimate whose largest error, in units of its bound, is smallest"
+            "the estimate with the smallest largest error, in units of each bound"
         }
         ErrorBound::Interval { .. } => {
-            "the estimate whose largest distance from the middle of an interval, in units of its half width, is smallest"
+            "the estimate with the smallest largest distance from the middles, in units of each half width"
         }
     };
     let words = [
-        ("EUI", fit.eui().is_some(), "estimate uncertainty interval: what such errors do to least squares"),
+        (
+            "EUI",
+            fit.eui().is_some(),
+            "estimate uncertainty interval: how far such errors can move least squares",
+        ),
         ("PUI", fit.pui.is_some(), "parameter uncertainty interval: all values in the feasible set (FPS)"),
-        ("central", fit.central.is_some(), "the mid-point of the PUI; guaranteed: to half its width"),
+        ("central", fit.central.is_some(), "the middle of the PUI; guaranteed: its largest possible error"),
         ("minimax", fit.minimax.is_some(), largest),
     ];
     let used = words.into_iter().filter(|(_, is_used, _)| *is_used);
@@ -118,28 +144,31 @@ fn inverse_rows(report: &Report, inverse: &Inverse) -> Vec<Vec<Text>> {
         let cell = |axis: usize| scales[axis].union(&of(both[axis]));
         vec![label.into(), cell(0), cell(1)]
     };
+    let is_full = report.extent == Extent::Full;
     let mut rows = Vec::new();
-    if fit.least_squares.is_ok() {
+    if is_full && fit.least_squares.is_ok() {
         rows.push(estimate("least squares", both.map(|own| own.least_squares.clone())));
     }
-    if both.iter().all(|own| own.eui_range.is_some()) {
+    if is_full && both.iter().all(|own| own.eui_range.is_some()) {
         rows.push(intervals("EUI", &|own| own.eui_range.clone().unwrap_or_default()));
     }
-    if fit.pui.is_some() {
+    if is_full && fit.pui.is_some() {
         rows.push(intervals("PUI", &|own| own.box_range.clone()));
+    }
+    if fit.pui.is_some() {
         rows.push(intervals("over the FPS", &|own| own.exact_range.clone()));
     }
     if fit.central.is_some() {
         rows.push(estimate("central", both.map(|own| own.central.clone())));
     }
-    if let Some(minimax) = &fit.minimax {
+    if let Some(minimax) = fit.minimax.as_ref().filter(|_| is_full) {
         let [theta1, theta2] = &minimax.theta;
         rows.push(estimate("minimax", [theta1.recip(), (-theta2).checked_div(theta1)]));
     }
     rows
 }
 
-/// What the digits of the tables are.
+/// How the numbers of the tables are rounded.
 fn note(report: &Report) -> String {
     if report.style.exact {
         return "All numbers are exact.".to_owned();
@@ -149,7 +178,7 @@ fn note(report: &Report) -> String {
         None => format!("Rounded to {} digits or more", report.style.significant()),
     };
     match report.style.ends {
-        EndRounding::Outward => format!("{digits}, ends and errors outward; shorter ones are exact."),
+        EndRounding::Outward => format!("{digits}, ends and errors outward; shorter numbers are exact."),
         EndRounding::Nearest => {
             format!("{digits}, to nearest: a printed interval may be too narrow by half a unit.")
         }

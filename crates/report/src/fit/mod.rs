@@ -1,30 +1,32 @@
 //! The report of a fit.
 
 mod brief;
+mod emptiness;
 mod estimates;
+mod next;
 mod results;
 
 pub use brief::brief_document;
 pub(crate) use estimates::bounded_rows;
+pub use next::{NextStep, next_document, next_steps};
 
 use boundfit_estimation::{
-    BoundName, ErrorBound, Fit, FractionCells, Inverse, Measurement, Model, MultipleOfLeast, NoLeastSquares,
-    ParameterBound, ParameterInterval, Problem, Ties, mending_rows,
+    ErrorBound, Fit, FractionCells, Inverse, Measurement, Model, MultipleOfLeast, NoLeastSquares,
+    ParameterBound, ParameterInterval, Problem, Ties,
 };
-use boundfit_exact::english::{counted, listed};
+use boundfit_exact::english::counted;
 use boundfit_exact::{Foreign, Interval, Rational, Reading};
 
 use crate::advice::bounding_reading;
 use crate::document::{Block, Document, Facts, Operator, Symbol, THETA, Table, Text};
-use crate::fit_json::NO_MENDING;
-use crate::formula::{absurdity, products};
+use crate::formula::products;
 use crate::origin::Origin;
 use crate::region::{names_of, region_blocks};
 use crate::scale::{Scale, scales};
 use crate::style::Style;
 use crate::table_json::table_words;
 
-/// What the set is called in titles.
+/// The name of the set in titles.
 const SET: &str = "Feasible parameter set (FPS)";
 
 /// When the report has gain and offset of the inverse line.
@@ -37,7 +39,17 @@ pub enum InverseLine {
     Always,
 }
 
-/// The report of a fit. The last part of it are the remaining results, so that [`Document::add_result`] can add to them.
+/// How much a report of a fit has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Extent {
+    /// The results that a calibration needs.
+    Usual,
+    /// Everything.
+    Full,
+}
+
+/// Writes the report of a fit: estimates, intervals, the inverse line, the vertices, ε_min and the lines at the ends of the slopes.
+/// The last block holds the remaining results, so that [`Document::add_result`] can add to them.
 pub fn fit_document(
     problem: &Problem,
     fit: &Fit,
@@ -45,8 +57,31 @@ pub fn fit_document(
     inverse_line: InverseLine,
     style: &Style,
 ) -> Document {
+    document(problem, fit, origin, inverse_line, style, Extent::Usual)
+}
+
+/// Writes the report of a fit as [`fit_document`] does, and adds the rest: the proof of each end of the PUI, every estimate of the
+/// inverse line, area and centroid, the guaranteed errors of least squares, and least squares in doubles.
+pub fn full_fit_document(
+    problem: &Problem,
+    fit: &Fit,
+    origin: &Origin,
+    inverse_line: InverseLine,
+    style: &Style,
+) -> Document {
+    document(problem, fit, origin, inverse_line, style, Extent::Full)
+}
+
+fn document(
+    problem: &Problem,
+    fit: &Fit,
+    origin: &Origin,
+    inverse_line: InverseLine,
+    style: &Style,
+    extent: Extent,
+) -> Document {
     let pui = fit.pui_intervals();
-    let report = Report::new(problem, fit, pui.as_ref(), inverse_line, style);
+    let report = Report { extent, ..Report::new(problem, fit, pui.as_ref(), inverse_line, style) };
     let mut blocks = vec![Block::Title("Set-membership fit".into())];
     blocks.push(Block::Facts(Facts { width: 7, rows: report.facts(origin) }));
     let region = fit.fps.polyhedron().region();
@@ -61,30 +96,30 @@ pub fn fit_document(
     }
     let advice = bounding_reading(region, &problem.measurements, style);
     blocks.extend(advice.map(Block::Paragraph));
-    let proofs = report.proofs();
+    let proofs = if extent == Extent::Full { report.proofs() } else { Vec::new() };
     if !proofs.is_empty() {
         let header = Text::from("multiplier").operator(Operator::Times).words("(row and bound)");
-        blocks.push(Block::Title("What proves each end of the PUI".into()));
+        blocks.push(Block::Title("Proof of each end of the PUI".into()));
         blocks.push(Block::Table(Table::new([Text::new(), Text::new(), header], proofs)));
     }
     blocks.push(Block::Results(results::lines(&report)));
     Document::new(blocks)
 }
 
-/// What was fitted, in which way, for the head of any answer about readings.
+/// The facts about model, bounds and data that head every answer about readings.
 pub(crate) fn fit_facts(problem: &Problem, fit: &Fit, origin: &Origin, style: &Style) -> Facts {
     let report = Report::new(problem, fit, None, InverseLine::default(), style);
     Facts { width: 7, rows: report.facts(origin) }
 }
 
-/// Of an empty set which rows contradict each other, and what would help, for any answer that needs a set.
+/// Says of an empty set which rows contradict each other, and what would help, for any answer that needs a set.
 pub(crate) fn empty_blocks(problem: &Problem, fit: &Fit, style: &Style) -> Vec<Block> {
     let report = Report::new(problem, fit, None, InverseLine::default(), style);
     let title = Block::Title(format!("{SET}: {}", fit.fps.polyhedron().region().kind().name()).into());
     [title].into_iter().chain(report.emptiness().into_iter().map(Block::Paragraph)).collect()
 }
 
-/// What an error bound that was found from the readings themselves stands and falls with.
+/// The assumption behind an error bound that was found from the readings themselves.
 fn assumption(MultipleOfLeast { factor, least }: &MultipleOfLeast, style: &Style) -> Text {
     let text = match *factor == Rational::one() {
         true => Text::from("that no error is larger than eps_min, "),
@@ -111,7 +146,7 @@ pub(crate) fn fractions(FractionCells { column, cells, first }: &FractionCells) 
     Text::new().given(column).words(said).given(first)
 }
 
-/// What the parts of a report are made of.
+/// The material of all parts of a report.
 struct Report<'a> {
     problem: &'a Problem,
     fit: &'a Fit,
@@ -119,6 +154,7 @@ struct Report<'a> {
     /// How the values of the two parameters are shown.
     theta: [Scale<'a>; 2],
     inverse_line: InverseLine,
+    extent: Extent,
 }
 
 impl<'a> Report<'a> {
@@ -137,7 +173,7 @@ impl<'a> Report<'a> {
         ];
         let estimates: Vec<&[Rational; 2]> = estimates.into_iter().flatten().collect();
         let theta = scales(style, pui, &others, &estimates, fit.fps.polyhedron().region().vertices());
-        Report { problem, fit, style, theta, inverse_line }
+        Report { problem, fit, style, theta, inverse_line, extent: Extent::Usual }
     }
 
     /// The inverse line, if it is to be shown.
@@ -150,7 +186,7 @@ impl<'a> Report<'a> {
         self.fit.inverse(self.problem.measurements.model()).filter(|_| is_shown)
     }
 
-    /// What was fitted, in which way.
+    /// The facts about model, bounds and data.
     fn facts(&self, &Origin { file, reading, is_stored }: &Origin) -> Vec<(Text, Text)> {
         let measurements = &self.problem.measurements;
         let bounded = Text::new().mark("|").symbol(Symbol::Error).mark("|").operator(Operator::AtMost);
@@ -250,7 +286,7 @@ impl<'a> Report<'a> {
         model.operator(Operator::Plus).symbol(Symbol::Error)
     }
 
-    /// How many of the bounds that two columns may have are there, and what least squares takes.
+    /// Counts the bounds that two columns give, and names the values that least squares uses.
     fn intervals(&self) -> Text {
         let measurements = &self.problem.measurements;
         let rows = measurements.kept();
@@ -258,7 +294,7 @@ impl<'a> Report<'a> {
         let times = |row: &Measurement| ties.map_or(1, |ties| ties.count(row.row));
         let all: usize = rows.iter().map(times).sum();
         let lacking: usize = rows.iter().filter(|row| row.half_width().is_none()).map(times).sum();
-        // Of the other rows it is not known.
+        // Other rows are no longer in memory.
         let which = if measurements.every().is_some() { "" } else { " kept" };
         let bounds = match lacking {
             0 => format!("both bounds of every row{which}"),
@@ -279,80 +315,6 @@ impl<'a> Report<'a> {
 
     fn name(&self, index: usize) -> String {
         self.fit.fps.name(index).to_string()
-    }
-
-    /// Of an empty set which rows contradict each other, and what would help.
-    fn emptiness(&self) -> Vec<Text> {
-        let (style, error_bound) = (self.style, self.problem.measurements.error_bound());
-        let terms = self.fit.contradiction(error_bound).unwrap_or_default();
-        let names: Vec<String> = terms.iter().map(|(name, _)| name.to_string()).collect();
-        let verb = if names.len() == 1 { "cannot hold" } else { "contradict each other" };
-        let contradiction = format!("No theta meets every bound. These {verb}: {}.", names.join(", "));
-        let products = products(terms.iter().map(|(name, m)| (style.proof(m), name.to_string())));
-        let proof = absurdity(Text::from("Proof: ").then(products), &self.sum_of(&terms), style);
-        let help = match (&self.fit.minimax, error_bound) {
-            (None, _) if !self.problem.measurements.has_widths() => {
-                "No row has both bounds, so there is no width that could grow.".into()
-            }
-            (None, _) => "A larger error bound would not help.".into(),
-            (Some(minimax), ErrorBound::Uniform(epsilon)) => {
-                let growth = Text::from("The error bound would have to grow by ")
-                    .number(style.upper(&(&minimax.least - epsilon)));
-                growth.words(", to at least ").then(style.upper_with_exact(&minimax.least)).words(".")
-            }
-            (Some(minimax), ErrorBound::Column(_) | ErrorBound::Law(_)) => {
-                Text::from("All error bounds would have to grow by a factor of at least ")
-                    .then(style.upper_with_exact(&minimax.least))
-                    .words(".")
-            }
-            (Some(minimax), ErrorBound::Interval { .. }) => {
-                Text::from("All intervals would have to grow about their middles by a factor of at least ")
-                    .then(style.upper_with_exact(&minimax.least))
-                    .words(".")
-            }
-        };
-        let is_known = self.problem.measurements.deciding_minimax().is_ok();
-        let help = self.swapped().map_or_else(|| is_known.then_some(help), |why| Some(why.into()));
-        let mending = self.mending().into();
-        [contradiction.into(), proof.words(".")].into_iter().chain(help).chain([mending]).collect()
-    }
-
-    /// In how many rows the lower bound is above the upper one, if in any.
-    fn swapped(&self) -> Option<String> {
-        let measurements = &self.problem.measurements;
-        let rows = measurements.kept();
-        let is_swapped =
-            |row: &&Measurement| row.lower().zip(row.upper()).is_some_and(|(lower, upper)| lower > upper);
-        let count = rows.iter().filter(is_swapped).count();
-        // Of the other rows it is not known.
-        let which = if measurements.all().is_some() { "rows" } else { "rows kept" };
-        (count > 0).then(|| {
-            format!("In {count} of {} {which} the lower bound is above the upper one: swapped?", rows.len())
-        })
-    }
-
-    /// Which single row an empty set would have to lose.
-    fn mending(&self) -> String {
-        match mending_rows(self.problem, self.fit).as_deref() {
-            None => format!("Which row alone would mend it is not told, {NO_MENDING}."),
-            Some([]) => "To leave out a single row would not mend it.".to_owned(),
-            Some([row]) => format!("To leave out row {row} would mend it; no other single row would."),
-            Some(rows) => {
-                let rows: Vec<String> = rows.iter().map(ToString::to_string).collect();
-                format!("To leave out one of the rows {} would mend it; no other would.", listed(&rows))
-            }
-        }
-    }
-
-    /// The right-hand side of a combination of half-planes.
-    fn sum_of(&self, terms: &[(BoundName, Rational)]) -> Rational {
-        let inequalities = self.fit.fps.polyhedron().system().inequalities();
-        let right_hand_side = |name: &BoundName| {
-            (0..inequalities.len())
-                .find(|&index| self.fit.fps.name(index) == *name)
-                .map(|index| &inequalities[index].b)
-        };
-        terms.iter().filter_map(|(name, multiplier)| Some(right_hand_side(name)? * multiplier)).sum()
     }
 
     /// The readings behind each end of the PUI.

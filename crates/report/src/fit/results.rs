@@ -3,18 +3,28 @@
 use boundfit_estimation::{ErrorBound, FloatEstimate, LeastSquares, least_squares_is_feasible};
 use boundfit_exact::english::list;
 
-use super::Report;
+use super::{Extent, Report};
 use crate::document::{Symbol, THETA, Text};
 use crate::fit_json::{NO_BINARY64, NO_WIDTHS};
 use crate::region::measured_point;
 use crate::slope_lines;
 use crate::style::Style;
 
-/// A label, blank where the line goes on with the result above, and the result.
+/// Returns each label with its result; the label is blank where the line continues the result above.
 pub(super) fn lines(report: &Report) -> Vec<(Text, Text)> {
-    let (fit, style) = (report.fit, report.style);
     let mut lines: Vec<(Text, Text)> = report.least_error_bound();
-    lines.extend(slope_lines::of_fit(report.problem, fit, &report.theta));
+    lines.extend(slope_lines::of_fit(report.problem, report.fit, &report.theta));
+    if report.extent == Extent::Full {
+        lines.extend(sizes(report));
+    }
+    lines.extend(report.least_squares());
+    lines
+}
+
+/// The area and the centroid of the set.
+fn sizes(report: &Report) -> Vec<(Text, Text)> {
+    let (fit, style) = (report.fit, report.style);
+    let mut lines = Vec::new();
     let region = fit.fps.polyhedron().region();
     let measures = region.measures();
     if let Some(area) = measures.area().filter(|_| !region.is_empty()) {
@@ -28,7 +38,6 @@ pub(super) fn lines(report: &Report) -> Vec<(Text, Text)> {
     if let Some(centroid) = measures.centroid() {
         lines.push(("centroid".into(), measured_point(&centroid, &report.theta)));
     }
-    lines.extend(report.least_squares());
     lines
 }
 
@@ -61,9 +70,9 @@ impl Report<'_> {
         lines
     }
 
-    /// What arithmetic in doubles makes of least squares.
+    /// The rounding errors of least squares in doubles.
     fn in_doubles(&self) -> Vec<(Text, Text)> {
-        // Of what is off in the sixteenth digit, two digits say enough.
+        // Two digits are enough for an error in the sixteenth digit.
         let short = Style { digits: Some(2), ..*self.style };
         let float = |method: &str, estimate: &Option<FloatEstimate>| match estimate {
             Some(FloatEstimate { distance: [first, second], .. }) => {
@@ -100,7 +109,9 @@ impl Report<'_> {
             (Ok(_), _) => "feasible".into(),
         };
         let mut lines = vec![("least squares".into(), state)];
-        if let (Ok(own), Some(errors)) = (&fit.least_squares, fit.least_squares_guaranteed_error()) {
+        let is_full = self.extent == Extent::Full;
+        let errors = fit.least_squares_guaranteed_error().filter(|_| is_full);
+        if let (Ok(own), Some(errors)) = (&fit.least_squares, errors) {
             let error = |axis: usize| {
                 let shown = self.theta[axis].give_or_take(&own.theta[axis], &errors[axis], style);
                 Text::from(THETA[axis]).mark(" ").symbol(Symbol::PlusMinus).number(shown.error)
@@ -108,7 +119,9 @@ impl Report<'_> {
             let line = Text::from("guaranteed error ").then(error(0)).words(", ").then(error(1));
             lines.push((Text::new(), line));
         }
-        lines.extend(self.in_doubles());
+        if is_full {
+            lines.extend(self.in_doubles());
+        }
         if let Ok(LeastSquares { eui: Err(reason), .. }) = &fit.least_squares {
             lines.push(("EUI".into(), format!("none: {reason}").into()));
         }
