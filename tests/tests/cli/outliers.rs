@@ -126,7 +126,7 @@ fn more_sets_than_are_asked_for_are_cut() {
     let text = printed_with_input(&root(), &format!("{READ} --eps 0 --limit sets=4"), rows.as_bytes());
     assert!(
         unbroken(&text).contains(
-            "These are 4 of the sets of so few without which something is left; there are more (the limit 'sets')."
+            "These are 4 of the sets of this size that leave feasible parameters; more exist (the limit 'sets')."
         ),
         "{text}"
     );

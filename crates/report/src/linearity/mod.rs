@@ -114,7 +114,7 @@ impl Report<'_> {
         facts.chain(table).chain(notes).collect()
     }
 
-    /// What the characteristic is made of.
+    /// The origin of the characteristic.
     fn response(&self) -> Text {
         let points = counted(self.linearity.average.count(), "point", "points");
         match &self.input.response {
@@ -191,7 +191,7 @@ impl Report<'_> {
         blocks
     }
 
-    /// What each way means.
+    /// The meaning of each way.
     fn words(&self) -> Vec<(Text, Text)> {
         let [x, y] = &self.options.through;
         let point = pair(self.style.given(x), self.style.given(y));
@@ -215,7 +215,7 @@ impl Report<'_> {
     /// The readings that prove the independent value.
     fn proof(&self) -> Vec<Block> {
         let characteristic = &self.linearity.average;
-        let title = Block::Title("What proves the independent linearity".into());
+        let title = Block::Title("Proof of the independent linearity".into());
         if characteristic.proof.is_empty() {
             let exact = "Nothing needs to: every point lies on one line exactly.";
             return vec![title, Block::Paragraph(exact.into())];

@@ -24,10 +24,10 @@ use crate::region::{endless, kind_text, names_of, vertex_table};
 use crate::scale::{Scale, scales};
 use crate::style::Style;
 
-/// What a report of outliers is about.
+/// The material of a report of outliers.
 #[derive(Debug, Clone, Copy)]
 pub struct OutliersReport<'a> {
-    /// What was asked.
+    /// The question.
     pub problem: &'a Problem,
     /// The fit of all readings.
     pub fit: &'a Fit,
@@ -99,13 +99,12 @@ fn answer(report: &OutliersReport, outliers: &Outliers, style: &Style) -> Vec<Bl
         (0, ..) => {
             "Some parameters agree with every reading; below is the feasible set of all of them.".into()
         }
-        (_, true, 1) => "There is one set of so few without which something is left.".into(),
+        (_, true, 1) => "Only one set of this size leaves a feasible parameter.".into(),
         (_, true, _) => format!(
-            "There are {count} sets of so few without which something is left; what is left without one and without another \
-             has no point in common."
+            "{count} sets of this size leave feasible parameters; no two of the remaining sets have a point in common."
         ),
         (_, false, _) => format!(
-            "These are {count} of the sets of so few without which something is left; there are more (the limit 'sets')."
+            "These are {count} of the sets of this size that leave feasible parameters; more exist (the limit 'sets')."
         ),
     };
     let mut blocks = vec![Block::Title(title.into()), Block::Paragraph(sentence.into())];
@@ -142,7 +141,7 @@ fn piece_blocks(
         blocks.extend(missed_table(problem, piece, style));
     }
     let kind = kind_text(region.kind(), region.vertices().len());
-    let left = if outliers.least > 0 { "What is left" } else { "Feasible parameter set (FPS)" };
+    let left = if outliers.least > 0 { "Remaining set" } else { "Feasible parameter set (FPS)" };
     let pui = piece.left.polyhedron().bounding_box();
     let shown: [Scale; 2] = scales(style, pui.as_ref(), &[], &[], region.vertices());
     blocks.push(if outliers.least > 0 {
@@ -217,7 +216,7 @@ fn further_sets(outliers: &Outliers) -> Vec<Block> {
         )
     });
     let title = Block::Title("Further sets".into());
-    let table = Block::Table(Table::new(["set", "without", "what is left"], rows));
+    let table = Block::Table(Table::new(["set", "without", "remaining set"], rows));
     [title, table].into_iter().chain(more).collect()
 }
 
@@ -241,7 +240,7 @@ fn growth_blocks(growth: &[Growth], style: &Style) -> Vec<Block> {
     let header =
         ["missed".into(), "pieces".into(), Text::from(THETA[0]), Text::from(THETA[1]), "area".into()];
     vec![
-        Block::Title("What agrees with all readings but a few".into()),
+        Block::Title("Sets that miss at most a few readings".into()),
         Block::Table(Table::new(header, growth.iter().map(row).collect())),
     ]
 }

@@ -34,7 +34,7 @@ pub struct AskedValues<'a> {
     pub values: &'a (dyn Fn() -> Box<dyn Iterator<Item = [Rational; 2]> + 'a> + 'a),
 }
 
-/// What is predicted, from what.
+/// The material of a report of predictions.
 pub struct Prediction<'a> {
     /// The readings.
     pub problem: &'a Problem,
@@ -42,7 +42,7 @@ pub struct Prediction<'a> {
     pub fit: &'a Fit,
     /// Where they come from.
     pub origin: Origin<'a>,
-    /// What is known of the error of a further reading.
+    /// The known bound on the error of a further reading.
     pub error: Result<FurtherError, NoFurtherError>,
     /// The law by which that was given, where it is not that of the readings.
     pub given: Option<Law>,
@@ -126,7 +126,7 @@ pub fn prediction_document(prediction: &Prediction, has_proofs: bool, style: &St
     Document::new(blocks)
 }
 
-/// What is known of the error of a further reading.
+/// The known bound on the error of a further reading.
 fn further(prediction: &Prediction, style: &Style) -> Text {
     let bounded = Text::new().mark("|").symbol(Symbol::Error).mark("|").operator(Operator::AtMost);
     let law = prediction.given.as_ref().or_else(|| prediction.problem.measurements.law());
@@ -172,8 +172,8 @@ fn values(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<
     };
     let rows = values().take(MOST_LISTED).map(row).collect();
     let (title, what) = match prediction.is_line() {
-        true => ("Where the line runs, and where a further reading lies", "line"),
-        false => ("What the model is worth, and where a further reading lies", "model"),
+        true => ("The line, and a further reading", "line"),
+        false => ("The model, and a further reading", "model"),
     };
     let table = Table::new(["at", what, "a further reading"], rows);
     let mut blocks = vec![Block::Title(title.into()), Block::Table(table)];
@@ -265,8 +265,8 @@ fn proofs(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<
     }
     let header = Text::from("multiplier").operator(Operator::Times).words("(row and bound)");
     let title = match prediction.is_line() {
-        true => "What proves each end of the line",
-        false => "What proves each end of the model",
+        true => "Proof of each end of the line",
+        false => "Proof of each end of the model",
     };
     let table = Table::new([Text::new(), "reached by".into(), header], rows);
     vec![Block::Title(title.into()), Block::Table(table)]

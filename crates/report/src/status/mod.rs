@@ -21,10 +21,10 @@ use crate::fit::fit_facts;
 use crate::origin::Origin;
 use crate::style::Style;
 
-/// What a report of statuses is made of.
+/// The material of a report of statuses.
 #[derive(Debug, Clone)]
 pub struct StatusReport<'a> {
-    /// What was fitted.
+    /// The problem.
     pub problem: &'a Problem,
     /// The set of all readings.
     pub fit: &'a Fit,
@@ -71,16 +71,16 @@ pub fn status_document(report: StatusReport, origin: &Origin, style: &Style) -> 
     Document::new(blocks)
 }
 
-/// What is to be known first of the readings of the set.
+/// The summary of the readings of the set.
 fn of_all(problem: &Problem, fit: &Fit, ranking: &Ranking) -> Vec<String> {
     let readings = counted(ranking.count(), "reading", "readings");
     if let Some(contradiction) = fit.contradiction(problem.measurements.error_bound()) {
         let names = contradiction.iter().map(|(name, _)| name.to_string());
         let verb = if names.len() == 1 { "cannot hold" } else { "contradict each other" };
         let mending = match ranking.count_without(Some(Status::Outlier)) {
-            0 => "No reading can be left out alone so that something is left.",
-            1 => "One reading can be left out alone so that something is left; no other can.",
-            _ => "Each of these readings can be left out alone so that something is left; no other can.",
+            0 => "No single reading is an outlier: without any one of them the set stays empty.",
+            1 => "Without this reading alone the set is not empty; no other reading has this effect.",
+            _ => "Without any one of these readings the set is not empty; no other reading has this effect.",
         };
         return vec![
             format!("No theta meets every bound. These {verb}: {}.", names.collect::<Vec<_>>().join(", ")),
@@ -104,8 +104,8 @@ fn of_all(problem: &Problem, fit: &Fit, ranking: &Ranking) -> Vec<String> {
     };
     let others = match ranking.count() - touching {
         0 => "",
-        1 => " The other one could go, and it would be the same.",
-        _ => " All others together could go, and it would be the same.",
+        1 => " Removing the other reading leaves the set unchanged.",
+        _ => " Removing all other readings leaves the set unchanged.",
     };
     vec![
         format!("{readings} against the set of all: {all}. {which}{others}"),
@@ -113,7 +113,7 @@ fn of_all(problem: &Problem, fit: &Fit, ranking: &Ranking) -> Vec<String> {
     ]
 }
 
-/// What is to be known first of further readings.
+/// The summary of further readings.
 fn of_new(fit: &Fit, ranking: &Ranking) -> String {
     let readings = counted(ranking.count(), "reading", "readings");
     match fit.is_empty() {
@@ -193,7 +193,7 @@ fn cells_of(standing: Option<&Standing>, style: &Style) -> [Text; 3] {
     [status.name().into(), number(leverage), number(residual)]
 }
 
-/// What the words mean.
+/// The meaning of the words.
 fn legend(used: &[Status]) -> Vec<(Text, Text)> {
     let meaning = |status: &Status| match status {
         Status::Inner => "|r| < 1 - l: changes nothing, with room to spare",

@@ -48,7 +48,7 @@ pub fn x_error_document(
         let proofs = report.proofs();
         if !proofs.is_empty() {
             let header = Text::from("multiplier").operator(Operator::Times).words("(row and bound)");
-            blocks.push(Block::Title("What proves each end of the PUI".into()));
+            blocks.push(Block::Title("Proof of each end of the PUI".into()));
             blocks.push(Block::Table(Table::new([Text::new(), Text::new(), header], proofs)));
         }
     }
@@ -65,7 +65,7 @@ fn lines_of(side: Side) -> &'static str {
     }
 }
 
-/// What the parts of a report are made of.
+/// The material of all parts of a report.
 struct XErrorReport<'a> {
     problem: &'a XErrorProblem,
     answer: &'a XErrorFit,
@@ -123,7 +123,7 @@ impl<'a> XErrorReport<'a> {
         facts
     }
 
-    /// What there is, in one line.
+    /// The kind of the set, in one line.
     fn title(&self) -> String {
         let pieces = match (self.answer.pieces().len(), self.answer.are_joined()) {
             (2, Some(true)) => "two pieces joined at theta1 = 0",
