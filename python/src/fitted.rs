@@ -262,7 +262,7 @@ impl Fitted {
 }
 
 /// Says how a step is taken in Python.
-fn next_words(step: &NextStep) -> Option<String> {
+pub(crate) fn next_words(step: &NextStep) -> Option<String> {
     Some(match step {
         NextStep::Outliers => "fit.outliers()".to_owned(),
         NextStep::Status => "fit.status()".to_owned(),

@@ -12,7 +12,7 @@ use pyo3::types::{PyBytes, PyTuple};
 use crate::asked::{self, AskedTable, in_words};
 use crate::cells::{NamedColumn, columns_of, table};
 use crate::data::Data;
-use crate::fitted::Fitted;
+use crate::fitted::{Fitted, next_words};
 use crate::numbers::{Given, refuse};
 use crate::questions;
 
@@ -89,6 +89,7 @@ impl Readings {
             let asked = question.read(&self.asked, self.source()?, Shows::Rows);
             let asked = asked.map_err(|refusal| questions::in_words(&refusal))?;
             let answer = question.answer(&asked).map_err(|refusal| questions::in_words(&refusal))?;
+            let answer = ask::Fitted { next_words: Some(next_words), ..answer };
             Ok(Fitted {
                 asked,
                 answer,

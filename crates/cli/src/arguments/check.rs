@@ -31,10 +31,11 @@ pub(super) const NOTES: Notes = Notes {
 
 /// Judge LP answers about the same fit: is each end of the parameter uncertainty intervals right?
 ///
-/// Solvers of this build and claims from elsewhere are compared with the exact answer. A verdict is exact, rounded (at most
-/// 4 units in the last place of a double away, or half a unit of the last digit printed), within tolerance (on either side),
-/// loose (too wide), infeasible point, unsafe (cuts off feasible parameters), wrong status or inverted interval, judged
-/// against the data as written, which decide the exit status, and against the doubles that a solver receives.
+/// boundfit compares solvers of this build and claims from elsewhere with the exact answer. Verdicts are exact, rounded
+/// (at most 4 units in the last place of a double, or half a unit of the last printed digit), within tolerance (on
+/// either side), loose (too wide), infeasible point, unsafe (cuts off feasible parameters), wrong status and inverted
+/// interval. The data as written decide the exit status; the report also judges against the doubles that a solver
+/// receives.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_arg("tolerance", |arg| arg.help(
     "How far a bound may be off to either side, in widths of the interval, and how far outside a point, in units of eps"
@@ -42,30 +43,32 @@ pub(super) const NOTES: Notes = Notes {
 pub(crate) struct CheckArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
-    /// Judge this solver; repeatable. All of this build when neither this nor a claim is given
+    /// Judge this solver; repeatable. Default: all solvers of this build, unless a claim is given
     #[arg(long = "solver", value_name = "NAME")]
     pub(crate) solvers: Vec<String>,
-    /// Judge the claims in this file: JSON, or the solution that GLPK, HiGHS, CPLEX (XML), CBC or SCIP wrote about one of the
-    /// programs of 'boundfit convert', which its name tells (theta1-min ...); of a folder, the solutions in it; repeatable
+    /// Judge the claims in this file: JSON, or a solution by GLPK, HiGHS, CPLEX (XML), CBC or SCIP of one of the
+    /// programs of 'boundfit convert'. The file name says which program (theta1-min ...); a folder gives all solutions
+    /// in it; repeatable
     #[arg(long = "claim", value_name = "FILE|DIR")]
     pub(crate) claims: Vec<String>,
     /// Judge these ends of the intervals; inf and -inf claim an unbounded end; repeatable
     #[arg(long = "claim-pui", value_name = "LO1,HI1,LO2,HI2", allow_hyphen_values = true)]
     pub(crate) claimed_pui: Vec<String>,
-    /// Give solvers the rows of all readings. When left out, those of more than 1000 readings of a line under one error bound
-    /// are given to them, and judged on, only as far as they can bound anything, unless a claim has multipliers of all rows
+    /// Give solvers the rows of all readings. By default, for more than 1000 readings of a line under one error bound,
+    /// solvers get only the rows that can bound the set, unless a claim has multipliers for all rows
     #[arg(long)]
     pub(crate) all_rows: bool,
-    /// Compare the set with the optimisers of linear programs in N directions
+    /// Compare the set with the optimal points of linear programs in N directions
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "16",
           value_parser = value_parser!(u16).range(3..=10000))]
     pub(crate) directions: Option<u16>,
-    /// Spread these directions evenly where the box of both intervals is a square, and not in the plane of theta1 and theta2
+    /// Spread these directions evenly after scaling the box of both intervals to a square, and not in the plane of
+    /// theta1 and theta2
     #[arg(long, requires = "directions")]
     pub(crate) scaled: bool,
     #[command(flatten)]
     pub(crate) tolerance: ToleranceArguments,
-    /// Seconds that a solver may work on one program
+    /// Seconds that a solver may spend on one program
     #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = value_parser!(u64).range(1..=86400))]
     pub(crate) time_limit: u64,
     #[command(flatten)]

@@ -30,25 +30,25 @@ pub(super) const NOTES: Notes = Notes {
 
 /// Write the linear programs behind the parameter uncertainty intervals as files for other solvers
 ///
-/// The four programs are the minimum and the maximum of theta1 and of theta2 over the feasible parameter set; a maximum is
-/// written as the minimum of the opposite. Every reading gives two rows, whether they matter or not, named after its data
-/// row (row14_upper, row14_lower), every condition one (where_1; an equation with =). No number is rounded: it is a decimal where it has a finite
-/// one, and otherwise its row is multiplied to whole numbers, as a comment says.
+/// The four programs are the minimum and the maximum of theta1 and of theta2 over the feasible parameter set; a maximum
+/// is written as the minimum of the opposite. Each reading gives two rows, named after its data row (row14_upper,
+/// row14_lower); each condition gives one (where_1; an equation with =). No number is rounded: it is a finite decimal,
+/// or its row is multiplied to whole numbers, as a comment says.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct ConvertArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
-    /// Format of the programs; told by the end of the output file's name when left out
+    /// Format of the programs. Default: the ending of the output file's name
     #[arg(long, value_parser = explained(ExchangeFormat::ALL.map(|format| {
         (PossibleValue::new(format.name()).help(format.title()), format)
     })))]
     pub(crate) to: Option<ExchangeFormat>,
-    /// Write this program alone; all four into a folder when left out
+    /// Write only this program. Default: all four, into a folder
     #[arg(long, value_parser = named(PuiEnd::ALL.map(|end| (end.name(), end))))]
     pub(crate) objective: Option<PuiEnd>,
-    /// Write the four programs into this folder, or the one of '--objective' to this file instead of standard output; each
-    /// file whole or not at all
+    /// Write the four programs into this folder, or the program of '--objective' to this file instead of standard
+    /// output; each file whole or not at all
     #[arg(short, long, value_name = "DIR|FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) output: Option<String>,
     #[command(flatten)]

@@ -56,8 +56,8 @@ pub(crate) enum ReportFormat {
     Latex,
     /// The report's tables in Markdown
     Markdown,
-    /// A table: of 'fit' intervals and estimates (--vertices: the vertices), with --by a row for each group; of 'polygon' the
-    /// vertices
+    /// A table: of 'fit' intervals and estimates (--vertices: the vertices), with --by a row per group; of 'polygon'
+    /// the vertices
     Csv,
     /// The set as well-known text, in decimals of at least 17 digits; bounded sets only
     Wkt,

@@ -29,18 +29,19 @@ pub(super) const NOTES: Notes = Notes {
     ],
 };
 
-/// Solve any linear program of at most two columns that bounds do not fix, exactly, with a proof of the answer
+/// Solve a linear program with at most two free variables exactly, with a proof of the answer
 ///
-/// The model is an MPS file (fixed or free) or an LP file as CPLEX writes it, packed by gzip or Zstandard or not; every number
-/// is what its text says. The answer is found by intersecting half-planes, confirmed by an exact simplex method, and
-/// multiplied out in the model as it was given: prices prove an optimum, Farkas multipliers that there is no feasible point,
-/// a ray that the objective improves for ever. docs/lp-files.md says how files are meant where readers differ.
+/// The model is an MPS file (fixed or free) or an LP file as CPLEX writes it, plain or packed by gzip or Zstandard.
+/// Each number means what its text says. boundfit intersects half-planes, confirms the answer by an exact simplex
+/// method, and multiplies it out in the model. Prices prove an optimum, Farkas multipliers prove infeasibility, and a
+/// ray proves that the objective is unbounded. docs/lp-files.md explains the files where readers differ.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct JudgeArguments {
-    /// MODEL.mps or MODEL.lp, or - for standard input, where the text tells which it is
+    /// MODEL.mps or MODEL.lp, or - for standard input, whose text decides the format
     pub(crate) model: String,
-    /// Also draw the feasible set, the optimal points and where the objective improves: FILE.svg, .png, .pdf, .tikz or .tex
+    /// Also draw the feasible set, the optimal points and the direction of improvement: FILE.svg, .png, .pdf, .tikz or
+    /// .tex
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) plot: Option<String>,
     #[command(flatten)]
@@ -65,9 +66,9 @@ pub(crate) enum JudgeFormat {
     Latex,
     /// The report's tables in Markdown
     Markdown,
-    /// What is found about solutions, for code hosts: SARIF 2.1.0, a rule for each aspect
+    /// Findings about solutions, for code hosts: SARIF 2.1.0, a rule for each aspect
     Sarif,
-    /// What is found about solutions, for continuous integration: JUnit XML, a test case for each aspect
+    /// Findings about solutions, for continuous integration: JUnit XML, a test case for each aspect
     Junit,
     /// The irredundant half-planes of the feasible set as cdd's and lrs's H-representation
     Ine,

@@ -24,11 +24,11 @@ pub(super) const NOTES: Notes = Notes {
     ],
 };
 
-/// Write a web page that explains the polygon of feasible parameters on these very readings
+/// Write a web page that explains the feasible parameters of these readings
 ///
-/// One file without any outside parts, for every browser: the readings and the parameter plane side by side, clipping
-/// step by step, the error bound as a slider, what each reading contributes, and questions with answers. All numbers
-/// on it are exact and computed when it is written.
+/// The page is one file without outside parts, for every browser. It shows the readings and the parameter plane side by
+/// side, clipping step by step, a slider for the error bound, the role of each reading, and questions with answers. All
+/// numbers are exact.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_arg("limit", |limit| limits::with(&[Limit::Readings])(limit).hide_short_help(false)))]
 pub(crate) struct LessonArguments {
@@ -36,7 +36,7 @@ pub(crate) struct LessonArguments {
     pub(crate) data: DataArguments,
     #[command(flatten)]
     pub(crate) labels: LabelArguments,
-    /// The language that the page speaks at first; the reader can change it
+    /// First language of the page; the reader can change it
     #[arg(long, default_value = Language::English.code(),
           value_parser = named(Language::ALL.map(|language| (language.code(), language))))]
     pub(crate) language: Language,

@@ -49,7 +49,7 @@ pub(super) fn with(own: &'static [Limit]) -> impl FnOnce(Arg) -> Arg {
 
 fn long_help(own: &[Limit]) -> String {
     let mut help =
-        format!("{HELP}. Sizes may have a unit, as in memory=512MiB. The names, with N when left out:");
+        format!("{HELP}. Sizes may have a unit, as in memory=512MiB. The names, each with its default:");
     for limit in of_files().chain(own.iter().copied()) {
         let (most, what) = about(limit);
         help += &format!("\n- {} ({most}): {what}", limit.name());
@@ -57,7 +57,7 @@ fn long_help(own: &[Limit]) -> String {
     help
 }
 
-/// What a limit is when it is left out, and what it limits.
+/// Returns the default of a limit, and what it limits.
 fn about(limit: Limit) -> (String, &'static str) {
     let (numbers, sizes, outliers) = (Limits::default(), SizeLimits::default(), OutlierLimits::default());
     let (most, what) = match limit {
@@ -65,25 +65,23 @@ fn about(limit: Limit) -> (String, &'static str) {
             (numbers.digits as u64, "digits of one number, of a fraction above and below its bar")
         }
         Limit::Exponent => (numbers.exponent.into(), "absolute value of a decimal exponent"),
-        Limit::Line => (sizes.line as u64, "bytes of one line, and of one row that goes over several"),
+        Limit::Line => (sizes.line as u64, "bytes of one line, and of one row on several lines"),
         Limit::Columns => (sizes.columns as u64, "columns of a table of text"),
-        Limit::Rows => (
-            sizes.rows as u64,
-            "rows that an .ine or .ext file announces, a linear program has, or that are held in memory",
+        Limit::Rows => {
+            (sizes.rows as u64, "rows of an .ine or .ext file or of a linear program, or rows held in memory")
+        }
+        Limit::Elements => (
+            sizes.elements as u64,
+            "elements of one array in a .mat file, or coefficients of a linear program",
         ),
-        Limit::Elements => {
-            (sizes.elements as u64, "elements of one array in a .mat file, coefficients of a linear program")
-        }
-        Limit::Unpacked => (sizes.unpacked, "bytes that a .gz or .zst file may unpack to"),
+        Limit::Unpacked => (sizes.unpacked, "bytes of an unpacked .gz or .zst file"),
         Limit::Ratio => {
-            (sizes.ratio, "how many times its size a packed file of any kind may unpack to, beyond 64 MB")
+            (sizes.ratio, "unpacked size of any packed file as a multiple of its size, beyond 64 MB")
         }
-        Limit::Workbook => {
-            (sizes.workbook, "bytes that an .xlsx or .ods workbook may have, packed or unpacked")
-        }
+        Limit::Workbook => (sizes.workbook, "bytes of an .xlsx or .ods workbook, packed or unpacked"),
         Limit::Work => (
             sizes.work,
-            "products of machine words that exact arithmetic on numbers of more than a thousand digits may take",
+            "products of machine words for exact arithmetic on numbers of more than a thousand digits",
         ),
         Limit::Text => (
             sizes.text,
@@ -92,20 +90,18 @@ fn about(limit: Limit) -> (String, &'static str) {
         Limit::Nesting => (sizes.nesting as u64, "depth of arrays and objects in a JSON file"),
         Limit::Memory => (
             sizes.memory.limit(),
-            "bytes that readings which are held take with all that is made of them, and that reading a file takes",
+            "bytes of memory for held readings and everything computed from them, and for reading a file",
         ),
         Limit::Fraction => (
             LONGEST_FRACTION as u64,
-            "digits of the fraction of an area or centroid, which takes as many as all vertices together; beyond, its \
-             decimal alone is written",
+            "digits of the fraction of an area or centroid, about as many as all vertices have together; beyond, only its \
+             decimal is written",
         ),
-        Limit::Sets => (outliers.sets as u64, "sets of outliers that are listed"),
-        Limit::Steps => {
-            (outliers.steps, "crossings of two bounds that may be looked at; a million take about a second")
-        }
+        Limit::Sets => (outliers.sets as u64, "listed sets of outliers"),
+        Limit::Steps => (outliers.steps, "crossings of two bounds to visit; a million take about a second"),
         Limit::Readings => (
             boundfit_lesson::MOST_ROWS as u64,
-            "readings that a page is written for: its size and the time for it grow with their square",
+            "readings on a page; its size and time grow with their square",
         ),
     };
     let with_unit = |bits: u32| (is_size(limit) && most.trailing_zeros() >= bits).then_some(most >> bits);

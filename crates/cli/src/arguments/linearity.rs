@@ -25,52 +25,52 @@ pub(super) const NOTES: Notes = Notes {
     statuses: &[(0, "an answer was found"), BAD_DATA, BAD_USAGE],
 };
 
-/// How far a sensor is from a straight line, as laws and data sheets state it: independent, terminal, zero-based and
+/// State how far a sensor is from a straight line, as laws and data sheets do: independent, terminal, zero-based and
 /// least-squares linearity
 ///
-/// Independent linearity is the largest deviation of the actual characteristic, the average of upscale and downscale
-/// readings, from the straight line that makes it as small as can be; three readings prove it. Terminal linearity is
-/// measured from the line through both ends of the range, zero-based linearity from the best line through a given point,
-/// least-squares linearity from the least-squares line. Each is given in units of y and in percent of full scale, for the
-/// average, and for upscale and downscale readings alone; with hysteresis, the largest difference of both at one x, and
-/// repeatability, the largest spread of readings at one x in one direction.
+/// Independent linearity is the largest deviation of the characteristic (the average of upscale and downscale readings)
+/// from the best straight line; three readings prove it. Terminal linearity uses the line through both ends of the
+/// range, zero-based linearity the best line through a given point, and least-squares linearity the least-squares line.
+/// Each value is given in units of y and in percent of full scale, for the average, for upscale and for downscale
+/// readings. Hysteresis is the largest difference between both directions at one x, repeatability the largest spread of
+/// readings at one x in one direction.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct LinearityArguments {
     /// A table of readings, or - for standard input
     pub(crate) data: String,
-    /// Column of what was applied, by header name or number from 1
+    /// Column of the applied x, by header name or number from 1
     #[arg(long, value_name = "COL", value_parser = parse_column, required = true)]
     pub(crate) x: ColumnSelector,
-    /// Column of what the sensor gave. Without --direction every reading is taken as it is, none averaged
+    /// Column of the sensor's output. Without --direction each reading is used as it is and none are averaged
     #[arg(long, value_name = "COL", value_parser = parse_column, required_unless_present = "up",
           conflicts_with_all = ["up", "down"])]
     pub(crate) y: Option<ColumnSelector>,
-    /// Column of what the sensor gave while x was rising; the cell may be empty where only the other one was read
+    /// Column of the sensor's output for rising x; a cell may be empty if only the other direction was read
     #[arg(long, value_name = "COL", value_parser = column_text, requires = "down")]
     pub(crate) up: Option<String>,
-    /// Column of what the sensor gave while x was falling
+    /// Column of the sensor's output for falling x
     #[arg(long, value_name = "COL", value_parser = column_text, requires = "up")]
     pub(crate) down: Option<String>,
-    /// Column that says whether x was rising (up, upscale, rising, increasing, +, 1) or falling (down, downscale, falling,
-    /// decreasing, -, -1, 0); of two other words the first is up
+    /// Column with the direction: rising (up, upscale, rising, increasing, +, 1) or falling (down, downscale, falling,
+    /// decreasing, -, -1, 0) x. The first of two other words means up
     #[arg(long, value_name = "COL", value_parser = column_text, requires = "y", conflicts_with_all = ["up", "down"])]
     pub(crate) direction: Option<String>,
-    /// What percents are of; the span of y (of the average) when left out
+    /// Full scale for percents. Default: the span of y (of the average)
     #[arg(long, value_name = "NUM", allow_hyphen_values = true)]
     pub(crate) full_scale: Option<String>,
-    /// The point that the line of zero-based linearity goes through; 0,0 when left out
+    /// The point of zero-based linearity. Default: 0,0
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
     pub(crate) through: Option<String>,
     #[command(flatten)]
     pub(crate) rows: RowArguments,
     #[command(flatten)]
     pub(crate) table: TableArguments,
-    /// Write the proof of the independent linearity to this file, of readings of which each row is a point; 'boundfit verify'
-    /// checks it
+    /// Write a proof of the independent linearity to this file, for readings of which each row is a point; 'boundfit
+    /// verify' checks it
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) proof: Option<String>,
-    /// Draw the deviations in percent of full scale into this file, whose name ends in .svg, .png, .pdf, .tikz or .tex, as data sheets do
+    /// Draw the deviations in percent of full scale, as data sheets do, to this file (.svg, .png, .pdf, .tikz or .tex)
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) figure: Option<String>,
     #[command(flatten)]

@@ -13,32 +13,32 @@ const LOOK: &str = "Look";
 /// Options of a figure that a paper or a report has wishes about.
 #[derive(Debug, Args)]
 pub(crate) struct LookArguments {
-    /// How wide the picture is, as 85mm, 8.5cm, 3.3in, 240pt or 600px; all that is on it grows or shrinks with it, but for
-    /// letters of --font-size [default: 800px]
+    /// Width of the picture, as 85mm, 8.5cm, 3.3in, 240pt or 600px. Everything scales with it, except letters of
+    /// --font-size [default: 800px]
     #[arg(long, help_heading = LOOK, value_name = "WIDTH", value_parser = parse_size)]
     size: Option<u32>,
-    /// How large letters are, as 8pt: panels get the room that these leave [default: 9pt, or in proportion to --size]
+    /// Size of letters, as 8pt; panels use the remaining space [default: 9pt, or in proportion to --size]
     #[arg(long, help_heading = LOOK, value_name = "SIZE", value_parser = parse_font_size)]
     font_size: Option<u32>,
     /// Dots per inch of a PNG [default: 192]
     #[arg(long, help_heading = LOOK, value_name = "N", value_parser = value_parser!(u16).range(30..=1200))]
     dpi: Option<u16>,
-    /// The ends of the axis of x, in figures of the parameter plane of theta1
+    /// Ends of the x axis; in figures of the parameter plane, of theta1
     #[arg(long, help_heading = LOOK, value_name = "LOWER..UPPER", value_parser = parse_range, allow_hyphen_values = true)]
     pub(crate) x_range: Option<[Rational; 2]>,
-    /// The ends of the axis of y, in figures of the parameter plane of theta2
+    /// Ends of the y axis; in figures of the parameter plane, of theta2
     #[arg(long, help_heading = LOOK, value_name = "LOWER..UPPER", value_parser = parse_range, allow_hyphen_values = true)]
     pub(crate) y_range: Option<[Rational; 2]>,
-    /// The name of the axis of x, or of theta1; it may be empty
+    /// Name of the x axis, or of theta1; may be empty
     #[arg(long, help_heading = LOOK, value_name = "TEXT")]
     x_label: Option<Foreign>,
-    /// The name of the axis of y, or of theta2; it may be empty
+    /// Name of the y axis, or of theta2; may be empty
     #[arg(long, help_heading = LOOK, value_name = "TEXT")]
     y_label: Option<Foreign>,
     /// Draw in greys
     #[arg(long, help_heading = LOOK)]
     greyscale: bool,
-    /// Keep the texts of an SVG as texts in the font Inter, to be edited and searched, instead of outlines
+    /// Keep the texts of an SVG as editable text in the font Inter instead of outlines
     #[arg(long, help_heading = LOOK)]
     real_text: bool,
 }
@@ -46,7 +46,7 @@ pub(crate) struct LookArguments {
 /// Options of a picture that a command draws beside its answer.
 #[derive(Debug, Args)]
 pub(crate) struct PictureArguments {
-    /// Title of the picture; a plain one when left out
+    /// Title of the picture. Default: a plain one
     #[arg(long, help_heading = LOOK, value_name = "TEXT")]
     title: Option<Foreign>,
     #[command(flatten)]

@@ -61,7 +61,7 @@ pub(crate) use x_errors::XErrorArguments;
 
 /// Exact bounded-error (set-membership) estimation in two parameters, and exact polygons from half-planes.
 ///
-/// All results are exact rational numbers with proofs; decimals are only how they are shown.
+/// All results are exact rational numbers with proofs; decimals are only for display.
 #[derive(Debug, Parser)]
 #[command(name = "boundfit", bin_name = "boundfit", version, max_term_width = 100)]
 pub(crate) struct Arguments {
@@ -98,7 +98,7 @@ pub(crate) enum Command {
     /// Print the manual page (roff) of the program or of one of its commands
     #[command(after_help = MAN_NOTES.to_string())]
     Man {
-        /// A command; the program itself when left out
+        /// A command. Default: the program itself
         topic: Option<String>,
         #[command(flatten)]
         file: FileArguments,

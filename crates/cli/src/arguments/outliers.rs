@@ -32,23 +32,23 @@ pub(super) const NOTES: Notes = Notes {
     ],
 };
 
-/// The fewest readings to leave out so that some parameters agree with all others, and what is left then
+/// Find the fewest readings to leave out so that some parameters agree with all others
 ///
-/// A reading is left out as a whole, with both of its bounds; conditions (--where) are never left out. Reported are the
-/// least number q, every set of q readings without which something is left, by how much each of its readings is missed, and
-/// what is left: the parameters that miss at most q readings are as many convex polygons, apart from each other, as there are
-/// sets. With --most the ranges, area, pieces and holes of the parameters that miss at most 0, 1, 2 ... readings.
+/// A reading is left out with both of its bounds; conditions (--where) are never left out. The report contains the
+/// smallest number q, every set of q readings that leaves something, by how much each of its readings is missed, and
+/// the remaining polygons. There is one convex polygon per set, and they are apart from each other. --most adds the
+/// ranges, area, pieces and holes of the parameters that miss at most 0, 1, 2 ... readings.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction, Limit::Sets, Limit::Steps])))]
 pub(crate) struct OutliersArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
-    /// Also report how the set grows when up to Q readings may be missed: its pieces, holes, ranges and area for each number
+    /// Also report how the set grows if up to Q readings may be missed: pieces, holes, ranges and area for each number
     /// from 0 to Q
     #[arg(long, value_name = "Q")]
     pub(crate) most: Option<u32>,
-    /// Also write a proof of the answer to this file, which 'boundfit verify' checks against the data; - for standard output
-    /// when the report goes to a file
+    /// Also write a proof of the answer to this file; 'boundfit verify' checks it against the data. - means standard
+    /// output if the report goes to a file
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) proof: Option<String>,
     #[command(flatten)]

@@ -12,14 +12,14 @@ pub(super) const NOTES: Notes = Notes {
     statuses: &[(0, "the page is written"), BAD_USAGE],
 };
 
-/// Write a web page into which readings are typed or pasted, for those who have nothing but a browser
+/// Write a web page on which readings are typed or pasted, for people who have only a browser
 ///
-/// One file without any outside parts, with the exact engine inside: the page of `boundfit lesson` without readings. It needs no network
-/// and no installation, and what is pasted into it goes nowhere. It also intersects half-planes, step by step.
+/// The page is one file without outside parts, with the exact engine inside: the page of `boundfit lesson` without
+/// readings. It needs no network and no installation, and sends nothing. It also intersects half-planes step by step.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct PlaygroundArguments {
-    /// The language that the page speaks at first; the reader can change it
+    /// First language of the page; the reader can change it
     #[arg(long, default_value = Language::English.code(),
           value_parser = named(Language::ALL.map(|language| (language.code(), language))))]
     pub(crate) language: Language,

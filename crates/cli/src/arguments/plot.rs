@@ -61,34 +61,33 @@ pub(super) const NOTES: Notes = Notes {
 /// Draw the readings, the intervals and the feasible parameter set as SVG, PNG, PDF or TikZ
 ///
 /// Figures of the data plane: data (readings with error bars and the least-squares line), eui and pui (the band of
-/// lines with parameters at the corners of the EUI or PUI box), corridor (the band that all feasible lines really
-/// cover, inside the one of the PUI box). Figures of the parameter plane: fps (the feasible parameter set with its
-/// boxes and estimates), directions (the hull of the optimisers of linear programs and the polygon of their supporting
-/// half-planes, beside the set), outliers (what is left without the fewest readings that have to be left out). And
-/// status: how each reading stands to the set of the others, its residual across and its leverage up. With errors in x
-/// (--x-eps) data shows the readings as boxes with the steepest and the shallowest line that agree with all of them, and
-/// fps the sets of these lines, one for each sign of the slope; there are no other figures then.
+/// lines with parameters at the corners of the EUI or PUI box), corridor (the band of all feasible lines, inside that
+/// of the PUI box). Figures of the parameter plane: fps (the feasible parameter set with its boxes and estimates),
+/// directions (the hull of the optimal points of linear programs and the polygon of their supporting half-planes,
+/// beside the set), outliers (the sets that remain without the fewest outliers). status shows each reading against the
+/// set of the others, its residual across and its leverage up. With errors in x (--x-eps) only two figures exist: data
+/// with boxes and the steepest and the shallowest line, and fps with one set for each sign of the slope.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 #[command(mut_arg("eps", |eps| eps.action(ArgAction::Append)))]
 pub(crate) struct PlotArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
-    /// Further tables, whose sets (figure fps) or readings and lines (figure data) are drawn in the same panel; so are those of
-    /// one table under each --eps, of which there may be several: six in all
+    /// Further tables, drawn in the same panel as sets (figure fps) or as readings and lines (figure data). One table
+    /// with several --eps is drawn likewise; six fits at most
     #[arg(value_name = "DATA")]
     more: Vec<String>,
-    /// Draw, as the figure fps or data, each group of rows with the same text in this column in a panel of its own, all with
-    /// the same axes: the first 24 groups in the order in which they first occur
+    /// Draw, as the figure fps or data, one panel per group of rows with the same text in this column, all with the
+    /// same axes; at most 24 groups, in order of first occurrence
     #[arg(long, value_name = "COL", value_parser = parse_column, conflicts_with_all = ["sweep", "x_eps", "x_eps_column"])]
     pub(crate) by: Option<ColumnSelector>,
     #[command(flatten)]
     pub(crate) x_errors: XErrorArguments,
-    /// What to draw
+    /// The figure to draw
     #[arg(long, default_value = Figure::Fps.name(), value_parser = explained(Figures::named()))]
     pub(crate) figure: Figures,
-    /// Draw, as the figure fps or corridor, the sets or corridors of some factors of all error bounds from FROM to TO, one in
-    /// another
+    /// Draw, as the figure fps or corridor, the sets or corridors of some factors of all error bounds from FROM to TO,
+    /// one inside another
     #[arg(long, value_name = "FROM..TO", conflicts_with_all = ["x_eps", "x_eps_column"])]
     pub(super) sweep: Option<String>,
     #[command(flatten)]
@@ -96,21 +95,21 @@ pub(crate) struct PlotArguments {
     /// Draw the response y along the horizontal axis and x along the vertical one
     #[arg(long)]
     pub(crate) flip: bool,
-    /// How many directions the figure 'directions' has [default: 16]
+    /// Number of directions of the figure 'directions' [default: 16]
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(3..=1000))]
     pub(crate) directions: Option<u16>,
-    /// Spread the directions of the figure 'directions' evenly where the box of both intervals is a square, and not in the plane of
-    /// theta1 and theta2
+    /// Spread the directions of the figure 'directions' evenly after scaling the box of both intervals to a square, and
+    /// not in the plane of theta1 and theta2
     #[arg(long)]
     pub(crate) scaled: bool,
-    /// SVG, PNG, PDF, tikz (source for TikZ, to be put into a LaTeX document by \\input) or tex (a document of its own with
-    /// that picture); told by the end of the output file's name when left out, else SVG
+    /// SVG, PNG, PDF, tikz (source for \\input in LaTeX) or tex (a document of its own with that picture). Default: the
+    /// ending of the output file's name, else SVG
     #[arg(long, value_parser = named(PictureFormat::ALL.map(|format| (format.name(), format))))]
     pub(crate) format: Option<PictureFormat>,
     #[command(flatten)]
     pub(crate) look: LookArguments,
-    /// Write to this .svg, .png, .pdf, .tikz or .tex file, or for all figures into this folder, instead of standard output; each file
-    /// whole or not at all
+    /// Write to this .svg, .png, .pdf, .tikz or .tex file, or all figures into this folder, instead of standard output;
+    /// each file whole or not at all
     #[arg(short, long, value_name = "FILE|DIR", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) output: Option<String>,
     #[command(flatten)]

@@ -30,14 +30,13 @@ pub(super) const NOTES: Notes = Notes {
     ],
 };
 
-/// Intersect any half-planes: vertices, rays, bounds, area, and which half-planes are redundant
+/// Intersect half-planes: vertices, rays, bounds, area, and redundant half-planes
 ///
-/// The set may also be given by its generators, a V-representation of cdd or lrs: rows '1 x y' are points, '0 x y' rays,
-/// or lines where a linearity line lists them. Then its half-planes are reported (facets), the rows active at a vertex
-/// are the points that equal it, and the redundant rows are the generators that are not needed. 'W x y' with W > 0 is the
-/// point (x/W, y/W); rays without a point start at the origin; without any row the set is empty, all as in cdd. Options
-/// that only ask for other output (maximize, verbose, ...) are passed over; those that mean another set (nonnegative,
-/// project, hull in an H-representation, ...) are refused.
+/// A V-representation of cdd or lrs also gives a set: rows '1 x y' are points, '0 x y' rays, or lines if a linearity
+/// line lists them. The report then lists its half-planes (facets); the rows active at a vertex are the points equal to
+/// it, and redundant rows are unnecessary generators. 'W x y' with W > 0 is the point (x/W, y/W). Rays without a point
+/// start at the origin, and a set without any row is empty, as in cdd. Options for other output (maximize, verbose,
+/// ...) are ignored; options for another set (nonnegative, project, hull in an H-representation, ...) are refused.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction])))]
 pub(crate) struct PolygonArguments {

@@ -35,35 +35,35 @@ pub(super) const NOTES: Notes = Notes {
     ],
 };
 
-/// Predict: where the line runs at an x, where a further reading lies there, and which x a reading may come from
+/// Predict the line at an x, a further reading there, and the x that a reading may come from
 ///
-/// At x the lines that agree with all readings take the values of an interval, which is exact and has a proof. A further
-/// reading lies in it, widened by the reading's own error bound: that of the fitted readings where it says something of
-/// others, or --new-eps. The other way round, a reading may come from every x where the interval of some line, so widened,
-/// holds it: one interval or two, some without an end.
+/// At x the lines that agree with all readings take the values of an interval, which is exact and has a proof. A
+/// further reading lies in it, widened by the reading's own error bound: that of the fitted readings if it applies to
+/// other readings, or --new-eps. Conversely a reading may come from each x where the widened interval contains it: one
+/// interval or two, some unbounded.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct PredictArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
-    /// Where: numbers exactly as written, 3.7,9/2, or all of a column of a table, FILE:COL. With two regressors pairs, '1;2,3;4'
-    /// or FILE:COL;COL2. Repeatable
+    /// The x to ask about: numbers exactly as written, 3.7,9/2, or a column of a table, FILE:COL. With two regressors
+    /// pairs, '1;2,3;4' or FILE:COL;COL2. Repeatable
     #[arg(long, value_name = "X,...|FILE:COL", allow_hyphen_values = true,
           required_unless_present_any = ["from", "grid"])]
     at: Vec<String>,
-    /// Readings of which is asked what x they may come from: numbers, or all of a column, FILE:COL. Repeatable
+    /// Readings whose x is wanted: numbers, or a column, FILE:COL. Repeatable
     #[arg(long, value_name = "Y,...|FILE:COL", allow_hyphen_values = true)]
     from: Vec<String>,
     /// Ask at N + 1 values of x in equal steps, ends included
     #[arg(long, value_name = "FROM..TO/N", allow_hyphen_values = true)]
     grid: Option<String>,
-    /// Error bound of a further reading, where it is not that of the fitted ones: a number, or a law as --eps takes it
+    /// Error bound of a further reading, if it differs from that of the fitted ones: a number, or a law as in --eps
     #[arg(long, value_name = "NUM", allow_hyphen_values = true)]
     new_eps: Option<String>,
     /// Show in text the readings that prove each end (JSON always does)
     #[arg(long)]
     proofs: bool,
-    /// Write the proof of every end to this file; 'boundfit verify' checks it
+    /// Write a proof of each end to this file; 'boundfit verify' checks it
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) proof: Option<String>,
     #[command(flatten)]

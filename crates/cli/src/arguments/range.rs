@@ -30,24 +30,24 @@ pub(super) const NOTES: Notes = Notes {
     ],
 };
 
-/// Find every run of readings that a line agrees with: the linear range
+/// Find every run of readings that one line fits: the linear range
 ///
-/// A run of readings that follow each other, in order of x or of rows, is linear when some parameters meet all of its bounds,
-/// and the conditions. Reported are the runs that cannot be made longer, with the readings that forbid it; the longest, the
-/// widest in x, the fewest that have every reading; and the set of the longest run.
+/// A run of consecutive readings, in order of x or of rows, is linear if some parameters meet all its bounds and the
+/// conditions. The report lists the runs that cannot be extended, with the readings that prevent it; the longest run,
+/// the widest in x, and the fewest that cover every reading; and the set of the longest run.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct RangeArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
-    /// Take readings in order of x, those at the same x in order of rows (what is done for a line)
+    /// Take readings in order of x, those at the same x in order of rows (default for a line)
     #[arg(long)]
     by_x: bool,
-    /// Take readings in order of rows (what is done for two regressors)
+    /// Take readings in order of rows (default for two regressors)
     #[arg(long, conflicts_with = "by_x")]
     by_row: bool,
-    /// Also write a proof of the answer to this file, which 'boundfit verify' checks against the data; - for standard output
-    /// when the report goes to a file
+    /// Also write a proof of the answer to this file; 'boundfit verify' checks it against the data. - means standard
+    /// output if the report goes to a file
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) proof: Option<String>,
     #[command(flatten)]

@@ -27,24 +27,24 @@ pub(super) const NOTES: Notes = Notes {
     statuses: &[(0, "the reduction is written"), BAD_DATA, BAD_USAGE],
 };
 
-/// Keep only the rows that decide: of a line under one error bound those that touch the convex hull of the readings
+/// Keep only the rows that decide: for a line under one error bound, those on the convex hull of the readings
 ///
-/// Written are the same columns, each number as it stood, after a line that says how many readings these stand for and
-/// the sums that least squares needs. 'boundfit fit' reads the result like the whole: feasible set, PUI and least squares
-/// are the same under all conditions, from any --x-origin and through the origin; only the EUI needs every reading and is
-/// left out. A line without a word about its error bound, or with one number, is reduced for every such bound, and one
-/// with --eps-column for every multiple of its bounds, so that eps_min is the same as well. With two regressors, a law or
-/// --lower and --upper the rows decide under these bounds alone. Several reductions one after the other, as 'cat' writes
-/// them, are a reduction of all their readings, and can be reduced again.
+/// The output has the same columns, each number as it stood, below a line with the number of readings and the sums for
+/// least squares. 'boundfit fit' reads it like the whole file: feasible set, PUI and least squares are the same under
+/// all conditions, from any --x-origin and through the origin. Only the EUI is missing, since it needs every reading.
+/// If no bound or one number is given, the reduction of a line is valid for every uniform bound; with --eps-column it
+/// is valid for every multiple of the bounds, so that eps_min is the same as well. With two regressors, a law, or
+/// --lower and --upper it is valid for these bounds only. Several reductions joined by 'cat' are a reduction of all
+/// their readings, and can be reduced again.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_group("EpsilonArguments", |group| group.required(false)))]
 pub(crate) struct ReduceArguments {
-    /// A table of readings (text or a MATLAB .mat file), or reductions of such, or - for standard input
+    /// A table of readings (text or a MATLAB .mat file), or reductions, or - for standard input
     pub(crate) data: String,
     /// Column of x by header name or number from 1; two for the model y = theta1*COL + theta2*COL2 + e
     #[arg(long, value_name = "COL[,COL2]", value_parser = parse_regressors, required = true)]
     pub(super) x: Regressors,
-    /// Column of y; beside --lower or --upper it may be left out, and is what least squares takes
+    /// Column of y; optional beside --lower or --upper, where only least squares uses it
     #[arg(long, value_name = "COL", value_parser = parse_column, required_unless_present_any = ["lower", "upper"])]
     pub(super) y: Option<ColumnSelector>,
     #[command(flatten)]

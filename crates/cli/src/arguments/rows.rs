@@ -9,14 +9,15 @@ use crate::exit::{Failure, raises};
 /// Which data rows are used.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct RowArguments {
-    /// Use these data rows only, counted from 1 without the header: 14..36, 5, ..10, 10.. or a list such as 1..22,24..50
+    /// Use only these data rows, counted from 1 without the header: 14..36, 5, ..10, 10.. or a list such as
+    /// 1..22,24..50
     #[arg(long, value_name = "ROWS", value_parser = parse_rows)]
     rows: Option<AskedRows>,
-    /// Leave these data rows out, such as 23,31 or 40..
+    /// Skip these data rows, such as 23,31 or 40..
     #[arg(long, value_name = "ROWS", value_parser = parse_rows)]
     without: Option<AskedRows>,
-    /// Use only rows whose number in a column compares like that (< <= = != >= >), such as 'temperature >= 20'; a column
-    /// by name, quoted or not, or by number; each of several must hold
+    /// Use only rows where a number in a column compares so (< <= = != >= >), such as 'temperature >= 20'. The column
+    /// is a name, quoted or not, or a number; if repeated, all comparisons must hold
     #[arg(long, value_name = "COMPARISON", allow_hyphen_values = true)]
     where_row: Vec<String>,
 }

@@ -29,7 +29,7 @@ pub(crate) struct FileArguments {
 /// What may be lost by writing.
 #[derive(Debug, Args)]
 pub(crate) struct ReplaceArguments {
-    /// Replace an existing file even if boundfit did not write it; never one that is read, or is read-only
+    /// Replace an existing file even if boundfit did not write it; never an input file or a read-only one
     #[arg(long)]
     force: bool,
 }
@@ -44,7 +44,7 @@ impl ReplaceArguments {
 /// How much of the machine is used.
 #[derive(Debug, Args)]
 pub(crate) struct ThreadArguments {
-    /// Threads that read and reduce the data; as many as there are processors when left out. The answer is the same
+    /// Threads that read and reduce the data [default: all processors]. The answer does not depend on it
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
     pub(super) threads: Option<u16>,
 }
@@ -58,15 +58,15 @@ pub(crate) struct DataArguments {
     /// y = theta1*COL + theta2*COL2 + e
     #[arg(long, value_name = "COL[,COL2]", value_parser = parse_regressors, required = true)]
     pub(super) x: Regressors,
-    /// Column of y; beside --lower or --upper it may be left out, and is what least squares takes
+    /// Column of y; optional beside --lower or --upper, where only least squares uses it
     #[arg(long, value_name = "COL", value_parser = parse_column, required_unless_present_any = ["lower", "upper"])]
     pub(super) y: Option<ColumnSelector>,
     #[command(flatten)]
     pub(super) epsilon: EpsilonArguments,
     #[command(flatten)]
     pub(super) rows: RowArguments,
-    /// A linear inequality or equation that the parameters are known to satisfy, such as '2*theta1 - theta2 <= 1/3' or
-    /// 'theta2 = 0'; repeatable
+    /// A linear inequality or equation that the parameters satisfy, such as '2*theta1 - theta2 <= 1/3' or 'theta2 = 0';
+    /// repeatable
     #[arg(long = "where", value_name = "CONDITION", allow_hyphen_values = true)]
     pub(super) conditions: Vec<String>,
     #[command(flatten)]
@@ -82,7 +82,7 @@ pub(crate) struct LineArguments {
     /// parameter
     #[arg(long)]
     pub(super) through_origin: bool,
-    /// Fit y = theta1*(x - NUM) + theta2 + e: theta2 is the value at NUM, and the reports have x - NUM for x
+    /// Fit y = theta1*(x - NUM) + theta2 + e: theta2 is the value at NUM, and reports have x - NUM for x
     #[arg(long, value_name = "NUM", allow_hyphen_values = true)]
     pub(super) x_origin: Option<String>,
 }
@@ -91,9 +91,9 @@ pub(crate) struct LineArguments {
 #[derive(Debug, Clone, Args)]
 #[group(required = true, multiple = true)]
 pub(crate) struct EpsilonArguments {
-    /// Error bound of every reading: a decimal or a fraction; or a law such as '0.05%*|y| + 2e-3', '1%*range(y)', 'written'
-    /// (half a unit of the last digit written) or '+0.2/-0.1' (the truth lies in [y - 0.1, y + 0.2]); or 'min' or '1.2*min',
-    /// so many times the least bound that leaves anything, found from these very readings
+    /// Error bound of every reading: a number; or a law such as '0.05%*|y| + 2e-3', '1%*range(y)', 'written' (half a
+    /// unit of the last digit written) or '+0.2/-0.1' (the truth lies in [y - 0.1, y + 0.2]); or 'min' or '1.2*min', a
+    /// multiple of eps_min, the smallest bound with a non-empty set, computed from these readings
     // Some of no more than one; figures take several.
     #[arg(long, value_name = "NUM", action = ArgAction::Set, num_args = 1, allow_hyphen_values = true,
           conflicts_with_all = ["eps_column", "lower", "upper"])]
@@ -101,8 +101,8 @@ pub(crate) struct EpsilonArguments {
     /// Column with the error bound of each reading
     #[arg(long, value_name = "COL", value_parser = parse_column, conflicts_with_all = ["lower", "upper"])]
     pub(crate) eps_column: Option<ColumnSelector>,
-    /// Column with the least value that the model may have at each reading, instead of an error bound; a missing cell is no
-    /// bound
+    /// Column with the smallest value that the model may have at each reading, instead of an error bound; a missing
+    /// cell is no bound
     #[arg(long, value_name = "COL", value_parser = parse_column)]
     pub(crate) lower: Option<ColumnSelector>,
     /// Column with the largest value that the model may have at each reading
@@ -119,7 +119,7 @@ pub(crate) struct LabelArguments {
     /// Unit of y, such as m
     #[arg(long, value_name = "UNIT")]
     pub(crate) y_unit: Option<Foreign>,
-    /// Title; a plain one when left out
+    /// Title. Default: a plain one
     #[arg(long, value_name = "TEXT")]
     pub(crate) title: Option<Foreign>,
 }
@@ -127,7 +127,7 @@ pub(crate) struct LabelArguments {
 /// How the input is read.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct TableArguments {
-    /// Take numbers exactly as written, or as the nearest double, exactly; with a .mat file it is binary64
+    /// Read numbers exactly as written, or as the nearest double, exactly [default for .mat files: binary64]
     #[arg(long, default_value = Reading::Decimal.name(),
           value_parser = named(Reading::ALL.map(|reading| (reading.name(), reading))))]
     pub(super) reading: Reading,
@@ -135,41 +135,41 @@ pub(crate) struct TableArguments {
     #[arg(long, default_value = Header::Auto.name(),
           value_parser = named(Header::ALL.map(|header| (header.name(), header))))]
     pub(super) header: Header,
-    /// Encoding of a text: utf-8, windows-1252, iso-8859-1, iso-8859-15, utf-16le or utf-16be; auto: UTF-8 or UTF-16, or else
-    /// Windows-1252, which the report says
+    /// Encoding of a text: utf-8, windows-1252, iso-8859-1, iso-8859-15, utf-16le or utf-16be; auto: UTF-8 or UTF-16,
+    /// otherwise Windows-1252, as the report then says
     #[arg(long, value_name = "NAME", default_value = "auto", value_parser = parse_encoding, help_heading = TEXT)]
     pub(super) encoding: IfAsked<Encoding>,
-    /// What separates the columns (space: runs of blanks and tabs)
+    /// Separator of columns (space: runs of blanks and tabs)
     #[arg(long, default_value = "auto", value_parser = named_or_auto(delimiters()), help_heading = TEXT)]
     pub(super) delimiter: IfAsked<u8>,
-    /// Decimal mark; auto finds out, unless commas separate the columns
+    /// Decimal mark; auto detects it, unless commas separate the columns
     #[arg(long, default_value = "auto", value_parser = named_or_auto(DECIMAL_MARKS), help_heading = TEXT)]
     pub(super) decimal: IfAsked<DecimalMark>,
-    /// What stands between groups of three digits: ',' '.' ' ' or "'"
+    /// Mark between groups of three digits: ',' '.' ' ' or "'"
     #[arg(long, value_name = "MARK", value_parser = parse_thousands, help_heading = TEXT)]
     pub(super) thousands: Option<Thousands>,
-    /// Pass over lines that start with this character; auto: # and % where they precede the table; none
+    /// Skip lines that start with this character; auto: # and % before the table; none
     #[arg(long, value_name = "MARK", default_value = "auto", value_parser = parse_comment, help_heading = TEXT)]
     pub(super) comment: CommentMark,
-    /// Pass over the first N lines
+    /// Skip the first N lines
     #[arg(long, value_name = "N", default_value_t = 0, help_heading = TEXT)]
     pub(super) skip_lines: u64,
     /// The row after the header has units
     #[arg(long, help_heading = TEXT)]
     pub(super) units_row: bool,
-    /// Read one block of a file in which comments or two blank lines between rows begin others: its number or the comment before it;
-    /// all: the rows of all of them together
+    /// Read one block of a file in which comments or two blank lines between rows begin another: its number or the
+    /// comment before it; all: the rows of all blocks together
     #[arg(long, value_name = "N|NAME", value_parser = parse_block, help_heading = TEXT)]
     pub(super) block: Option<AskedBlock>,
-    /// What to do about rows without a number in a column that is used: empty, NA, N/A, #N/A, NaN, null, none, - -- . or ?, or a
-    /// spreadsheet's error such as #DIV/0!
+    /// Treatment of rows with a missing number in a used column: empty, NA, N/A, #N/A, NaN, null, none, - -- . or ?, or
+    /// a spreadsheet's error such as #DIV/0!
     #[arg(long, default_value = Missing::Refuse.name(), help_heading = TEXT,
           value_parser = named(Missing::ALL.map(|missing| (missing.name(), missing))))]
     pub(super) missing: Missing,
-    /// Take cells with this text, or the same number, for missing ones too, such as -999 or OVLD; repeatable
+    /// Also treat cells with this text, or the same number, as missing, such as -999 or OVLD; repeatable
     #[arg(long, value_name = "TEXT", allow_hyphen_values = true, help_heading = TEXT)]
     pub(super) missing_as: Vec<String>,
-    /// Sheet of an .xlsx or .ods workbook, by name or number; the first one when left out
+    /// Sheet of an .xlsx or .ods workbook, by name or number. Default: the first
     #[arg(long, value_name = "NAME|N", value_parser = NonEmptyStringValueParser::new())]
     pub(super) sheet: Option<String>,
     #[command(flatten)]
@@ -182,19 +182,19 @@ const TEXT: &str = "Tables";
 /// How the answer is written.
 #[derive(Debug, Args)]
 pub(crate) struct OutputArguments<F: ValueEnum + Send + Sync + 'static = Format> {
-    /// Format of the answer; told by the end of the output file's name when left out (r.json, r.txt ...), else text
+    /// Format of the answer. Default: the ending of the output file's name (r.json, r.txt ...), else text
     #[arg(long, value_enum)]
     format: Option<F>,
     #[command(flatten)]
     pub(crate) file: FileArguments,
-    /// Significant digits of decimals; when left out 5, in text more where an interval or vertices take more
+    /// Significant digits of decimals. Default: 5, in text more if an interval or vertices need more
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1000))]
     pub(super) digits: Option<u16>,
     /// Round interval ends outward, or to nearest as papers print them
     #[arg(long, default_value = EndRounding::Outward.name(),
           value_parser = named(EndRounding::ALL.map(|rounding| (rounding.name(), rounding))))]
     pub(super) rounding: EndRounding,
-    /// Show exact fractions in place of decimals (JSON always has both)
+    /// Show exact fractions instead of decimals (JSON always has both)
     #[arg(long)]
     pub(super) exact: bool,
 }

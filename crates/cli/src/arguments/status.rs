@@ -33,28 +33,28 @@ pub(super) const NOTES: Notes = Notes {
     ],
 };
 
-/// Judge every reading by what the set of all, and that of the others, say of it: inner, boundary, outer, outlier
+/// Classify each reading against the full set and the leave-one-out set: inner, boundary, outer, outlier
 ///
-/// With the values that the model takes over a set at a reading, its leverage l is half their range over half the reading's
-/// width, its residual r the distance of both middles over the same. Against the set of all readings each is inner
-/// (|r| < 1 - l) or boundary (|r| = 1 - l); against that of the others also outer (it cuts that set), strictly outer (it would
-/// wherever it fell: l > 1) or an outlier (|r| > 1 + l: nothing is left).
+/// Over a set the model takes a range of values at a reading. The leverage l is half this range divided by half the
+/// reading's width; the residual r is the distance of both middles divided by the same. Against the full set each
+/// reading is inner (|r| < 1 - l) or boundary (|r| = 1 - l). Against the set of the others it may also be outer (it
+/// cuts that set), strictly outer (any such reading would: l > 1) or an outlier (|r| > 1 + l: nothing is left).
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct StatusArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
-    /// Also judge the readings of this table, of the same columns, by the set as it is: all of its rows, which change nothing
+    /// Also judge all readings of this table, with the same columns, against the set; they do not change it
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) new: Option<String>,
-    /// Also find the least total widening: factors w >= 1 of the error bounds, of the smallest sum, under which something
-    /// meets all of them
+    /// Also find the least total widening: factors w >= 1 of the error bounds with the smallest sum that leaves a
+    /// parameter
     #[arg(long)]
     pub(crate) repair: bool,
-    /// List every reading in text, latex and markdown, not only the 40 that matter most
+    /// List every reading in text, latex and markdown, not only the 40 most important ones
     #[arg(long)]
     pub(crate) all: bool,
-    /// Write the proof of the statuses to this file; 'boundfit verify' checks it
+    /// Write a proof of the statuses to this file; 'boundfit verify' checks it
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) proof: Option<String>,
     #[command(flatten)]

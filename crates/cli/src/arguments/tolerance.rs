@@ -16,13 +16,13 @@ pub(crate) enum Switch {
 /// How far an answer may be off.
 #[derive(Debug, Args)]
 pub(crate) struct ToleranceArguments {
-    /// How far an answer may be off to either side, as a part of its size: of an optimum's, a row's, a price's
+    /// Allowed error of an answer on either side, relative to its size: of an optimum, a row, a price
     #[arg(long, value_name = "NUM", default_value = "1e-6", allow_hyphen_values = true)]
     tolerance: String,
-    /// Excuse nothing but rounding, for those who need safe bounds: a tolerance of 0
+    /// Excuse only rounding, for users who need safe bounds: a tolerance of 0
     #[arg(long, conflicts_with = "tolerance")]
     strict: bool,
-    /// Take numbers in texts to be as precise as they are printed; off: to be meant exactly
+    /// Take numbers in texts as precise as printed; off: as exact
     #[arg(long, value_name = "on|off", value_enum, default_value_t = Switch::On, hide_possible_values = true)]
     pub(crate) digits_as_printed: Switch,
 }

@@ -34,13 +34,13 @@ pub(super) const NOTES: Notes = Notes {
     ],
 };
 
-/// Check a proof that 'boundfit fit --proof' wrote: is every statement in it true of these data?
+/// Check a proof of 'boundfit fit --proof': is every statement in it true of these data?
 ///
-/// The data are read anew and every statement is checked by exact arithmetic, with nothing of the program that found the
-/// answer but its numbers. Said is also which question the proof answers: model, columns, error bound, conditions and
-/// rows. With options of 'fit' this question must be the one that they ask; with --x and an error bound all of it, what is
-/// left out being as 'fit' takes it (every row, no conditions), otherwise what is given. docs/proof.md says what a proof
-/// states and why the checks suffice.
+/// The checker reads the data again and checks every statement by exact arithmetic; it shares only its numbers with the
+/// program that found the answer. It also says which question the proof answers: model, columns, error bound,
+/// conditions and rows. With options of 'fit' the question must be theirs. With --x and an error bound everything is
+/// compared, and an omitted option means what it means in 'fit' (every row, no conditions); otherwise only the given
+/// options are compared. docs/proof.md defines the proof and explains why the checks suffice.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_group("EpsilonArguments", |group| group.required(false)))]
 pub(crate) struct VerifyArguments {
@@ -48,7 +48,7 @@ pub(crate) struct VerifyArguments {
     pub(crate) proof: String,
     /// The data, or - for standard input
     pub(crate) data: String,
-    /// Format of the verdict; told by the end of the output file's name when left out, else text
+    /// Format of the verdict. Default: the ending of the output file's name, else text
     #[arg(long, value_enum)]
     pub(crate) format: Option<Format>,
     #[command(flatten)]
@@ -65,19 +65,19 @@ pub(crate) struct VerifyArguments {
     pub(super) epsilon: EpsilonArguments,
     #[command(flatten)]
     pub(super) rows: RowArguments,
-    /// A linear inequality or equation that the parameters are known to satisfy; repeatable
+    /// A linear inequality or equation that the parameters satisfy; repeatable
     #[arg(long = "where", value_name = "CONDITION", allow_hyphen_values = true)]
     pub(super) conditions: Vec<String>,
     #[command(flatten)]
     pub(super) line: LineArguments,
-    /// Take numbers exactly as written, or as the nearest double, exactly
+    /// Read numbers exactly as written, or as the nearest double, exactly
     #[arg(long, value_parser = named(Reading::ALL.map(|reading| (reading.name(), reading))))]
     pub(super) reading: Option<Reading>,
     /// Whether the first row names the columns
     #[arg(long, default_value = Header::Auto.name(),
           value_parser = named(Header::ALL.map(|header| (header.name(), header))))]
     pub(super) header: Header,
-    /// What separates the columns
+    /// Separator of columns
     #[arg(long, default_value = "auto", value_parser = named_or_auto(delimiters()))]
     pub(super) delimiter: IfAsked<u8>,
 }

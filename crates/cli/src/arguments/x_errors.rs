@@ -12,14 +12,14 @@ use crate::exit::Failure;
 /// Errors in x.
 #[derive(Debug, Args)]
 pub(crate) struct XErrorArguments {
-    /// Bound on the errors of x as well: a number, or else the column with the bound of each reading. A line then agrees
-    /// with a reading if it meets its box
+    /// Bound on the errors of x as well: a number, or else the column with the bound of each reading. A line then
+    /// agrees with a reading if it meets its box
     #[arg(long, value_name = "NUM|COL", allow_hyphen_values = true, conflicts_with = "x_eps_column")]
     x_eps: Option<String>,
     /// Column with the bound on the error of each x, by name or by number
     #[arg(long, value_name = "COL", value_parser = parse_column)]
     x_eps_column: Option<ColumnSelector>,
-    /// With errors in x, ask of a line to agree for every x that they allow, and not only for some
+    /// With errors in x: a line must agree for every x within the errors, and not only for some
     #[arg(long)]
     strong: bool,
 }
