@@ -153,7 +153,7 @@ impl TickGrid {
         TickGrid { exponent, multiples }
     }
 
-    /// Whether there are two ticks, without which one cannot tell lengths.
+    /// Returns whether there are two ticks, without which one cannot tell lengths.
     fn tells_the_scale(&self) -> bool {
         self.multiples.len() >= 2
     }

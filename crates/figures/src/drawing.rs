@@ -13,7 +13,7 @@ pub(crate) struct Drawing {
     pub(crate) title: String,
     /// Smaller, below the title.
     pub(crate) subtitle: String,
-    /// What the figure shows, in full sentences, for those who cannot see it.
+    /// The content in full sentences, for people who cannot see it.
     pub(crate) description: String,
     pub(crate) panels: Vec<Panel>,
     /// Where the legend begins, in pixels of the nominal size below the header.
@@ -42,7 +42,7 @@ pub(crate) struct Panel {
     pub(crate) labelled: [bool; 2],
     /// Above the panel.
     pub(crate) heading: String,
-    /// Whether the first coordinate runs along the vertical axis.
+    /// `true` if the first coordinate runs along the vertical axis.
     flipped: bool,
     pub(crate) items: Vec<Item>,
 }
@@ -88,7 +88,7 @@ pub(crate) struct Anchor {
 pub(crate) struct LegendEntry {
     pub(crate) swatch: Swatch,
     pub(crate) text: String,
-    /// Whether it stays where nothing of it is drawn: an empty set is told too.
+    /// `true` if it stays where nothing of it is drawn: an empty set is told too.
     pub(crate) stays: bool,
 }
 
@@ -188,7 +188,7 @@ impl Panel {
         if self.flipped { [vertical, horizontal] } else { [horizontal, vertical] }
     }
 
-    /// Whether the first coordinate runs along the vertical axis.
+    /// Returns whether the first coordinate runs along the vertical axis.
     pub(crate) fn is_flipped(&self) -> bool {
         self.flipped
     }
@@ -198,7 +198,7 @@ impl Panel {
         if self.flipped { [second, first] } else { [first, second] }
     }
 
-    /// Whether a place is in the panel.
+    /// Returns whether a place is in the panel.
     pub(crate) fn shows(&self, place: Place) -> bool {
         place.iter().all(|coordinate| (0.0..=1.0).contains(coordinate))
     }
@@ -246,7 +246,7 @@ impl Panel {
         }
     }
 
-    /// Whether a mark of this form and colour is on the panel.
+    /// Returns whether a mark of this form and colour is on the panel.
     pub(crate) fn has_mark(&self, wanted: &Mark) -> bool {
         let same = |mark: &Mark| mark.shape == wanted.shape && mark.colour == wanted.colour;
         self.items.iter().any(|item| matches!(item, Item::Mark { mark, .. } if same(mark)))

@@ -2,7 +2,7 @@
 
 use boundfit_exact::{Foreign, Rational};
 
-/// What to draw.
+/// The figure to draw.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Figure {
     /// All readings of the file with their error bars, the fitted ones marked, and the least-squares line.
@@ -19,7 +19,7 @@ pub enum Figure {
     Directions,
     /// Every reading by its residual and leverage against the set of the others, with the regions of statuses.
     Status,
-    /// What is left without the fewest readings that have to be left out.
+    /// The remaining set without the fewest readings that have to be left out.
     Outliers,
     /// The readings with the line of the longest run that fits, and a bar for every run.
     Range,
@@ -57,7 +57,7 @@ impl Figure {
         }
     }
 
-    /// What it shows, in a few words.
+    /// The content, in a few words.
     pub fn title(self) -> &'static str {
         match self {
             Figure::Data => "Readings with error bars and the least-squares line",
@@ -95,13 +95,13 @@ pub struct PlotOptions {
     pub width: Option<u32>,
     /// The size of letters in micrometres: panels get what these leave. 3/200 of the width when left out.
     pub letters: Option<u32>,
-    /// Whether it is drawn in greys.
+    /// `true` if it is drawn in greys.
     pub greyscale: bool,
-    /// Whether the response runs along the horizontal axis of figures of the data plane.
+    /// `true` if the response runs along the horizontal axis of figures of the data plane.
     pub flip: bool,
     /// How many directions [`Figure::Directions`] has, at least 3.
     pub directions: usize,
-    /// Whether these are spread evenly where the box of both intervals is a square, and not in the plane of the parameters.
+    /// `true` if these are spread evenly where the box of both intervals is a square, and not in the plane of the parameters.
     pub are_directions_scaled: bool,
 }
 

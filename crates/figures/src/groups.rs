@@ -84,7 +84,7 @@ pub(crate) fn drawing(
     }
 }
 
-/// Whether a panel is wide enough for what its ticks are to be multiplied with and moved by, and for some of the name beside that.
+/// Returns whether a panel is wide enough for what its ticks are to be multiplied with and moved by, and for some of the name beside that.
 fn has_room_for_scales(panel: &Panel) -> bool {
     let width = |axis: &Axis| LETTER * axis.scale().chars().count() as f64;
     let [horizontal, vertical] = panel.axes.each_ref().map(width);

@@ -42,7 +42,7 @@ impl Page {
         usual * (self.width / WIDTH).max(LOWEST)
     }
 
-    /// Whether panels stand below each other that usually stand side by side.
+    /// Returns whether panels stand below each other that usually stand side by side.
     pub(crate) fn is_narrow(self) -> bool {
         self.width < WIDTH
     }
@@ -55,7 +55,7 @@ fn asked(options: &PlotOptions) -> f64 {
 }
 
 impl PlotOptions {
-    /// Whether letters of the asked size leave room for a figure of the asked width, which must be 27 to 266 times as wide.
+    /// Returns whether letters of the asked size leave room for a figure of the asked width, which must be 27 to 266 times as wide.
     pub fn have_letters_room(&self) -> bool {
         let [least, most] = WIDTHS;
         (least..=most).contains(&asked(self))

@@ -15,7 +15,7 @@ impl Colour {
         Colour(light, light, light)
     }
 
-    /// What it is called in source that people read; `None` for one of many greys.
+    /// The name in source that people read; `None` for one of many greys.
     pub(crate) fn name(self) -> Option<&'static str> {
         NAMES.iter().find(|(colour, _)| *colour == self).map(|(_, name)| *name)
     }

@@ -59,7 +59,7 @@ fn reference(index: i32) -> Ref {
     Ref::new(index)
 }
 
-/// What is on the page so far.
+/// The content of the page so far.
 struct Page {
     content: Content,
     /// Names of the opacities in use, in thousandths.

@@ -26,7 +26,7 @@ pub enum PictureFormat {
 /// How a picture is encoded, beside its format.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Encoding {
-    /// Whether texts of an SVG stay texts, which others can edit and search, instead of outlines that look the same everywhere.
+    /// `true` if texts of an SVG stay texts, which others can edit and search, instead of outlines that look the same everywhere.
     pub real_text: bool,
     /// Dots per inch of a PNG.
     pub dpi: u16,

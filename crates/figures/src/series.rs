@@ -21,7 +21,7 @@ pub struct Series<'a> {
     pub fit: &'a Fit,
 }
 
-/// What is drawn of several fits.
+/// The drawing of several fits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Compared {
     /// The readings with error bars, and a line for each fit.
@@ -85,7 +85,7 @@ pub(crate) fn own_options(problem: &Problem, options: &PlotOptions) -> PlotOptio
     PlotOptions { x_unit: stated(&options.x_unit, x), y_unit: stated(&options.y_unit, y), ..options.clone() }
 }
 
-/// Whether the numbers of all fits have the same units, so that they may be compared.
+/// Returns whether the numbers of all fits have the same units, so that they may be compared.
 pub(crate) fn have_one_unit(series: &[Series], options: &PlotOptions) -> bool {
     let units = |own: &Series| {
         let own = own_options(own.problem, options);
@@ -107,7 +107,7 @@ pub(crate) fn subtitle(series: &[Series], options: &PlotOptions) -> String {
     parts.collect::<Vec<_>>().join(",  ")
 }
 
-/// What axes are called: the name that all fits give them, or their names one after the other.
+/// The names of axes: the name that all fits give them, or their names one after the other.
 pub(crate) fn axis_name(
     series: &[Series],
     options: &PlotOptions,

@@ -35,7 +35,7 @@ impl BinaryFormat {
         known.or_else(|| kind::kind_of(start).map(|_| BinaryFormat::Matlab))
     }
 
-    /// Whether its columns stand one after the other, so that it is not read from front to back.
+    /// Returns whether its columns stand one after the other, so that it is not read from front to back.
     pub(crate) fn is_columns(self) -> bool {
         matches!(self, BinaryFormat::Parquet | BinaryFormat::ArrowFile | BinaryFormat::ArrowStream)
     }

@@ -18,7 +18,7 @@ pub(crate) struct BlankReader {
     state: State,
 }
 
-/// What a record is made of.
+/// The parts of a record.
 pub(crate) trait Cells {
     /// Adds bytes to the cell under way.
     fn extend(&mut self, bytes: &[u8]);
@@ -69,7 +69,7 @@ impl BlankReader {
         self.end(self.state, record);
     }
 
-    /// Whether a quote is open.
+    /// Returns whether a quote is open.
     pub(crate) fn is_within_quotes(&self) -> bool {
         self.state == State::InQuotes
     }

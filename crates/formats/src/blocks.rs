@@ -21,7 +21,7 @@ const MOST_LISTED: usize = 10;
 /// As many names are kept to see whether one stands for several blocks.
 const MOST_NAMES: usize = 10_000;
 
-/// What stands between two rows.
+/// The text between two rows.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Gap {
     pub(crate) blank_lines: u64,
@@ -32,7 +32,7 @@ pub(crate) struct Gap {
 }
 
 impl Gap {
-    /// Whether what comes behind it is another block.
+    /// Returns whether what comes behind it is another block.
     pub(crate) fn is_break(&self) -> bool {
         self.blank_lines > 1 || self.title.is_some()
     }
@@ -61,7 +61,7 @@ impl Gap {
     }
 }
 
-/// Whether a text is a row with so many columns, all of them numbers.
+/// Returns whether a text is a row with so many columns, all of them numbers.
 fn is_row(text: &[u8], delimiter: u8, width: usize) -> bool {
     let is_number = |cell: &[u8]| is_number(cell, delimiter);
     let cells: Vec<&[u8]> = cells_of(text, delimiter).collect();
@@ -75,7 +75,7 @@ fn cells_of(text: &[u8], delimiter: u8) -> impl Iterator<Item = &[u8]> {
     text.split(is_between).filter(move |cell| delimiter != BLANKS || !cell.is_empty())
 }
 
-/// Whether a cell has a number, in quotes or not, with a point or a comma.
+/// Returns whether a cell has a number, in quotes or not, with a point or a comma.
 fn is_number(cell: &[u8], delimiter: u8) -> bool {
     let cell = cell.trim_ascii();
     let cell = cell.strip_prefix(b"\"").and_then(|cell| cell.strip_suffix(b"\"")).unwrap_or(cell);
@@ -91,9 +91,9 @@ fn is_number(cell: &[u8], delimiter: u8) -> bool {
 pub(crate) struct Blocks {
     comment: CommentMark,
     delimiter: Option<u8>,
-    /// What separates the cells of the block under way, and how many there are.
+    /// The separator of the current block, and its number of cells.
     shape: Option<(u8, usize)>,
-    /// Whether comments precede the table, so that a mark always starts one.
+    /// `true` if comments precede the table, so that a mark always starts one.
     has_comments: bool,
     complete: Vec<Block>,
     /// The names of the first many.
@@ -256,7 +256,7 @@ impl Blocks {
 }
 
 impl BlockNote {
-    /// What is said of a block that was read, which is one of so many; nothing of the only one.
+    /// The words about the block that was read, if there are several.
     pub(crate) fn of(number: Option<usize>, name: Option<Foreign>, total: usize) -> Option<Self> {
         let name = name.filter(|name| !name.is_empty());
         (total > 1).then_some(BlockNote { number, name, total })

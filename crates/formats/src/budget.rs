@@ -53,7 +53,7 @@ impl MemoryBudget {
 }
 
 impl PartialEq for MemoryBudget {
-    /// Whether as many bytes may be held.
+    /// Returns whether as many bytes may be held.
     fn eq(&self, other: &Self) -> bool {
         self.limit == other.limit
     }

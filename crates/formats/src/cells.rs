@@ -59,7 +59,7 @@ impl CellReader<'_> {
         Ok(column)
     }
 
-    /// Whether what `plain_decimal` reads keeps to the limits.
+    /// Returns whether what `plain_decimal` reads keeps to the limits.
     fn is_plain(&self) -> bool {
         let limits = &self.options.limits;
         limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT

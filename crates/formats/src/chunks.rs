@@ -45,7 +45,7 @@ impl Chunk {
     }
 }
 
-/// Whether more bytes come.
+/// States whether more bytes come.
 enum State {
     More,
     End,
@@ -59,7 +59,7 @@ pub(crate) struct ChunkReader {
     text: TextReader,
     chunk_bytes: usize,
     longest_line: usize,
-    /// What was read but belongs to the next chunk.
+    /// Bytes that were read but belong to the next chunk.
     pending: Chunk,
     state: State,
     since_line_end: usize,
@@ -160,7 +160,7 @@ impl ChunkReader {
         }
     }
 
-    /// What was read but not handed out.
+    /// Bytes that were read but not yet handed out.
     pub(crate) fn pending(&self) -> &[u8] {
         &self.pending
     }
@@ -222,12 +222,12 @@ impl ChunkReader {
         Some(chunk)
     }
 
-    /// Whether all bytes have been handed out.
+    /// Returns whether all bytes have been handed out.
     pub(crate) fn is_at_end(&self) -> bool {
         matches!(self.state, State::End) && self.pending.is_empty()
     }
 
-    /// Whether the bytes stopped before their end, and [`Self::failure`] was not asked why.
+    /// Returns whether the bytes stopped before their end, and [`Self::failure`] was not asked why.
     pub(crate) fn has_failed(&self) -> bool {
         matches!(self.state, State::Failed(_))
     }

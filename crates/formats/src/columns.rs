@@ -4,7 +4,7 @@ use boundfit_exact::Foreign;
 
 use crate::error::{InputError, InputErrorKind, Place};
 
-/// What a column takes from its cells.
+/// The values that a column takes from its cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Role {
     /// Their numbers.
@@ -21,7 +21,7 @@ pub enum Role {
 }
 
 impl Role {
-    /// Whether a row without a number in the column lacks it.
+    /// Returns whether a row without a number in the column lacks it.
     pub(crate) fn is_needed(self) -> bool {
         matches!(self, Role::Number | Role::NonNegative)
     }
@@ -90,17 +90,17 @@ impl ColumnSelector {
         ColumnSelector { role: Role::HalfUnit, ..self }
     }
 
-    /// What is taken from the cells.
+    /// The values taken from the cells.
     pub fn role(&self) -> Role {
         self.role
     }
 
-    /// Whether every number in the column must be at least 0.
+    /// Returns whether every number in the column must be at least 0.
     pub fn is_non_negative(&self) -> bool {
         self.role == Role::NonNegative
     }
 
-    /// What was asked for.
+    /// The request.
     pub fn text(&self) -> &Foreign {
         &self.text
     }
@@ -110,7 +110,7 @@ impl ColumnSelector {
         self.position.filter(|_| self.is_number())
     }
 
-    /// Whether it is asked for by a name alone.
+    /// Returns whether it is asked for by a name alone.
     pub(crate) fn is_name(&self) -> bool {
         self.position.is_none()
     }
@@ -120,13 +120,13 @@ impl ColumnSelector {
         self.position
     }
 
-    /// Whether what was asked for is a number.
+    /// Returns whether what was asked for is a number.
     pub(crate) fn is_number(&self) -> bool {
         !self.text.raw().is_empty() && self.text.raw().bytes().all(|byte| byte.is_ascii_digit())
     }
 }
 
-/// Whether the first row names the columns.
+/// States whether the first row names the columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Header {
     /// It does when a column is asked for by name, when the cells asked for look like names, or when a cell that is a word or empty

@@ -43,7 +43,7 @@ impl Read for RawBytes {
     }
 }
 
-/// What is known of the bytes.
+/// The known facts about the bytes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Coding {
     /// They were ASCII so far.
@@ -59,7 +59,7 @@ pub(crate) struct TextReader {
     held: Vec<u8>,
     /// What reading failed with behind them.
     failure: Option<io::Error>,
-    /// What was decoded but not handed out.
+    /// Text that was decoded but not handed out.
     text: Vec<u8>,
     handed_out: usize,
 }

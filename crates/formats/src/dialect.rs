@@ -34,7 +34,7 @@ impl CommentMark {
     }
 }
 
-/// What becomes of rows that have no number in a cell that is asked for, but nothing or a word for a missing value.
+/// The treatment of rows that have no number in a cell that is asked for, but nothing or a word for a missing value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Missing {
     /// They are an error.
@@ -81,17 +81,17 @@ impl MissingWords {
         MissingWords { texts, numbers }
     }
 
-    /// Whether there are none.
+    /// Returns whether there are none.
     pub fn is_empty(&self) -> bool {
         self.texts.is_empty()
     }
 
-    /// Whether a cell says that its value is missing.
+    /// Returns whether a cell says that its value is missing.
     pub fn are_in(&self, cell: &str) -> bool {
         is_missing(cell) || self.lists(cell)
     }
 
-    /// Whether a cell says so by one of these words.
+    /// Returns whether a cell says so by one of these words.
     pub(crate) fn lists(&self, cell: &str) -> bool {
         if self.is_empty() {
             return false;
@@ -177,24 +177,24 @@ impl Encoding {
 pub struct AskedDialect {
     /// How the bytes are encoded; found out when `None`: UTF-8, UTF-16, or else Windows-1252.
     pub encoding: Option<Encoding>,
-    /// What separates cells, [`BLANKS`] for runs of blanks and tabs; found out from the first lines when `None`.
+    /// The separator of cells, [`BLANKS`] for runs of blanks and tabs; found out from the first lines when `None`.
     pub delimiter: Option<u8>,
     /// The decimal mark; found out when `None`, unless commas separate cells.
     pub decimal: Option<DecimalMark>,
-    /// What stands between groups of three digits, if anything.
+    /// The text between groups of three digits, if anything.
     pub thousands: Option<Thousands>,
     /// Which lines are comments.
     pub comment: CommentMark,
     /// How many lines come before the table.
     pub skip_lines: u64,
-    /// Whether the row after the header has units.
+    /// `true` if the row after the header has units.
     pub units_row: bool,
 }
 
 /// How a text table turned out to be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Dialect {
-    /// What separates cells, [`BLANKS`] for runs of blanks and tabs.
+    /// The separator of cells, [`BLANKS`] for runs of blanks and tabs.
     pub delimiter: u8,
     /// How numbers are written.
     pub notation: Notation,
@@ -206,12 +206,12 @@ pub struct Dialect {
     pub records_before: usize,
     /// The bytes of the text.
     pub encoding: Encoding,
-    /// Whether rows without all their numbers are left out.
+    /// Says whether rows without all their numbers are skipped.
     pub missing: Missing,
 }
 
 impl Dialect {
-    /// Whether a reader that knows quotes, one delimiter and a header, and numbers with points, reads the table alike.
+    /// Returns whether a reader that knows quotes, one delimiter and a header, and numbers with points, reads the table alike.
     pub fn is_plain(&self) -> bool {
         self.delimiter != BLANKS
             && self.notation == Notation::default()

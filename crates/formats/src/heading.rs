@@ -6,21 +6,21 @@ use boundfit_exact::{Foreign, is_missing};
 use crate::columns::{ColumnPlace, ColumnSelector, Header, decode};
 use crate::error::{InputError, InputErrorKind};
 
-/// What the first record says about the columns of a table.
+/// The information in the first record about the columns of a table.
 pub(crate) struct Heading {
     /// Cells in every row.
     pub(crate) width: usize,
     /// The names, when the first record is a header.
     pub(crate) names: Option<Vec<Foreign>>,
-    /// Whether it could be a header as well as a reading.
+    /// `true` if it could be a header as well as a reading.
     pub(crate) is_open: bool,
-    /// Whether numbers that are asked for are names where they can be.
+    /// `true` if numbers that are asked for are names where they can be.
     prefers_names: bool,
     /// The line of the record, or of the comment.
     pub(crate) line: u64,
 }
 
-/// What is asked of a table that tells whether its first record is a header.
+/// The question about a table that tells whether its first record is a header.
 #[derive(Clone, Copy)]
 pub(crate) struct AskedColumns<'a> {
     /// Those that numbers are wanted from.
@@ -34,7 +34,7 @@ impl<'a> AskedColumns<'a> {
         self.columns.iter().chain(self.others.iter().copied())
     }
 
-    /// Whether the question alone tells that a record with these cells is a header: names are asked for, or stand in the cells that
+    /// Returns whether the question alone tells that a record with these cells is a header: names are asked for, or stand in the cells that
     /// numbers are wanted from.
     pub(crate) fn tell(self, cells: &[&[u8]]) -> bool {
         let asked: Vec<&[u8]> = self
@@ -46,7 +46,7 @@ impl<'a> AskedColumns<'a> {
             || (!asked.is_empty() && asked.iter().all(|cell| looks_like_name(cell)))
     }
 
-    /// Whether a number is asked for that can be nothing but one of these names.
+    /// Returns whether a number is asked for that can be nothing but one of these names.
     fn has_numbers_as_names(self, cells: &[&[u8]]) -> bool {
         self.all().any(|column| {
             column.is_number()
@@ -55,7 +55,7 @@ impl<'a> AskedColumns<'a> {
         })
     }
 
-    /// Whether every number that is asked for is one of these names, and one of them cannot be anything else.
+    /// Returns whether every number that is asked for is one of these names, and one of them cannot be anything else.
     fn prefers_names(self, cells: &[&[u8]]) -> bool {
         let mut numbers = self.all().filter(|column| column.is_number());
         self.has_numbers_as_names(cells)
@@ -63,12 +63,12 @@ impl<'a> AskedColumns<'a> {
     }
 }
 
-/// Whether what is asked for is the number of a column.
+/// Returns whether what is asked for is the number of a column.
 fn is_column(column: &ColumnSelector, width: usize) -> bool {
     column.position().is_some_and(|position| (1..=width).contains(&position))
 }
 
-/// Whether a cell says what is asked for.
+/// Returns whether a cell says what is asked for.
 fn is_text(cell: &[u8], column: &ColumnSelector) -> bool {
     std::str::from_utf8(cell).is_ok_and(|cell| cell.trim() == column.text().raw())
 }
@@ -160,7 +160,7 @@ impl Heading {
     }
 }
 
-/// Whether a record is a header by its own cells and those below, and whether it could be the other as well.
+/// Returns whether a record is a header by its own cells and those below, and whether it could be the other as well.
 ///
 /// A word above numbers is a name. So is nothing above numbers, as in pandas' `,0,1`; but a reading may lack a number. A number that is
 /// asked for and that no column has is a name.
@@ -180,7 +180,7 @@ fn behind_mark(name: &str) -> &str {
     name.trim_start_matches(['#', '%']).trim_start()
 }
 
-/// Whether a cell of the first row is a name rather than a number, a failed number or a missing one.
+/// Returns whether a cell of the first row is a name rather than a number, a failed number or a missing one.
 fn looks_like_name(cell: &[u8]) -> bool {
     let text = String::from_utf8_lossy(cell);
     let text = text.trim();

@@ -24,7 +24,7 @@ impl Lacking {
         self.first.get_or_insert_with(place);
     }
 
-    /// What became of reading, of which so many rows are used, and how many rows were left out.
+    /// The result of reading: how many rows are used, and how many were skipped.
     ///
     /// # Errors
     /// That of reading, unless a number was missing before that must not be.
@@ -48,7 +48,7 @@ impl Lacking {
     }
 }
 
-/// Whether somebody stopped the reading.
+/// Returns whether somebody stopped the reading.
 fn was_stopped<T>(read: &Result<T, InputError>) -> bool {
     matches!(read, Err(InputError { kind: InputErrorKind::Interrupted, .. }))
 }

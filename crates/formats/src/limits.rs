@@ -1,4 +1,4 @@
-//! What a file as a whole may ask for.
+//! Limits on a file as a whole.
 
 use boundfit_exact::MOST_WORK;
 

@@ -1,13 +1,13 @@
-//! What memory is taken for.
+//! The purpose of some memory.
 
 use std::fmt;
 
 use boundfit_exact::english::counted;
 
-/// What memory is taken for.
+/// The purpose of some memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MemoryUse {
-    /// So many rows from the first one on, with what is made of them.
+    /// The number of rows from the first one on, with what is made of them.
     Rows(usize),
     /// The bytes of a workbook, with the list of its parts.
     Workbook,

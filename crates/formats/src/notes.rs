@@ -1,38 +1,38 @@
-//! What a table of text, or a sheet, was taken for: what a report says of it, so that no guess goes unsaid.
+//! The detected format of a table of text, or of a sheet: what a report says of it, so that no guess goes unsaid.
 
 use boundfit_exact::{DecimalMark, Foreign};
 
 use crate::dialect::{BLANKS, Dialect, Encoding};
 
-/// What a table of text, or a sheet, was taken for.
+/// The detected format of a table of text, or of a sheet.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TableNotes {
-    /// What names the columns.
+    /// The line that names the columns.
     pub header: HeaderNote,
     /// How the text is written; of a sheet the delimiter and the encoding mean nothing.
     pub dialect: Dialect,
-    /// Whether the table is a sheet of a workbook, whose rows are then the lines.
+    /// `true` if the table is a sheet of a workbook, whose rows are then the lines.
     pub is_sheet: bool,
-    /// Whether the table is records of JSON, whose keys are the names; then the delimiter means nothing.
+    /// `true` if the table is records of JSON, whose keys are the names; then the delimiter means nothing.
     pub is_records: bool,
     /// Of a file with several blocks, the one that was read.
     pub block: Option<BlockNote>,
-    /// What was passed over, or was not as the first row is.
+    /// Skipped lines, and rows that differ from the first one.
     pub skipped: Skipped,
 }
 
-/// What names the columns.
+/// The line that names the columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct HeaderNote {
     /// The line with the names, from 1; `None` where there are none.
     pub line: Option<u64>,
-    /// Whether that line is a comment.
+    /// `true` if that line is a comment.
     pub is_comment: bool,
-    /// Whether nothing but its cells told whether the first line is a header, and it could be the other as well.
+    /// `true` if nothing but its cells told whether the first line is a header, and it could be the other as well.
     pub is_open: bool,
-    /// Whether the name of a column that was asked for is a number, or there is none.
+    /// `true` if the name of a column that was asked for is a number, or there is none.
     pub has_numbers: bool,
-    /// Whether the rows have a cell more than the header, which is their name.
+    /// `true` if the rows have a cell more than the header, which is their name.
     pub has_row_names: bool,
 }
 
@@ -47,7 +47,7 @@ pub struct BlockNote {
     pub total: usize,
 }
 
-/// What was passed over, or was not as the first row is.
+/// Skipped lines, and rows that differ from the first one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Skipped {
     /// Lines before the table that nobody asked to pass over: the names stand in a later one.
@@ -83,7 +83,7 @@ impl TableNotes {
         (!words.is_empty()).then(|| words.join(", "))
     }
 
-    /// Whether something about the table was guessed: which line has the names, which rows belong to it. How it is written is not, but
+    /// Returns whether something about the table was guessed: which line has the names, which rows belong to it. How it is written is not, but
     /// found out where that is safe.
     pub fn has_guesses(&self) -> bool {
         self.header_words().is_some() || self.block.is_some() || !self.skipped_words().is_empty()

@@ -181,7 +181,7 @@ impl HeldRows {
         held
     }
 
-    /// So many more rows are held.
+    /// Counts more held rows.
     pub fn add(&self, rows: usize) {
         self.add_counted(rows, rows, 0);
     }

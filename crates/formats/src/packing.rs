@@ -14,7 +14,7 @@ pub(crate) const ANY_FILE: u64 = 1 << 26;
 /// can rely on (RFC 8878, 3.1.1.1.2), and as its usual levels take.
 pub(crate) const ANY_WINDOW: u64 = 1 << 23;
 
-/// What is wrong with a compressed input.
+/// The problem with a compressed input.
 #[derive(Debug, Error)]
 pub(crate) enum UnpackError {
     /// It unpacks to more than may be.

@@ -15,17 +15,17 @@ use crate::limits::SizeLimits;
 /// What spreadsheets write into cells that have no value.
 const SHEET_ERRORS: [&[u8]; 7] = [b"#N/A", b"#DIV/0!", b"#NUM!", b"#VALUE!", b"#REF!", b"#NAME?", b"#NULL!"];
 
-/// What makes records of bytes.
+/// The reader of records.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Syntax {
-    /// What separates cells; [`BLANKS`] for runs of blanks and tabs.
+    /// The separator of cells; [`BLANKS`] for runs of blanks and tabs.
     pub(crate) delimiter: u8,
     /// With which bytes a line starts that is passed over where a record could start.
     pub(crate) comment: Option<[u8; 2]>,
 }
 
 impl Syntax {
-    /// Whether a line that starts with these bytes is a comment.
+    /// Returns whether a line that starts with these bytes is a comment.
     pub(crate) fn is_comment(&self, line: &[u8]) -> bool {
         let Some((marks, first)) = self.comment.zip(line.first()) else { return false };
         // Two marks are those that were not asked for: they must not hide a row that begins with an error of a spreadsheet.
@@ -34,7 +34,7 @@ impl Syntax {
     }
 }
 
-/// What takes records apart.
+/// The rules that separate records.
 enum Core {
     Delimited(Box<Reader>),
     Blanks(BlankReader),
@@ -75,7 +75,7 @@ impl Record {
         self.cells == 0 || (self.cells == 1 && self.cell(0).trim_ascii().is_empty())
     }
 
-    /// Whether there is nothing but white space in any cell.
+    /// Returns whether there is nothing but white space in any cell.
     pub(crate) fn is_empty(&self) -> bool {
         self.cells().all(|cell| cell.trim_ascii().is_empty())
     }
@@ -96,7 +96,7 @@ impl Record {
         }
     }
 
-    /// Whether there are more cells than are kept.
+    /// Returns whether there are more cells than are kept.
     fn is_too_wide(&self) -> bool {
         self.cells > self.most_cells
     }
@@ -178,15 +178,15 @@ pub(crate) struct Records<'a> {
     syntax: Syntax,
     core: Core,
     record: Record,
-    /// Whether the record goes on in the next piece.
+    /// `true` if the record goes on in the next piece.
     is_open: bool,
-    /// Whether the last record is within quotes that nothing closes.
+    /// `true` if the last record is within quotes that nothing closes.
     is_within_quotes: bool,
-    /// Whether a comment goes on in the next piece.
+    /// `true` if a comment goes on in the next piece.
     is_in_comment: bool,
     /// The line of the next byte, from 1.
     line: u64,
-    /// Whether the last byte was a carriage return: a line feed right after it belongs to the same line end.
+    /// `true` if the last byte was a carriage return: a line feed right after it belongs to the same line end.
     is_after_return: bool,
     /// The line on which the record starts, and how many bytes of it there are up to the first byte of its line end.
     record_line: u64,
@@ -194,7 +194,7 @@ pub(crate) struct Records<'a> {
     longest_record: usize,
     /// How many cells rows have; 0 where that is not known.
     width: usize,
-    /// What stands between the last record and the one before, and behind the last one.
+    /// The text between the last record and the one before, and behind the last one.
     gap: Gap,
     behind: Gap,
     /// The line behind the last record that is not blank.
@@ -274,7 +274,7 @@ impl<'a> Records<'a> {
         }
     }
 
-    /// Whether the record is one blank cell in quotes: it is passed over as a blank line is, but it parts no blocks.
+    /// Returns whether the record is one blank cell in quotes: it is passed over as a blank line is, but it parts no blocks.
     fn has_blank_cell(&self) -> bool {
         // What is more than the cell and its line end are quotes.
         self.record.cells == 1 && self.record_bytes > self.record.bytes_used + 1
@@ -304,12 +304,12 @@ impl<'a> Records<'a> {
         Records { width, ..self }
     }
 
-    /// What stood between the last record and the one before it, or the start.
+    /// The text between the last record and the one before it, or the start.
     pub(crate) fn take_gap(&mut self) -> Gap {
         std::mem::take(&mut self.gap)
     }
 
-    /// What stands behind the last record.
+    /// The text behind the last record.
     pub(crate) fn gap_behind(&self) -> Gap {
         let mut gap = self.behind.clone();
         gap.blank_lines = (self.line - self.end_line).saturating_sub(gap.comments);
@@ -324,7 +324,7 @@ impl<'a> Records<'a> {
         self.end_line = self.line;
     }
 
-    /// Whether the last record is within quotes that nothing closes.
+    /// Returns whether the last record is within quotes that nothing closes.
     pub(crate) fn is_within_quotes(&self) -> bool {
         self.is_within_quotes
     }
@@ -350,7 +350,7 @@ impl<'a> Records<'a> {
         self.line
     }
 
-    /// Whether a record goes on in the next piece.
+    /// Returns whether a record goes on in the next piece.
     pub(crate) fn is_open(&self) -> bool {
         self.is_open
     }

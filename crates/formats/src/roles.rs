@@ -1,4 +1,4 @@
-//! What a column takes from its cells when it is not their number.
+//! The values that a column takes from its cells when it is not their number.
 
 use boundfit_exact::{Column, DecimalMark, Rational, Reading, WrittenDigits};
 
@@ -6,7 +6,7 @@ use crate::columns::{ColumnSelector, Role, decode};
 use crate::dialect::MissingWords;
 use crate::error::InputErrorKind;
 
-/// What a column takes from a cell instead of its number, as a mantissa and an exponent of ten; `None` where it takes the
+/// The values that a column takes from a cell instead of its number, as a mantissa and an exponent of ten; `None` where it takes the
 /// number. The decimal mark is not known where no cell has told it.
 pub(crate) fn instead_of_number(
     cell: &[u8],

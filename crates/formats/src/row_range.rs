@@ -26,7 +26,7 @@ impl RowRange {
         (self.first, self.last)
     }
 
-    /// Whether it names a row beyond the last of so many.
+    /// Returns whether it names a row beyond the last of so many.
     pub(crate) fn is_beyond(&self, total: usize) -> bool {
         self.last.unwrap_or(self.first) > total
     }

@@ -20,7 +20,7 @@ use crate::row_range::RowRange;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct RowSet {
-    /// What was named. None of it may reach beyond the last row.
+    /// The named rows, none beyond the last row.
     named: Vec<RowRange>,
     without: Vec<RowRange>,
     /// Ascending, with a gap between any two; `None` for all rows.
@@ -58,12 +58,12 @@ impl RowSet {
         &self.without
     }
 
-    /// Whether all rows are wanted.
+    /// Returns whether all rows are wanted.
     pub fn is_all(&self) -> bool {
         self.wanted.is_none()
     }
 
-    /// Whether a row is wanted.
+    /// Returns whether a row is wanted.
     #[inline]
     pub fn contains(&self, row: usize) -> bool {
         self.wanted.as_ref().is_none_or(|wanted| {
@@ -78,7 +78,7 @@ impl RowSet {
         ranges_of(wanted.iter().map(|range| range.start.max(start)..range.end.min(end)))
     }
 
-    /// What was named first and is not among so many rows.
+    /// The first named row beyond these rows.
     pub(crate) fn beyond(&self, total: usize) -> Option<RowRange> {
         self.named.iter().chain(&self.without).find(|range| range.is_beyond(total)).copied()
     }
@@ -97,7 +97,7 @@ impl From<Option<RowRange>> for RowSet {
     }
 }
 
-/// Those that have rows.
+/// The parts that have rows.
 fn ranges_of(ranges: impl IntoIterator<Item = Range<usize>>) -> Vec<Range<usize>> {
     ranges.into_iter().filter(|range| !range.is_empty()).collect()
 }
@@ -177,7 +177,7 @@ impl RowNumbers {
         self.count
     }
 
-    /// Whether there are none.
+    /// Returns whether there are none.
     pub fn is_empty(&self) -> bool {
         self.count == 0
     }
@@ -260,7 +260,7 @@ const COMPARISONS: [(&str, Comparison); 7] = [
     ("=", Comparison::Equal),
 ];
 
-/// What the number in a column must be for a row to be wanted.
+/// The condition on the number in a column for a row to be wanted.
 ///
 /// ```
 /// use boundfit_exact::{Limits, Rational, Reading};
@@ -291,12 +291,12 @@ pub enum ParseRowConditionError {
     /// A name that begins with a quote does not end with one.
     #[error("the quote before the column's name is not closed")]
     OpenQuote,
-    /// What follows the comparison is no number.
+    /// The text after the comparison, which is no number.
     #[error("{text:?}: {}: {error}", if .error.kind.is_limit() { "refused" } else { "not a number" })]
     NotANumber {
         /// What stands there.
         text: Foreign,
-        /// What is wrong with it.
+        /// The problem with it.
         error: ParseNumberError,
     },
 }
@@ -332,7 +332,7 @@ impl RowCondition {
         &self.text
     }
 
-    /// Whether a number satisfies it. Exact.
+    /// Returns whether a number satisfies it. Exact.
     pub fn holds(&self, number: &Rational) -> bool {
         let order = number.cmp(&self.number);
         match self.comparison {

@@ -58,7 +58,7 @@ impl Again {
     }
 }
 
-/// What an input holds, as its first bytes tell.
+/// The kind of content, by its first bytes.
 pub(crate) enum Content {
     /// Text, or what will be refused as such.
     Bytes(Box<dyn Read>),
@@ -256,7 +256,7 @@ impl Source {
         self.is_reduction
     }
 
-    /// Whether the numbers in this file are stored in binary, exactly, so that no reading of text applies: in a MATLAB
+    /// Returns whether the numbers in this file are stored in binary, exactly, so that no reading of text applies: in a MATLAB
     /// file. What is reported of them is the binary64 reading.
     pub fn is_stored(&self) -> bool {
         matches!(self.content, Content::Matlab(_))

@@ -18,12 +18,12 @@ pub(crate) struct FirstLine {
 }
 
 impl FirstLine {
-    /// Whether so much comes before the line that it is not worth holding.
+    /// Returns whether so much comes before the line that it is not worth holding.
     pub(crate) fn is_far_away(&self) -> bool {
         self.before > MOST_BEFORE
     }
 
-    /// Whether the line and its end are in the start, to which so many bytes were added since the last call.
+    /// Returns whether the line and its end are in the start, to which so many bytes were added since the last call.
     pub(crate) fn is_in(&mut self, start: &[u8], added: usize) -> bool {
         if self.before == 0 {
             self.before = start.len() - without_mark(start).len();
@@ -48,13 +48,13 @@ pub(crate) fn refuse_other(start: &[u8]) -> Result<(), InputErrorKind> {
     Ok(())
 }
 
-/// What separates the cells of a line, if anything but blanks does: a semicolon, tab, comma or bar outside quotes, in this order.
+/// The separator of cells of a line, if anything but blanks does: a semicolon, tab, comma or bar outside quotes, in this order.
 pub(crate) fn delimiter_of(line: &[u8]) -> Option<u8> {
     let outside = outside_quotes(line);
     [b';', b'\t', b',', b'|'].into_iter().find(|delimiter| outside.contains(delimiter))
 }
 
-/// Whether blanks separate the cells of a table whose first two lines are these, which nothing else separates: then both have as
+/// Returns whether blanks separate the cells of a table whose first two lines are these, which nothing else separates: then both have as
 /// many cells, or the second one a cell more (the names of rows, which need no name).
 pub(crate) fn are_blanks(first: &[u8], second: Option<&[u8]>) -> bool {
     let cells = cells_between_blanks(first);

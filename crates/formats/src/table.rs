@@ -31,7 +31,7 @@ impl TextLayout {
 /// How a table is to be read.
 #[derive(Debug, Clone, Default)]
 pub struct TableOptions {
-    /// Whether there is a header.
+    /// Says whether there is a header.
     pub header: Header,
     /// The sheet of a workbook, by its name or its number from 1; the first one when `None`.
     pub sheet: Option<String>,
@@ -39,23 +39,23 @@ pub struct TableOptions {
     pub dialect: AskedDialect,
     /// Which block of a file with several of them; such a file is refused when `None`.
     pub block: Option<AskedBlock>,
-    /// What becomes of rows that lack a number.
+    /// The treatment of rows that lack a number.
     pub missing: Missing,
     /// What else says that a value is missing, in text and workbooks.
     pub missing_as: MissingWords,
     /// The rows that may be wanted.
     pub rows: RowSet,
-    /// What must hold for each of these to be wanted: every condition.
+    /// The conditions for each of these to be wanted: every condition.
     pub conditions: Vec<RowCondition>,
-    /// Whether rows that are not wanted are kept too, where their cells are numbers.
+    /// `true` if rows that are not wanted are kept too, where their cells are numbers.
     pub keep_others: bool,
-    /// Whether the texts of the cells are kept too, where the table is text.
+    /// `true` if the texts of the cells are kept too, where the table is text.
     pub keep_cells: bool,
     /// How numbers are read.
     pub reading: Reading,
-    /// What one number may ask for.
+    /// Limits on one number.
     pub limits: Limits,
-    /// What the file as a whole may ask for.
+    /// Limits on the file as a whole.
     pub sizes: SizeLimits,
     /// Bytes of memory that a row takes where rows are held, with all that is made of it, as far as the caller knows; counted
     /// against [`SizeLimits::memory`].
@@ -65,7 +65,7 @@ pub struct TableOptions {
 }
 
 impl TableOptions {
-    /// Whether rows may be passed over.
+    /// Returns whether rows may be passed over.
     pub fn selects_rows(&self) -> bool {
         !self.rows.is_all() || !self.conditions.is_empty()
     }
@@ -106,7 +106,7 @@ pub struct Table {
     pub ranges: Vec<[usize; 2]>,
     /// Where the numbers stand; `None` unless the table is delimited text.
     pub layout: Option<TextLayout>,
-    /// What the table was taken for; `None` unless it is text or a sheet.
+    /// The detected format of the table; `None` unless it is text or a sheet.
     pub table: Option<TableNotes>,
     /// SHA-256 of the file's bytes, in hexadecimal.
     pub sha256: String,

@@ -15,7 +15,7 @@ pub(crate) fn or_time(problem: InputErrorKind, cell: &[u8]) -> InputErrorKind {
     }
 }
 
-/// Whether a cell looks like a date or a time: `2024-01-31T12:00`, `31.01.2024`, `12:30`, `31-Jan-24`, `2024Q1`.
+/// Returns whether a cell looks like a date or a time: `2024-01-31T12:00`, `31.01.2024`, `12:30`, `31-Jan-24`, `2024Q1`.
 pub(crate) fn is_time(cell: &[u8]) -> bool {
     let Ok(text) = std::str::from_utf8(cell) else { return false };
     let text = text.trim();
@@ -32,7 +32,7 @@ pub(crate) fn is_time(cell: &[u8]) -> bool {
 /// A text as long as this is neither.
 const LONGEST: usize = 64;
 
-/// Whether a word is the name of a month in English, or its first three letters.
+/// Returns whether a word is the name of a month in English, or its first three letters.
 fn is_month(word: &str) -> bool {
     const MONTHS: [&str; 12] = [
         "january",

@@ -54,14 +54,14 @@ pub(crate) struct Unpacked {
     pub(crate) bytes: Box<dyn Read>,
 }
 
-/// What is known of a compressed input while it is read.
+/// The known facts about a compressed input while it is read.
 #[derive(Clone)]
 pub(crate) struct Packed(Rc<RefCell<State>>);
 
 struct State {
     /// Of the bytes as they are in the file.
     hash: Sha256,
-    /// Whether these could not be read, so that an error is not the compression's.
+    /// `true` if these could not be read, so that an error is not the compression's.
     has_failed: bool,
     /// The most bytes that they may unpack to.
     limit: u64,

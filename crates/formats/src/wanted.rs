@@ -98,7 +98,7 @@ impl<C: Placed> WantedColumns<'_, C> {
         each_once(places(), &titles).collect()
     }
 
-    /// What is said of rows that come from no bytes.
+    /// The words about rows that come from no bytes.
     pub(crate) fn scanned(&self, rows_total: usize, rows_missing: usize) -> Scanned {
         let titles = || self.written().into_iter().map(|column| column.place().title().raw().to_owned());
         Scanned {

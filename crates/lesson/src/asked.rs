@@ -1,4 +1,4 @@
-//! What was asked, in the words of the engine in the page: with it, the readings of a page make that page again.
+//! The question, in the words of the engine in the page: with it, the readings of a page make that page again.
 //!
 //! The table is the one that the page writes (`page/js/model/table.js`): regressors, the response where there is one, then the columns
 //! of bounds where there are any; each reading with x as it was before it was counted from an origin, and the cells as they were
@@ -73,7 +73,7 @@ enum Bounds {
     Interval { lower: Option<Foreign>, upper: Option<Foreign> },
 }
 
-/// What was asked, and the names of the columns of the table. `others` are the readings of the page that are not fitted.
+/// The question, and the names of the columns of the table. `others` are the readings of the page that are not fitted.
 pub(crate) fn asked(
     problem: &Problem,
     reading: Reading,

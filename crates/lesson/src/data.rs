@@ -26,7 +26,7 @@ use crate::texts::{Message, Value, say, text};
 pub(crate) struct LessonJson {
     schema: &'static str,
     title: String,
-    /// Whether the title was made of the file and the columns.
+    /// `true` if the title was made of the file and the columns.
     is_default_title: bool,
     file: String,
     asked: AskedJson,
@@ -63,7 +63,7 @@ impl LessonJson {
         &self.title
     }
 
-    /// Whether a column has the error bounds.
+    /// Returns whether a column has the error bounds.
     pub(crate) fn has_column_of_bounds(&self) -> bool {
         self.epsilon.has_column()
     }
@@ -143,7 +143,7 @@ fn units(model: &Model, options: &LessonOptions) -> UnitsJson {
     UnitsJson { x, y, theta1: quotient, theta2: second }
 }
 
-/// What follows the last separator of a path.
+/// The text after the last separator of a path.
 fn file_name(file: &str) -> Foreign<&str> {
     let name = file.rsplit(['/', '\\']).find(|name| !name.is_empty()).unwrap_or(file);
     Foreign::of(name)

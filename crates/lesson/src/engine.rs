@@ -12,7 +12,7 @@ mod with_engine {
     use base64::Engine;
     use base64::engine::general_purpose::STANDARD;
 
-    /// What the page may do besides: compile WebAssembly, and start Workers from a script of its own.
+    /// Further permissions of the page: compile WebAssembly, and start Workers from a script of its own.
     pub(crate) const POLICY: &str = " 'wasm-unsafe-eval'; worker-src blob:";
 
     /// The module, packed by gzip.

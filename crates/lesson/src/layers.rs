@@ -24,12 +24,12 @@ const DIRECTIONS: AskedDirections = AskedDirections { count: 16, is_scaled: fals
 /// The longest that a solver may work on one program.
 const TIME_LIMIT: Duration = Duration::from_secs(10);
 
-/// What a solver claims about the four ends, and what the claims are worth against the data as read.
+/// The claims of a solver about the four ends, and what the claims are worth against the data as read.
 #[derive(Debug)]
 pub(crate) struct LpAnswer {
     /// The solver with its version.
     pub(crate) source: String,
-    /// Whether it is the exact simplex.
+    /// `true` if it is the exact simplex.
     pub(crate) is_exact: bool,
     /// By parameter, then lower and upper end.
     pub(crate) claims: [[BoundClaim; 2]; 2],

@@ -14,12 +14,12 @@ use crate::number::STYLE;
 use crate::points::Points;
 use crate::region::{IndexedRegion, same_set};
 
-/// What is left without one reading.
+/// The remaining set without one reading.
 #[derive(Debug)]
 pub(crate) struct Without {
     /// The reading.
     pub(crate) row: usize,
-    /// Whether the set is another one than with it.
+    /// `true` if the set is another one than with it.
     pub(crate) matters: bool,
     /// The set.
     pub(crate) region: Region,

@@ -17,7 +17,7 @@ pub(crate) struct OutliersJson {
     least: usize,
     /// Which ones, for each way that is offered.
     ways: Vec<Vec<usize>>,
-    /// Whether there is no other way.
+    /// `true` if there is no other way.
     complete: bool,
 }
 

@@ -26,7 +26,7 @@ pub(crate) struct EpsilonJson {
 }
 
 impl EpsilonJson {
-    /// Whether a column has the bounds.
+    /// Returns whether a column has the bounds.
     pub(crate) fn has_column(&self) -> bool {
         self.column.is_some()
     }

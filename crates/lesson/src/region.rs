@@ -39,7 +39,7 @@ impl IndexedRegion {
     }
 }
 
-/// Whether two regions are the same set, whatever half-planes describe them.
+/// Returns whether two regions are the same set, whatever half-planes describe them.
 pub(crate) fn same_set(one: &Region, other: &Region) -> bool {
     fn points(region: &Region) -> impl Iterator<Item = &Point> {
         region.vertices().iter().map(Vertex::point)

@@ -1,4 +1,4 @@
-//! What the band of the least error bound holds for readings that are still to come, without any bound on their errors.
+//! The share of further readings in the band of the least error bound, without any bound on their errors.
 
 use boundfit_estimation::Measurements;
 use boundfit_exact::{Integer, Rational};
@@ -52,7 +52,7 @@ pub fn guaranteed_share(readings: usize, unknowns: u32, confidence: &Rational) -
     Rational::new(Integer::from(SHARES - enough), Integer::from(SHARES))
 }
 
-/// What the band of the least error bound holds for further readings from the same source.
+/// The guarantee of the band of the least error bound for further readings from the same source.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Guarantee {
     /// The chance that the guarantee is true, at least, over all sets of so many readings.

@@ -142,7 +142,7 @@ impl LinearRange {
 
     /// The fewest runs that have every reading that is in one. Cost: linear.
     ///
-    /// Of the runs that have the first reading not yet covered, the one that goes on for longest: no other choice leaves fewer.
+    /// Takes the longest run that has the first uncovered reading: no other choice leaves fewer.
     pub fn fewest(&self) -> Vec<&Run> {
         let mut chosen: Vec<&Run> = Vec::new();
         for (index, run) in self.runs.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! What a further reading would have to be like to bound an unbounded FPS.
+//! Advice: a further reading that would bound an unbounded FPS.
 
 use boundfit_estimation::{Measurements, Model};
 use boundfit_exact::{Integer, Rational, Sign};

@@ -155,7 +155,7 @@ fn rounded_ends(answer: &JudgedAnswer) -> Vec<Text> {
     kinds.into_iter().map(sentence).collect()
 }
 
-/// What a number was rounded to.
+/// The precision to which a number was rounded.
 fn rounding_name(to: RoundedTo) -> String {
     match to {
         RoundedTo::Binary64 => "doubles".to_owned(),
@@ -288,7 +288,7 @@ fn error_text(judgement: &Judgement, style: &Style) -> Text {
     if is_open { text.words(")") } else { text }
 }
 
-/// What a claimed point violates most, and what it needs.
+/// The bound that a claimed point violates most, and the ε that it needs.
 fn violation_text(judgement: &Judgement, rows: &ProgramRows, style: &Style) -> Option<Text> {
     let violation = judgement.violation.as_ref()?;
     let exceeds = format!("the point exceeds {} by ", rows.name(violation.row));
@@ -302,7 +302,7 @@ fn violation_text(judgement: &Judgement, rows: &ProgramRows, style: &Style) -> O
     })
 }
 
-/// What shows that a status is wrong.
+/// The proof that a status is wrong.
 fn contrary(proof: &Refutation, rows: &ProgramRows, style: &Style) -> Text {
     let products_of = |multipliers: &[Multiplier]| {
         products(multipliers.iter().map(|m| (style.proof(&m.value), rows.name(m.row).to_string())))

@@ -31,7 +31,7 @@ fn without_controls(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(shown).collect())
 }
 
-/// Whether a text is a decimal with a sign or without, which no spreadsheet computes anything from.
+/// Returns whether a text is a decimal with a sign or without, which no spreadsheet computes anything from.
 fn is_number(text: &str) -> bool {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let (mantissa, exponent) = unsigned.split_once(['e', 'E']).unwrap_or((unsigned, "0"));
@@ -49,7 +49,7 @@ fn is_number(text: &str) -> bool {
 mod tests {
     use super::*;
 
-    /// What stands before the cell was written.
+    /// The length before the cell was written.
     fn read_back(cell: &str) -> &str {
         let shorter = cell.strip_prefix('\'').filter(|text| csv_text(Foreign::of(text)) != *text);
         shorter.unwrap_or(cell)

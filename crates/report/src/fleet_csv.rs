@@ -87,7 +87,7 @@ impl FleetCsv {
         self.writer.write_record(None::<&[u8]>).expect(WRITTEN);
     }
 
-    /// What was added, as text in UTF-8.
+    /// The added lines, as text in UTF-8.
     pub fn into_bytes(self) -> Vec<u8> {
         self.writer.into_inner().expect(WRITTEN)
     }

@@ -17,12 +17,12 @@ pub struct GroupReport<'a> {
     pub problem: &'a Problem,
     /// Their fit; the parts that fleets do not report may be missing.
     pub fit: &'a Fit,
-    /// What a line says of it.
+    /// The numbers of one line.
     pub line: &'a GroupFit,
 }
 
 impl GroupReport<'_> {
-    /// Whether every reading has its own error bound.
+    /// Returns whether every reading has its own error bound.
     pub(crate) fn is_bounded_per_row(&self) -> bool {
         !self.problem.measurements.error_bound().is_uniform()
     }
@@ -74,7 +74,7 @@ impl FleetSummary {
         self.first_empty.extend(later.first_empty.into_iter().take(room));
     }
 
-    /// Whether the FPS of some group is empty.
+    /// Returns whether the FPS of some group is empty.
     pub fn has_empty(&self) -> bool {
         self.empty > 0
     }

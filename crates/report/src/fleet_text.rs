@@ -9,7 +9,7 @@ use crate::style::Style;
 
 /// How many cells a line has.
 const CELLS: usize = 6;
-/// So many lines tell how wide the columns are.
+/// The number of lines that decide the widths of the columns.
 const LINES_MEASURED: usize = 1000;
 
 /// The cells of a line.

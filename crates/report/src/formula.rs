@@ -18,7 +18,7 @@ pub(crate) fn products(terms: impl IntoIterator<Item = (Text, String)>) -> Text 
     Text::joined(terms.into_iter().map(product), &Inline::Operator(Operator::Plus))
 }
 
-/// What a sum of half-planes says that proves a set empty.
+/// The contradiction that a sum of half-planes of an empty set states.
 pub(crate) fn absurdity(products: Text, sum: &Rational, style: &Style) -> Text {
     let zero = Text::from(" gives ").number(Integer::zero());
     products.then(zero).operator(Operator::AtMost).number(style.upper(sum))

@@ -5,7 +5,7 @@ use boundfit_exact::Rational;
 use boundfit_geometry::constructions::foot;
 use boundfit_geometry::{Direction, Point, Region};
 
-/// What a generator is.
+/// The kind of a generator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum GeneratorKind {
     /// A vertex.

@@ -1,4 +1,4 @@
-//! What the band of the least error bound holds for further readings, in words and as JSON.
+//! The share of further readings in the band of the least error bound, in words and as JSON.
 
 use boundfit_estimation::{ErrorBound, Fit, Minimax, Problem};
 use boundfit_exact::Rational;
@@ -67,7 +67,7 @@ pub fn guarantee_document(problem: &Problem, fit: &Fit, guarantee: &Guarantee, s
     Document::new(blocks)
 }
 
-/// What has to be so.
+/// The assumptions.
 fn assumptions(problem: &Problem, minimax: &Minimax) -> Vec<&'static str> {
     let measurements = &problem.measurements;
     let is_uniform = measurements.error_bound().is_uniform();

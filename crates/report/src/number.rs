@@ -76,7 +76,7 @@ impl Number {
         Number { outward: Some(outward), ..self }
     }
 
-    /// Whether the fraction is too long to be written.
+    /// Returns whether the fraction is too long to be written.
     pub(crate) fn lacks_fraction(&self) -> bool {
         !self.is_exact
     }

@@ -9,6 +9,6 @@ pub struct Origin<'a> {
     pub file: Option<Foreign<&'a str>>,
     /// How numbers were read.
     pub reading: Reading,
-    /// Whether the file stores them in binary, so that they were not read from text.
+    /// `true` if the file stores them in binary, so that they were not read from text.
     pub is_stored: bool,
 }

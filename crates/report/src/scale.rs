@@ -147,7 +147,7 @@ impl Scale<'_> {
         self.style.union(intervals)
     }
 
-    /// Whether the range has no width.
+    /// Returns whether the range has no width.
     fn is_single(&self) -> bool {
         self.range.and_then(Interval::ends).is_some_and(|(lower, upper)| lower == upper)
     }

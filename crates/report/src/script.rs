@@ -15,7 +15,7 @@ use crate::generators::{ActiveNames, Generator, GeneratorKind, generators};
 /// - `points_exact`, `points`: where there are no vertices, a point of each boundary;
 /// - `rays_exact`, `rays`, `lines_exact`, `lines`: the directions in which the region goes on, one way and both ways.
 ///
-/// What a region does not have is there with 0 rows. A number beyond the largest double is `Inf`.
+/// Parts that a region lacks have 0 rows. A number beyond the largest double is `Inf`.
 pub fn region_script(polyhedron: &Polyhedron, names: &ActiveNames<'_>) -> String {
     let region = polyhedron.region();
     let generators = generators(region);

@@ -56,7 +56,7 @@ fn lines<'a>(
     ends.into_iter().filter_map(text).collect()
 }
 
-/// What the line at an end of the slopes is called.
+/// The name of the line at an end of the slopes.
 fn label(end: SlopeEnd) -> &'static str {
     match end {
         SlopeEnd::Steepest => "steepest",

@@ -13,7 +13,7 @@ use crate::proof_json::corners;
 pub struct Statement {
     /// Which half-planes make the set.
     pub scope: Scope,
-    /// What is so about it.
+    /// The claim.
     pub claim: Claim,
 }
 
@@ -56,7 +56,7 @@ pub struct Multiple {
     pub times: Rational,
 }
 
-/// What is so about a set.
+/// A claim about a set.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[allow(clippy::large_enum_variant, reason = "proofs are short")]
 pub enum Claim {

@@ -50,7 +50,7 @@ pub struct Style {
     pub digits: Option<usize>,
     /// How ends of intervals and error bounds are rounded.
     pub ends: EndRounding,
-    /// Whether text shows exact fractions in place of decimals.
+    /// `true` if text shows exact fractions in place of decimals.
     pub exact: bool,
     /// Who reads the numbers of JSON.
     pub reader: Reader,
@@ -346,7 +346,7 @@ impl Style {
     }
 }
 
-/// Whether a fraction is short enough to be read.
+/// Returns whether a fraction is short enough to be read.
 pub(crate) fn is_readable(value: &Rational) -> bool {
     value.to_string().len() <= LONGEST_READABLE
 }

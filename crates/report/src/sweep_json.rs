@@ -31,7 +31,7 @@ impl SweepJson {
 }
 
 impl SweepJson {
-    /// Whether the fraction of an area is too long to be written.
+    /// Returns whether the fraction of an area is too long to be written.
     pub(crate) fn lacks_fraction(&self) -> bool {
         let areas = self.breakpoints.iter().filter_map(|breakpoint| breakpoint.area.as_ref());
         let mut functions = self.pieces.iter().filter_map(|piece| piece.area.as_ref());

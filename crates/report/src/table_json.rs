@@ -1,4 +1,4 @@
-//! What a table was taken for: the part `input.table` of all documents about readings, and the line of reports.
+//! The detected format of the table: the part `input.table` of all documents about readings, and the line of reports.
 
 use boundfit_estimation::Measurements;
 #[cfg(feature = "files")]

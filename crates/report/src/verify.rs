@@ -9,10 +9,10 @@ use boundfit_verify::{About, Extent, Falsehood, Found, Quantity, SetFound, State
 use crate::style::Style;
 use crate::verify_claims::{extent, form_text, of_claims, range, rows};
 
-/// What is to be said about a proof.
+/// The report about a proof.
 #[derive(Debug)]
 pub struct Verdict {
-    /// What a checker found: what the proof states, all of it true, or the first statement that is false.
+    /// The verdict of a checker: the statements of the proof, all true, or the first one that is false.
     pub found: Result<Statement, Falsehood>,
     /// How the question that it answers differs from the one that was asked, a sentence for each difference.
     pub differences: Vec<String>,
@@ -45,7 +45,7 @@ pub fn verify_text(verdict: &Verdict, proof: &str, data: &str) -> String {
     format!("verified: {proof} is true of {data}\n{}", lines.collect::<String>())
 }
 
-/// What is proved of a set, as lines with labels.
+/// The proved facts about a set, as lines with labels.
 fn of_set(set: &SetFound) -> Vec<(&'static str, String)> {
     let mut lines =
         vec![("proved", proved(set.extent).to_owned()), ("set", extent(set.extent, set.vertices, set.sides))];
@@ -55,7 +55,7 @@ fn of_set(set: &SetFound) -> Vec<(&'static str, String)> {
     lines
 }
 
-/// What the checks have shown.
+/// The facts that the checks have shown.
 fn proved(extent: Extent) -> &'static str {
     match extent {
         Extent::Empty => "no parameters agree with all of these rows and conditions",
@@ -174,7 +174,7 @@ fn reading(about: &About) -> String {
     format!("{numbers}, {} between cells, {header}", delimiter(about.delimiter))
 }
 
-/// What separates cells, in a word.
+/// The separator of cells, in a word.
 pub(crate) fn delimiter(delimiter: char) -> impl Display {
     match delimiter {
         ';' => "semicolons",

@@ -1,4 +1,4 @@
-//! What the statements of a proof say, in words.
+//! The statements of a proof, in words.
 
 use boundfit_exact::english::counted;
 use boundfit_exact::{Endpoint, Interval, Rational};

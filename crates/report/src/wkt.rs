@@ -55,7 +55,7 @@ fn rounded(vertices: &[Vertex], digits: usize) -> (Vec<String>, Vec<[Rational; 2
     vertices.iter().map(point).unzip()
 }
 
-/// Whether points are different and, three or more of them, turn left at each.
+/// Returns whether points are different and, three or more of them, turn left at each.
 fn keeps_shape(points: &[[Rational; 2]], kind: RegionKind) -> bool {
     let next = |step: usize| points.iter().cycle().skip(step);
     match kind {

@@ -128,7 +128,7 @@ impl Bands {
         extent
     }
 
-    /// Whether a band goes on beyond the panel of a view.
+    /// Returns whether a band goes on beyond the panel of a view.
     pub(crate) fn go_beyond(&self, view: &View, panel: &Panel) -> bool {
         let [_, up] = panel.coordinates();
         let upper = up.lower() + up.width();
@@ -200,7 +200,7 @@ impl Bands {
     }
 }
 
-/// Whether the corridor of a figure has breakpoints to mark.
+/// Returns whether the corridor of a figure has breakpoints to mark.
 fn has_breakpoints(scene: &Scene) -> bool {
     scene.figure == Figure::Corridor
         && scene.is_line()

@@ -107,7 +107,7 @@ pub(crate) fn boxes(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotO
     }
 }
 
-/// What is asked of lines, and what goes on without end.
+/// The question about lines, and the unbounded parts of the answer.
 fn notes(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotOptions) -> Vec<String> {
     let mut notes = vec![asked(problem, options)];
     notes.extend(emptiness(problem, answer));

@@ -12,7 +12,7 @@ use crate::palette::style;
 
 /// From how many readings in a square on each grey is drawn.
 const LEAST: [u32; 4] = [1, 10, 100, 1000];
-/// What they are called in the legend.
+/// The name in the legend.
 const NAMES: [&str; 4] = ["1 to 9 readings", "10 to 99", "100 to 999", "1000 and more"];
 /// A view this narrow beside its numbers needs digits that floats lack.
 const NARROW: f64 = 1e-9;

@@ -25,7 +25,7 @@ pub(super) fn frames(options: &PlotOptions) -> [Frame; 2] {
     }
 }
 
-/// Whether the panels of a figure stand beside each other.
+/// Returns whether the panels of a figure stand beside each other.
 pub(super) fn are_side_by_side(options: &PlotOptions) -> bool {
     options.flip && !Page::of(options).is_narrow()
 }

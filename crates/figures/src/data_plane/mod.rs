@@ -103,7 +103,7 @@ fn drawing_of(scene: &Scene, bands: &Bands, title: String, mut notes: Vec<String
     }
 }
 
-/// What is said of readings outside a view: how many there are, of how many.
+/// The words about readings outside a view: how many there are, of how many.
 pub(crate) fn outside_note([outside, count]: [usize; 2]) -> Option<String> {
     match outside {
         0 => None,

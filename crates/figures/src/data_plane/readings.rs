@@ -25,7 +25,7 @@ pub(crate) struct Bar<'a> {
     low: f64,
     middle: f64,
     high: f64,
-    /// Whether there is no bound below, and none above.
+    /// `true` if there is no bound below, and none above.
     is_open: [bool; 2],
 }
 

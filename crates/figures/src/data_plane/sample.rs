@@ -35,7 +35,7 @@ pub(super) fn columns(length: f64) -> f64 {
     length / COLUMN
 }
 
-/// Whether each reading may be the lowest or the highest of its column on a panel, by its level or by its distance from a line;
+/// Returns whether each reading may be the lowest or the highest of its column on a panel, by its level or by its distance from a line;
 /// `None` where all have to be looked at. Cost: some hundred instructions for each.
 pub(super) fn may_be_seen(
     readings: &[Measurement],

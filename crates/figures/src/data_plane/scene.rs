@@ -1,4 +1,4 @@
-//! What a figure of the data plane is made of: the readings to be seen, and the line that distances are taken from.
+//! The material of a figure of the data plane: the readings to be seen, and the line that distances are taken from.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -59,7 +59,7 @@ pub(crate) struct Shown {
     pub(crate) conflicting: bool,
 }
 
-/// What a figure is made of, but for its bands.
+/// The material of a figure, except its bands.
 pub(crate) struct Scene<'a> {
     pub(crate) problem: &'a Problem,
     pub(crate) fit: &'a Fit,
@@ -99,7 +99,7 @@ impl<'a> Scene<'a> {
         Scene { problem, fit, figure, options, conflict, reference, readings, count, abscissas }
     }
 
-    /// Whether the model is a line.
+    /// Returns whether the model is a line.
     pub(crate) fn is_line(&self) -> bool {
         is_line(self.problem)
     }
@@ -109,12 +109,12 @@ impl<'a> Scene<'a> {
         if self.is_line() { reading.regressor[0].clone() } else { Rational::from(reading.row) }
     }
 
-    /// Whether each reading is drawn small, to leave room for the others.
+    /// Returns whether each reading is drawn small, to leave room for the others.
     pub(crate) fn is_dense(&self) -> bool {
         self.count > MOST_LARGE_MARKS
     }
 
-    /// Whether there are more readings than can be told apart.
+    /// Returns whether there are more readings than can be told apart.
     pub(crate) fn is_crowded(&self) -> bool {
         self.count > MOST_MARKS
     }

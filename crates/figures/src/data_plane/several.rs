@@ -25,7 +25,7 @@ const OPEN_END: f64 = 0.06;
 /// How much wider the next bar at the same reading is, which is shorter.
 const BAR_ON_BAR: f64 = 1.3;
 
-/// What is drawn of a fit: bars, marks, and its line.
+/// The drawing of a fit: bars, marks, and its line.
 struct Style {
     bar: Stroke,
     mark: Mark,
@@ -144,7 +144,7 @@ fn style_of(look: SeriesLook, count: usize) -> Style {
     }
 }
 
-/// Whether two problems have the same readings, whatever their bounds are.
+/// Returns whether two problems have the same readings, whatever their bounds are.
 fn are_same(one: &Problem, other: &Problem) -> bool {
     let [one, other] = [one, other].map(|problem| problem.measurements.kept());
     let is_same = |(one, other): (&Measurement, &Measurement)| {

@@ -72,7 +72,7 @@ pub(super) fn finished(
     }
 }
 
-/// What the axes are called in the description of a figure.
+/// The names of axes in the description of a figure.
 fn described_axes(names: &[String; 2]) -> String {
     format!("Horizontal axis: {}. Vertical axis: {}.", names[0], names[1])
 }

@@ -1,4 +1,4 @@
-//! What is left without outliers: as many convex sets as there are ways to leave so few readings out.
+//! The remaining set without outliers: as many convex sets as there are ways to leave so few readings out.
 
 use boundfit_estimation::{Problem, half_planes};
 use boundfit_exact::english::{counted, ranges};

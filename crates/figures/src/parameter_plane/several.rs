@@ -98,7 +98,7 @@ fn told(own: &Series) -> String {
     }
 }
 
-/// Whether some parameters are in all sets that are not empty.
+/// Returns whether some parameters are in all sets that are not empty.
 fn common(all: &[Series]) -> Option<String> {
     let sets: Vec<&Polyhedron> =
         all.iter().map(|own| own.fit.fps.polyhedron()).filter(|set| !set.region().is_empty()).collect();

@@ -1,4 +1,4 @@
-//! What is on figures of the parameter plane, and what is not.
+//! The content of figures of the parameter plane.
 
 use boundfit_estimation::{Problem, fit};
 use boundfit_exact::Rational;

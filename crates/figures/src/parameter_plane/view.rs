@@ -54,7 +54,7 @@ impl Window {
         Window([grown(first, &point[0]), grown(second, &point[1])])
     }
 
-    /// Whether a box is wholly inside when the window may grow by `most` of its widths on each side.
+    /// Returns whether a box is wholly inside when the window may grow by `most` of its widths on each side.
     pub(crate) fn nearly_holds(&self, corners: &[[Rational; 2]; 2], most: &Rational) -> bool {
         (0..2).all(|j| {
             let [lower, upper] = &self.0[j];

@@ -73,7 +73,7 @@ fn with_scratch<T>(page: Page, measure: impl FnOnce(&Brush) -> CanvasResult<T>) 
     measure(&Brush::new(&canvas))
 }
 
-/// What stands around the panels, in lines that have room.
+/// The text around the panels, in lines that have room.
 struct Words<'a> {
     title: Vec<String>,
     subtitle: Vec<String>,

@@ -36,7 +36,7 @@ impl Rectangle {
         Rectangle { left: x - radius, top: y - radius, right: x + radius, bottom: y + radius }
     }
 
-    /// Whether they have more than an edge in common.
+    /// Returns whether they have more than an edge in common.
     pub(super) fn overlaps(&self, other: &Rectangle) -> bool {
         self.left < other.right
             && other.left < self.right

@@ -32,7 +32,7 @@ use texts::{BadCell, keys, lines, text};
 /// How many parts of a record batch are decoded at a time.
 const PARTS_PER_THREAD: usize = 16;
 
-/// What a number takes in memory, whatever it takes in the file.
+/// The memory of a number, whatever it takes in the file.
 const BYTES_PER_NUMBER: u64 = 8;
 
 /// Reads a Parquet file or an Arrow IPC file or stream like [`scan`](crate::scan) reads text: the same numbers, rows and
@@ -108,7 +108,7 @@ pub(crate) fn scan_batches<T: Send>(
 struct Part {
     first_row: usize,
     batch: RecordBatch,
-    /// Whether these rows may be wanted; else they are kept where they hold numbers.
+    /// `true` if these rows may be wanted; else they are kept where they hold numbers.
     is_wanted: bool,
 }
 

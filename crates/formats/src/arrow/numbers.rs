@@ -19,7 +19,7 @@ use crate::fractions::Fractions;
 use crate::roles::instead_of_number;
 use crate::table::TableOptions;
 
-/// What a column takes from an array without a dictionary.
+/// The values that a column takes from an array without a dictionary.
 pub(super) fn numbers(
     array: &ArrayRef,
     selector: &ColumnSelector,
@@ -46,7 +46,7 @@ pub(super) fn missing(array: &ArrayRef) -> Option<Vec<bool>> {
     missing.contains(&true).then_some(missing)
 }
 
-/// Whether a look at each cell may find one without a number. Cost: a fraction of a nanosecond per cell.
+/// Returns whether a look at each cell may find one without a number. Cost: a fraction of a nanosecond per cell.
 fn may_lack_numbers(array: &ArrayRef) -> bool {
     array.null_count() > 0
         || match array.data_type() {
@@ -74,7 +74,7 @@ pub(super) fn fractions(array: &ArrayRef) -> Fractions {
     fractions
 }
 
-/// Whether a cell has no number: null, not a number, or a word for that.
+/// Returns whether a cell has no number: null, not a number, or a word for that.
 fn is_missing(array: &ArrayRef, index: usize) -> bool {
     array.is_null(index)
         || match array.data_type() {

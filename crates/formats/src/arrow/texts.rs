@@ -12,7 +12,7 @@ use boundfit_exact::{Foreign, Reading, Shortest};
 use crate::error::InputErrorKind;
 use crate::scan::{Pieces, csv_line};
 
-/// What is wrong with a column, and with which of its cells.
+/// The problem with a column, and with which of its cells.
 pub(super) struct BadCell {
     pub(super) index: Option<usize>,
     pub(super) text: Option<Foreign>,

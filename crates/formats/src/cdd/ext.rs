@@ -35,7 +35,7 @@ pub(super) fn from_generators(
     Ok(HalfPlaneFile { system, origins, rows: rows.len(), sha256, generators, table: None })
 }
 
-/// What a row stands for.
+/// The meaning of a row.
 fn generator(row: &MatrixRow<'_>) -> Result<Generator, InputErrorKind> {
     let [w, x, y] = &row.numbers;
     if w.is_negative() {

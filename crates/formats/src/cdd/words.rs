@@ -21,7 +21,7 @@ pub(super) struct MatrixRow<'a> {
     pub(super) start: Token<'a>,
     /// Its three numbers.
     pub(super) numbers: [Rational; 3],
-    /// Whether it is on a `linearity` line.
+    /// `true` if it is on a `linearity` line.
     pub(super) is_linear: bool,
 }
 
@@ -42,13 +42,13 @@ pub(super) fn is_linearity(word: &str) -> bool {
     word == "linearity" || word == "equality"
 }
 
-/// Whether a line has this word and nothing else but a comment.
+/// Returns whether a line has this word and nothing else but a comment.
 pub(super) fn is_line(line: u64, text: &str, word: &str) -> bool {
     let mut words = words(line, text);
     words.next().is_some_and(|first| first.text == word) && words.next().is_none()
 }
 
-/// What follows the mark of an unknown number of rows, in a size line that has it. Any other line of asterisks is a comment.
+/// The text after the mark of an unknown number of rows, in a size line that has it. Any other line of asterisks is a comment.
 pub(super) fn after_unknown_rows(text: &str) -> Option<&str> {
     let rest = text.trim_start().strip_prefix(UNKNOWN_ROWS)?;
     let mut words = rest.split_ascii_whitespace();

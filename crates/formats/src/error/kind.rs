@@ -1,4 +1,4 @@
-//! What can be wrong with an input file.
+//! The possible problems of an input file.
 
 use std::io;
 
@@ -18,7 +18,7 @@ use super::ways::{Setting, Way};
 /// As many names as a message lists.
 const MOST_NAMES: usize = 10;
 
-/// What is wrong with an input file.
+/// The problem with an input file.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum InputErrorKind {
@@ -36,7 +36,7 @@ pub enum InputErrorKind {
     BinaryTable {
         /// The format, with its article.
         format: &'static str,
-        /// What could be done.
+        /// The ways out.
         instead: &'static str,
     },
     /// A binary table that its library cannot read.
@@ -55,7 +55,7 @@ pub enum InputErrorKind {
     ColumnType {
         /// The type, as its library names it.
         data_type: Foreign,
-        /// What the column is wanted for.
+        /// The use of the column.
         expected: &'static str,
     },
     /// A number of a binary table that is not finite.
@@ -69,7 +69,7 @@ pub enum InputErrorKind {
     NoNumbers {
         /// The variable.
         variable: Foreign,
-        /// What it holds.
+        /// The content.
         what: Foreign,
     },
     /// A matrix of a MATLAB file where one column is wanted.
@@ -301,7 +301,7 @@ pub enum InputErrorKind {
     /// Rows beyond the last one.
     #[error("{} asked for, but the file has {total} data rows", named(*.rows))]
     RowsBeyondEnd {
-        /// What was named.
+        /// The named rows.
         rows: RowRange,
         /// Data rows in the file.
         total: usize,
@@ -311,7 +311,7 @@ pub enum InputErrorKind {
     NoRowWanted {
         /// Data rows in the file.
         total: usize,
-        /// What must hold for a row to be wanted.
+        /// The conditions for a row to be wanted.
         conditions: Vec<Foreign>,
     },
     /// A cell that is not a number, or one beyond a limit.
@@ -334,7 +334,7 @@ pub enum InputErrorKind {
     Missing {
         /// How many rows lack a number that is asked for.
         rows: usize,
-        /// Whether the whole file was looked at.
+        /// `true` if the whole file was looked at.
         is_complete: bool,
     },
     /// All wanted rows lack a number.
@@ -406,7 +406,7 @@ pub enum InputErrorKind {
     /// What is held takes more memory than the budget has ([`MemoryBudget`](crate::MemoryBudget)).
     #[error("{what} {needed} of memory, more than {limit} (the limit)", needed = size_text(*.needed), limit = size_text(*.limit))]
     TooMuchMemory {
-        /// What memory was asked for last.
+        /// The memory that was requested last.
         what: MemoryUse,
         /// How many bytes all that is held takes at least.
         needed: u64,
@@ -428,7 +428,7 @@ pub enum InputErrorKind {
     /// An option of cdd or lrs that makes the set another one than that of the rows.
     #[error("this option makes the set another one")]
     OtherSet {
-        /// What would be accepted.
+        /// The accepted form.
         instead: &'static str,
     },
     /// A matrix after the matrix.
@@ -486,7 +486,7 @@ impl InputErrorKind {
         }
     }
 
-    /// What can be set so that the file is read, in the order in which it helps.
+    /// Settings with which the file is read, the most helpful first.
     pub fn ways(&self) -> Vec<Way> {
         let way = Way::new;
         match self {
@@ -528,7 +528,7 @@ impl InputErrorKind {
         }
     }
 
-    /// What would be accepted instead, where that can be said.
+    /// The accepted form, if it can be said.
     pub(super) fn expected(&self) -> Option<String> {
         Some(match self {
             InputErrorKind::IsDirectory => "a file, or - for standard input".to_owned(),

@@ -1,4 +1,4 @@
-//! What can be wrong with an input file, and where.
+//! The possible problems of an input file, and where.
 
 mod kind;
 mod names;
@@ -12,7 +12,7 @@ use thiserror::Error;
 pub use kind::InputErrorKind;
 pub use ways::{Setting, Way};
 
-/// What messages call the input named `-`.
+/// The name of the input `-` in messages.
 pub(crate) const STANDARD_INPUT: &str = "standard input";
 
 /// Where in a file something is wrong. The parts that make no sense for a problem are `None`.
@@ -38,7 +38,7 @@ pub struct InputError {
     pub file: Foreign,
     /// Where in the file.
     pub place: Box<Place>,
-    /// What is wrong there.
+    /// The problem there.
     #[source]
     pub kind: InputErrorKind,
 }

@@ -14,7 +14,7 @@ pub(super) fn advice(wanted: &Foreign, available: &[Foreign], numbers: Option<us
     }
 }
 
-/// Whether the cells of the first row are numbers: it was taken for a header only because a column was asked for by name.
+/// Returns whether the cells of the first row are numbers: it was taken for a header only because a column was asked for by name.
 pub(super) fn are_no_names(available: &[Foreign]) -> bool {
     let is_number = |name: &Foreign| Reading::Decimal.read(name.raw(), &Limits::default()).is_ok();
     !available.is_empty() && available.iter().all(is_number)

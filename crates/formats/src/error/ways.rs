@@ -1,4 +1,4 @@
-//! What can be set so that a file is read: each surface has a name for it.
+//! Settings with which a file is read: each surface has a name for it.
 
 use boundfit_exact::Limit;
 
@@ -48,11 +48,11 @@ impl Setting {
 /// A way out of a refusal: a setting, and what it does then.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Way {
-    /// What is set.
+    /// The setting.
     pub setting: Setting,
     /// To what; empty for what is only switched on.
     pub value: &'static str,
-    /// What that does: `reads any byte`.
+    /// The effect: `reads any byte`.
     pub effect: &'static str,
 }
 

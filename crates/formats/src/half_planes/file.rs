@@ -1,4 +1,4 @@
-//! What a file of half-planes holds.
+//! The content.
 
 use boundfit_geometry::{Generators, System};
 
@@ -13,7 +13,7 @@ pub(crate) const OF_A_HALF_PLANE: usize = 800;
 pub struct RowOrigin {
     /// The row, from 1.
     pub row: usize,
-    /// Whether this is the other direction of a row that is an equation.
+    /// `true` if this is the other direction of a row that is an equation.
     pub reversed: bool,
 }
 
@@ -30,14 +30,14 @@ pub struct HalfPlaneFile {
     pub sha256: String,
     /// The rows of a V-representation.
     pub generators: Option<GeneratorRows>,
-    /// What a table was taken for; `None` for a representation of cdd and lrs.
+    /// The detected format of the table; `None` for a representation of cdd and lrs.
     pub table: Option<TableNotes>,
 }
 
 /// The rows of a V-representation.
 #[derive(Debug, Clone)]
 pub struct GeneratorRows {
-    /// What each row stands for, in order; after them the origin, when there are rows but none is a point.
+    /// The meaning of each row, in order; after them the origin, when there are rows but none is a point.
     pub generators: Generators,
     /// For each inequality of the system, the rows, from 1, of the points that span the set's part of its boundary
     /// ([`Generators::spanning`]).

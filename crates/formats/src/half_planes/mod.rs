@@ -79,13 +79,13 @@ pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPl
     })
 }
 
-/// What a table was taken for, in which columns without names are a1, a2 and b in this order: that is no guess.
+/// The detected format of the table, in which columns without names are a1, a2 and b in this order: that is no guess.
 fn in_order(mut notes: TableNotes) -> TableNotes {
     notes.header.is_open &= notes.header.line.is_some();
     notes
 }
 
-/// Whether a column is a3, a4 and so on.
+/// Returns whether a column is a3, a4 and so on.
 fn is_coefficient_beyond_the_plane(column: &str) -> bool {
     let number = column.strip_prefix(['a', 'A']).and_then(|number| number.parse::<u32>().ok());
     number.is_some_and(|number| number > 2)

@@ -25,7 +25,7 @@ use crate::wanted::WantedColumns;
 use rows::{JsonRows, Record};
 use tokens::NESTED;
 
-/// Whether a text that starts like this is JSON: an object with a key, or an array of objects or arrays.
+/// Returns whether a text that starts like this is JSON: an object with a key, or an array of objects or arrays.
 pub(crate) fn is_json(start: &[u8]) -> bool {
     let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start);
     // Of UTF-16 the other byte of each character.

@@ -43,7 +43,7 @@ pub(super) struct JsonRows<'a, R> {
     /// The names of the columns so far; none of rows without keys.
     names: Vec<Foreign>,
     columns: HashMap<String, usize>,
-    /// Whether columns may be added.
+    /// `true` if columns may be added.
     is_open: bool,
     most_columns: usize,
     /// What the records take that were read together.

@@ -14,7 +14,7 @@ use crate::error::InputErrorKind;
 use crate::limits::SizeLimits;
 use crate::scan::Progress;
 
-/// What reports call such files.
+/// The name of such files in reports.
 const FORMAT: &str = "a MATLAB file";
 
 /// How else the tables of HDF5 files are had.
@@ -30,7 +30,7 @@ pub(super) struct MatColumns {
     pub(super) sha256: Option<String>,
     /// How many bytes the file has.
     pub(super) bytes: u64,
-    /// What the numbers take.
+    /// The memory of the numbers.
     pub(super) memory: HeldMemory,
 }
 
@@ -103,7 +103,7 @@ fn header(file: &mut MatFile) -> Result<(Layout, Vec<u8>), InputErrorKind> {
     }
 }
 
-/// What is wrong with the variable that starts at this byte.
+/// The problem with the variable that starts at this byte.
 fn unreadable(start: u64, damage: Damage) -> InputErrorKind {
     let reason = match damage {
         Damage::Refused(problem) => return problem,

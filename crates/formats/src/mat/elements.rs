@@ -12,7 +12,7 @@ pub(super) const COMPRESSED: u32 = 15;
 /// Elements begin at multiples of so many bytes.
 const ALIGNMENT: u64 = 8;
 
-/// What is wrong with the bytes of a file.
+/// The problem with the bytes of a file.
 #[derive(Debug)]
 pub(super) enum Damage {
     /// They stop too soon, or cannot be read or inflated.
@@ -35,7 +35,7 @@ impl From<io::Error> for Damage {
     }
 }
 
-/// What stands in front of an element.
+/// The text in front of an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Tag {
     /// The type of what follows.

@@ -54,7 +54,7 @@ pub(super) fn byte_order(header: &[u8]) -> Option<ByteOrder> {
     }
 }
 
-/// Whether this is the header of a variable of version 4: type, rows, columns, whether complex, length of the name, and
+/// Returns whether this is the header of a variable of version 4: type, rows, columns, whether complex, length of the name, and
 /// the name with a zero behind it.
 fn is_v4(start: &[u8]) -> bool {
     let Some((head, name)) = start.split_at_checked(20) else { return false };

@@ -64,7 +64,7 @@ impl Numbers {
         Ok(numbers)
     }
 
-    /// What a column takes from the numbers in a range; a NaN is none.
+    /// The values that a column takes from the numbers in a range; a NaN is none.
     pub(super) fn column(&self, range: Range<usize>, reader: CellReader) -> Result<Column, BadNumber> {
         if let Numbers::Texts(texts) = self {
             return texts.column(range, reader);
@@ -94,7 +94,7 @@ impl Numbers {
         }
     }
 
-    /// Whether a value is a NaN, which is none.
+    /// Returns whether a value is a NaN, which is none.
     pub(super) fn is_missing(&self, index: usize) -> bool {
         match self {
             Numbers::Doubles(doubles) => doubles.get(index).is_some_and(|double| double.is_nan()),

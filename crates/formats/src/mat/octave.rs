@@ -16,14 +16,14 @@ use crate::limits::SizeLimits;
 use crate::memory::MemoryNumbers;
 use crate::memory_use::MemoryUse;
 
-/// What reports call such files.
+/// The name of such files in reports.
 pub(super) const FORMAT: &str = "Octave's text";
 
-/// What a number takes in memory beside its text: a [`String`], which is moved once when a matrix is complete, and what the allocator
+/// The memory of a number beside its text: a [`String`], which is moved once when a matrix is complete, and what the allocator
 /// adds. Measured as the largest memory of a process that read 2·10⁶ numbers.
 const BYTES_PER_TEXT: u64 = 72;
 
-/// Whether a file that starts like this is one.
+/// Returns whether a file that starts like this is one.
 pub(crate) fn is_octave(start: &[u8]) -> bool {
     let mut lines = start.split(|&byte| byte == b'\n');
     let first = lines.next().unwrap_or_default();

@@ -16,7 +16,7 @@ use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::InputErrorKind;
 use crate::limits::SizeLimits;
 
-/// What a number takes in memory, whatever it takes in the file.
+/// The memory of a number, whatever it takes in the file.
 const BYTES_PER_NUMBER: u64 = 8;
 
 /// A column: numbers of a variable, from one of them on.
@@ -86,7 +86,7 @@ impl<'a> Wanted<'a> {
         Wanted { text, of_matrix, number: selector.number().map(|number| number as u64) }
     }
 
-    /// Whether this may be a column of a variable.
+    /// Returns whether this may be a column of a variable.
     fn is_in(&self, found: &Found) -> bool {
         self.is_named(&found.variable) || self.number.is_some_and(|number| found.has_number(number))
     }
@@ -106,7 +106,7 @@ pub(super) struct Search<'a> {
     /// How many bytes of variables there were in the file so far, and how many of numbers are held of those.
     packed: u64,
     held: u64,
-    /// What these numbers take.
+    /// The memory of these numbers.
     pub(super) memory: HeldMemory,
 }
 

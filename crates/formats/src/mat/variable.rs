@@ -24,7 +24,7 @@ pub(super) struct Variable {
     pub(super) content: Content,
 }
 
-/// What a variable holds.
+/// The content of a variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Content {
     /// A full matrix of real numbers, at least one, column after column.

@@ -31,12 +31,12 @@ impl MemoryNumbers {
         }
     }
 
-    /// Whether there are none.
+    /// Returns whether there are none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Whether a cell has no number.
+    /// Returns whether a cell has no number.
     pub(crate) fn has_missing(&self) -> bool {
         match self {
             // Not `any`, so that many are compared at a time.
@@ -49,7 +49,7 @@ impl MemoryNumbers {
         }
     }
 
-    /// Whether this cell has no number.
+    /// Returns whether this cell has no number.
     pub(crate) fn is_missing(&self, index: usize) -> bool {
         match self {
             MemoryNumbers::Doubles(doubles) => doubles.get(index).is_some_and(|double| double.is_nan()),
@@ -75,7 +75,7 @@ impl MemoryNumbers {
         .unwrap_or_default()
     }
 
-    /// What a column takes from the cells in a range.
+    /// The values that a column takes from the cells in a range.
     pub(crate) fn column(&self, range: Range<usize>, reader: CellReader) -> Result<Column, BadNumber> {
         let column = match reader.selector.role() {
             Role::Number | Role::NonNegative => self.given(range.clone(), reader),

@@ -1,9 +1,9 @@
-//! What can be wrong with a reduction.
+//! The possible problems of a reduction.
 
 use boundfit_exact::{Foreign, ParseNumberError};
 use thiserror::Error;
 
-/// What is wrong with a reduction.
+/// The problem with a reduction.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ReductionError {
     /// A line that begins as it should and goes on otherwise.
@@ -74,11 +74,11 @@ pub enum ReductionError {
     /// A reduction of something else than what is asked for.
     #[error("{what} {has}, not {asked}")]
     NotAsked {
-        /// What is meant, as the sentence begins.
+        /// The meaning, as the sentence begins.
         what: &'static str,
         /// What the reduction says, ready to be printed.
         has: String,
-        /// What is asked for, ready to be printed.
+        /// The request, ready to be printed.
         asked: String,
     },
     /// Reductions of different tables.
@@ -86,7 +86,7 @@ pub enum ReductionError {
     Different {
         /// The line in front.
         line: u64,
-        /// What differs.
+        /// The difference.
         what: &'static str,
     },
 }

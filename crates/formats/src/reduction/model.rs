@@ -1,4 +1,4 @@
-//! What a reduction serves, and what is asked of it.
+//! The questions that a reduction serves, and those that it is asked.
 
 use boundfit_exact::Foreign;
 use serde::{Deserialize, Serialize};
@@ -41,7 +41,7 @@ pub enum ReducedBounds {
     },
 }
 
-/// What is asked of a reduction.
+/// The question about a reduction.
 #[derive(Debug, Clone)]
 pub struct AskedReduction {
     /// The columns and bounds asked for; of these [`ReducedBounds::Any`] and [`ReducedBounds::Multiples`] ask for all, and the
@@ -56,7 +56,7 @@ impl ReducedModel {
         if self.regressors.len() == 1 { "a line" } else { "two regressors" }
     }
 
-    /// Whether what was reduced serves what is asked for.
+    /// Returns whether what was reduced serves what is asked for.
     pub(super) fn check(&self, asked: &AskedReduction) -> Result<(), ReductionError> {
         let AskedReduction { model, bounds } = asked;
         let differ = |what, has: String, asked: String| Err(ReductionError::NotAsked { what, has, asked });
@@ -105,7 +105,7 @@ impl ReducedModel {
 }
 
 impl ReducedBounds {
-    /// Whether rows that decide under these bounds decide under others.
+    /// Returns whether rows that decide under these bounds decide under others.
     fn serve(&self, asked: &Self) -> bool {
         match (self, asked) {
             // What decides among readings of each bound decides among all of them, too.
@@ -134,7 +134,7 @@ impl ReducedBounds {
         }
     }
 
-    /// What differs about bounds that are not the same.
+    /// The difference between bounds.
     fn difference(&self, other: &Self) -> &'static str {
         match (self, other) {
             (ReducedBounds::Uniform(_), ReducedBounds::Uniform(_)) => "the error bound",

@@ -15,7 +15,7 @@ use super::record::{REDUCTION_MARK, ReductionRecord};
 #[derive(Debug, Clone, Default)]
 pub struct Reductions(Arc<Mutex<Seen>>);
 
-/// What has been read.
+/// The readings so far.
 #[derive(Debug, Default)]
 struct Seen {
     records: Vec<ReductionRecord>,
@@ -73,7 +73,7 @@ impl Reductions {
             .collect()
     }
 
-    /// Whether the table has a header.
+    /// Returns whether the table has a header.
     pub fn header(&self) -> Header {
         let present = self.records().first().is_some_and(|record| record.header);
         if present { Header::Present } else { Header::Absent }
@@ -211,7 +211,7 @@ impl<R: Read> ReductionReader<R> {
         io::Error::other(ReductionError::Different { line: self.begun, what })
     }
 
-    /// Whether as many rows as announced followed the last record.
+    /// Returns whether as many rows as announced followed the last record.
     fn check_count(&self) -> io::Result<()> {
         let seen = self.reductions.0.lock().map_err(|_| poisoned())?;
         match seen.records.last() {

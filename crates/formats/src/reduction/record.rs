@@ -16,15 +16,15 @@ pub struct ReductionRecord {
     pub rows: usize,
     /// How many lines of them follow.
     pub kept: usize,
-    /// Whether each of these lines begins with how many readings it stands for.
+    /// `true` if each of these lines begins with how many readings it stands for.
     pub counted: bool,
-    /// Whether the first line that follows is a header.
+    /// `true` if the first line that follows is a header.
     pub header: bool,
     /// `decimal` or `binary64`: how numbers were read.
     pub reading: String,
-    /// What the reduction serves.
+    /// The questions that a reduction serves.
     pub model: ReducedModel,
-    /// Whether a reading has two bounds, whose distance a factor may multiply.
+    /// `true` if a reading has two bounds, whose distance a factor may multiply.
     pub widths: bool,
     /// Σu², Σuv, Σv², Σuy and Σvy over all readings, each as `p/q` or `n`; of a line u is x and v is 1. `None` where a reading
     /// has nothing that least squares could take for y.
@@ -76,7 +76,7 @@ impl ReductionRecord {
         Ok(Some(numbers.map(Option::unwrap_or_default)))
     }
 
-    /// Whether the reduction serves what is asked for in this reading of numbers.
+    /// Returns whether the reduction serves what is asked for in this reading of numbers.
     ///
     /// # Errors
     /// The first thing that differs.

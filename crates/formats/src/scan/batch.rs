@@ -1,4 +1,4 @@
-//! What a scan hands out: consecutive rows, in columns.
+//! The output of a scan: consecutive rows, in columns.
 
 use std::sync::Arc;
 
@@ -24,7 +24,7 @@ impl<B> Pieces<B> {
         self.ends.len()
     }
 
-    /// Whether there are none.
+    /// Returns whether there are none.
     pub fn is_empty(&self) -> bool {
         self.ends.is_empty()
     }
@@ -108,21 +108,21 @@ pub struct ScanOptions {
     pub table: TableOptions,
     /// A column of text.
     pub key: Option<ColumnSelector>,
-    /// Whether the text of the rows is handed out too.
+    /// `true` if the text of the rows is handed out too.
     pub keep_text: bool,
     /// A column that tells rows apart. With `keep_text`, rows that are not text to begin with, of which else only the columns asked
     /// for are written, are written with its cells at the end; rows of text have all their cells anyway.
     pub identity: Option<ColumnSelector>,
-    /// Whether a table without rows, or without any that are wanted, is nothing but that. It is refused otherwise.
+    /// `true` if a table without rows, or without any that are wanted, is nothing but that. It is refused otherwise.
     pub allow_nothing: bool,
-    /// Whether the bytes are hashed.
+    /// `true` if the bytes are hashed.
     pub hash: bool,
-    /// Whether it is told which rows were wanted: that may be as many ranges as half of the rows.
+    /// `true` if it is told which rows were wanted: that may be as many ranges as half of the rows.
     pub list_rows: bool,
-    /// Whether rows are handed out that have a number in none of the columns that may lack one. They are refused otherwise, with
+    /// `true` if rows are handed out that have a number in none of the columns that may lack one. They are refused otherwise, with
     /// their place.
     pub unbounded_rows: bool,
-    /// Whether a column may be asked for twice. It is refused otherwise; of a reduction, what it does not answer is said first.
+    /// `true` if a column may be asked for twice. It is refused otherwise; of a reduction, what it does not answer is said first.
     pub same_columns: bool,
     /// About how many bytes a batch stands for, at least 1.
     pub chunk_bytes: usize,
@@ -165,16 +165,16 @@ impl Default for ScanOptions {
 
 /// Follows a scan.
 pub trait Progress: Send + Sync {
-    /// So many more bytes are done.
+    /// Counts more finished bytes.
     fn advanced(&self, bytes: u64);
 
-    /// Whether the scan is to stop, with [`InputErrorKind::Interrupted`](crate::InputErrorKind::Interrupted).
+    /// Returns whether the scan is to stop, with [`InputErrorKind::Interrupted`](crate::InputErrorKind::Interrupted).
     fn is_cancelled(&self) -> bool {
         false
     }
 }
 
-/// What is known about a table after its scan.
+/// The known facts about a table after its scan.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Scanned {
     /// The names of the columns asked for; `col1` and so on where there is none.
@@ -191,7 +191,7 @@ pub struct Scanned {
     pub units: Vec<Option<Foreign>>,
     /// Where the numbers stand; `None` unless the table is delimited text.
     pub layout: Option<TextLayout>,
-    /// What the table was taken for; `None` unless it is text or a sheet.
+    /// The detected format of the table; `None` unless it is text or a sheet.
     pub table: Option<TableNotes>,
     /// With [`ScanOptions::list_rows`], first and last of the wanted rows that follow each other without a gap.
     pub ranges: Vec<[usize; 2]>,

@@ -29,7 +29,7 @@ pub(super) struct Position {
     pub(super) line_feeds: u64,
 }
 
-/// What the first records tell.
+/// The information in the first record.
 pub(super) struct FirstRecord<'a> {
     pub(super) layout: Layout<'a>,
     /// The header as it stands in the file, where text is kept.
@@ -51,7 +51,7 @@ struct Found {
     cells: Vec<Vec<u8>>,
     text: Option<Vec<u8>>,
     line: u64,
-    /// Whether the file ends within its quotes.
+    /// `true` if the file ends within its quotes.
     is_within_quotes: bool,
 }
 
@@ -304,7 +304,7 @@ impl Start<'_> {
         cells.iter().map(name).collect()
     }
 
-    /// What the first record says, above cells with numbers or not.
+    /// The information in the first record, above cells with numbers or not.
     fn heading(
         &self,
         first: &Found,

@@ -26,7 +26,7 @@ pub(super) struct Route {
     pub(super) steps: Vec<Step>,
     /// How many cells come after the last of these.
     pub(super) behind: usize,
-    /// Whether a row needs a number in one of the columns that may lack one.
+    /// `true` if a row needs a number in one of the columns that may lack one.
     wants_presence: bool,
 }
 
@@ -37,7 +37,7 @@ pub(super) struct Step {
     pub(super) what: What,
 }
 
-/// What a cell is wanted for.
+/// The use of a cell.
 #[derive(Clone, Copy)]
 pub(super) enum What {
     /// As a number of a column, which may have to be at least 0.
@@ -115,13 +115,13 @@ pub(super) struct Lane<'a> {
     numbers: &'a [u8],
     layout: &'a Layout<'a>,
     route: &'a Route,
-    /// Whether numbers are read as they are written.
+    /// `true` if numbers are read as they are written.
     is_decimal: bool,
-    /// Whether there are quotes.
+    /// `true` if there are quotes.
     pub(super) is_quoted: bool,
-    /// Whether the row looked at satisfies the conditions so far.
+    /// `true` if the row looked at satisfies the conditions so far.
     is_satisfied: bool,
-    /// Whether it has a number in one of the columns that may lack one, if there are such columns.
+    /// `true` if it has a number in one of the columns that may lack one, if there are such columns.
     is_bounded: bool,
     pub(super) batch: BatchBuilder,
 }
@@ -157,7 +157,7 @@ impl Lane<'_> {
         self.end_of_row(at, self.route.behind)
     }
 
-    /// Whether the row that starts here satisfies all conditions; `None` when a cell is not as it should be.
+    /// Returns whether the row that starts here satisfies all conditions; `None` when a cell is not as it should be.
     #[inline]
     pub(super) fn satisfies_conditions(&mut self, start: usize) -> Option<bool> {
         if self.route.conditions.is_empty() {
@@ -359,7 +359,7 @@ impl Lane<'_> {
         if is_telling { rows::told(text, self.layout, number, rows_before) } else { None }
     }
 
-    /// Whether one of these cells of the row that starts here has a point, and is not missing; `None` when one is not as it should
+    /// Returns whether one of these cells of the row that starts here has a point, and is not missing; `None` when one is not as it should
     /// be.
     fn has_point(&self, start: usize, steps: &[Step]) -> Option<bool> {
         let mut at = start;
@@ -377,7 +377,7 @@ impl Lane<'_> {
         Some(false)
     }
 
-    /// Whether the number of a cell of this length goes into a column as it is, however many digits it has.
+    /// Returns whether the number of a cell of this length goes into a column as it is, however many digits it has.
     fn takes_long(&self, selector: &ColumnSelector, length: usize) -> bool {
         let limits = &self.layout.options.table.limits;
         self.is_decimal
@@ -393,7 +393,7 @@ impl Lane<'_> {
         Some(end)
     }
 
-    /// Whether a cell ends here.
+    /// Returns whether a cell ends here.
     #[inline]
     fn is_end_of_cell(&self, at: usize) -> bool {
         self.chunk
@@ -477,7 +477,7 @@ impl Lane<'_> {
         memchr(b'\n', rest).map_or(self.chunk.len(), |length| at + length + 1)
     }
 
-    /// Whether a row that starts here may have nothing but empty cells.
+    /// Returns whether a row that starts here may have nothing but empty cells.
     #[inline]
     pub(super) fn may_be_empty(&self, at: usize) -> bool {
         let is_empty = |&first: &u8| first == self.layout.syntax.delimiter || first <= b' ' || first == b'"';

@@ -1,4 +1,4 @@
-//! What is taken from every row of a table.
+//! The values taken from every row of a table.
 
 use boundfit_exact::english::split_unit;
 use boundfit_exact::{
@@ -28,9 +28,9 @@ use super::values::{Mark, Numbers, Value};
 /// How many cells rows have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Shape {
-    /// So many at least.
+    /// The smallest number.
     least: usize,
-    /// So many at most, but for empty ones at the end.
+    /// The largest number, without empty ones at the end.
     pub(super) width: usize,
 }
 
@@ -59,7 +59,7 @@ pub(super) struct Layout<'a> {
     /// How many lines before the table are none of it.
     passed: u64,
     pub(super) syntax: Syntax,
-    /// What names the columns.
+    /// The line that names the columns.
     pub(super) names_in: HeaderNote,
     pub(super) skipped: Skipped,
     /// The block that is read, of a file with several.
@@ -67,7 +67,7 @@ pub(super) struct Layout<'a> {
     /// The comment before the table, and the line of its first record.
     pub(super) title: Option<Foreign>,
     pub(super) first_line: u64,
-    /// What is known of decimal marks so far.
+    /// The known facts about decimal marks so far.
     pub(super) mark: Mark,
     pub(super) numbers: Numbers<'a>,
     /// The work on the numbers that were read.
@@ -77,12 +77,12 @@ pub(super) struct Layout<'a> {
     /// Where the columns asked for are.
     pub(super) places: Vec<ColumnPlace>,
     pub(super) key: Option<ColumnPlace>,
-    /// What must hold for rows to be wanted, and where the columns are that it is about.
+    /// The conditions for rows to be wanted, and where the columns are that it is about.
     pub(super) conditions: Vec<(ColumnPlace, &'a RowCondition)>,
     pub(super) units: Vec<Option<Foreign>>,
     pub(super) encoding: Encoding,
     records_before: usize,
-    /// Whether comments turned up between rows or after them.
+    /// `true` if comments turned up between rows or after them.
     pub(super) has_comments: bool,
 }
 
@@ -152,7 +152,7 @@ impl<'a> Layout<'a> {
         })
     }
 
-    /// What the table was taken for, as far as is known by now.
+    /// The detected format of the table, as far as is known by now.
     pub(super) fn table_notes(&self) -> TableNotes {
         let is_number = |place: &ColumnPlace| {
             place.name.as_ref().is_some_and(|name| {
@@ -211,23 +211,23 @@ impl<'a> Layout<'a> {
         BatchBuilder::new(self.places.len(), self.key.is_some(), self.options.keep_text)
     }
 
-    /// Whether the rows of all blocks are read as if there were one.
+    /// Returns whether the rows of all blocks are read as if there were one.
     pub(super) fn takes_all_blocks(&self) -> bool {
         self.options.table.block == Some(AskedBlock::All)
     }
 
-    /// Whether a data row, counted from 1, may be wanted.
+    /// Returns whether a data row, counted from 1, may be wanted.
     #[inline]
     pub(super) fn is_wanted(&self, row: usize) -> bool {
         self.options.table.rows.contains(row)
     }
 
-    /// Whether the first mark is still to be found, and commas separate cells.
+    /// Returns whether the first mark is still to be found, and commas separate cells.
     pub(super) fn waits_for_mark(&self) -> bool {
         self.mark == Mark::Open && self.numbers.has_comma_cells
     }
 
-    /// Whether the number in a cell satisfies a condition, and the decimal mark that it tells if none was known.
+    /// Returns whether the number in a cell satisfies a condition, and the decimal mark that it tells if none was known.
     pub(super) fn holds(
         &self,
         condition: &RowCondition,
@@ -238,12 +238,12 @@ impl<'a> Layout<'a> {
         Ok((condition.holds(&value.exact()), told))
     }
 
-    /// Whether a line that starts with this byte may turn out to be a comment, by its number of cells.
+    /// Returns whether a line that starts with this byte may turn out to be a comment, by its number of cells.
     pub(super) fn may_be_comment(&self, first: u8) -> bool {
         self.options.table.dialect.comment == CommentMark::Auto && USUAL_MARKS.contains(&first)
     }
 
-    /// Whether a record is a comment rather than a row.
+    /// Returns whether a record is a comment rather than a row.
     pub(super) fn is_comment(&self, record: &Record) -> bool {
         let starts_like_one = record.cell(0).first().is_some_and(|&first| self.may_be_comment(first));
         starts_like_one && !self.fits(record)
@@ -352,13 +352,13 @@ impl<'a> Layout<'a> {
         self.meter.add(number, cell.contains(&b'/'), self.options.table.sizes.work)
     }
 
-    /// Whether a row needs a number in one of the columns that may lack one.
+    /// Returns whether a row needs a number in one of the columns that may lack one.
     pub(super) fn wants_presence(&self) -> bool {
         !self.options.unbounded_rows
             && self.selectors.iter().any(|selector| selector.role() == Role::Presence)
     }
 
-    /// Whether one of the columns that may lack a number has one.
+    /// Returns whether one of the columns that may lack a number has one.
     fn has_presence(&self, values: &[Value]) -> bool {
         let mut told = self.selectors.iter().zip(values);
         told.any(|(selector, value)| selector.role() == Role::Presence && value.is_presence())
@@ -375,7 +375,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Whether a record after the header looks like units: no cell that is asked for has a number, or lacks one.
+    /// Returns whether a record after the header looks like units: no cell that is asked for has a number, or lacks one.
     fn has_no_number(&self, record: &Record, mark: Mark) -> bool {
         let is_text = |place: &ColumnPlace| {
             let cell = record.cell(place.position - 1);
@@ -450,7 +450,7 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// Whether a cell may be what stands before or behind a comma of a number.
+/// Returns whether a cell may be what stands before or behind a comma of a number.
 fn is_half(cell: &[u8]) -> bool {
     let cell = cell.trim_ascii();
     let digits = cell.strip_prefix(b"-").unwrap_or(cell);

@@ -1,4 +1,4 @@
-//! What is noticed while rows are read, and counts only once it is known what came before: which decimal mark was the first
+//! Findings while rows are read, which count only once the rows before are known: which decimal mark was the first
 //! one, which rows lack a number, and whether rows of nothing are the end of the table.
 
 use boundfit_exact::DecimalMark;
@@ -11,7 +11,7 @@ use crate::notes::Skipped;
 use super::batch::ScanOptions;
 use super::values::Mark;
 
-/// What was noticed in some consecutive rows. Lines in its errors count from where the rows were read.
+/// The findings in some consecutive rows. Lines in its errors count from where the rows were read.
 #[derive(Default)]
 pub(super) struct Notes {
     /// The first decimal mark that told which one it is, and the error that its cell is if another one came before.
@@ -20,19 +20,19 @@ pub(super) struct Notes {
     missing: Lacking,
     /// Rows of empty cells at the end.
     tail: Tail,
-    /// Whether there is a row that is not empty.
+    /// `true` if there is a row that is not empty.
     has_rows: bool,
     /// How many rows were handed out.
     used: usize,
-    /// Whether comments were passed over between rows or after them.
+    /// `true` if comments were passed over between rows or after them.
     pub(super) has_comments: bool,
-    /// What stands before the first row, with the line of the row; `None` without rows.
+    /// The text before the first row, with the line of the row; `None` without rows.
     before: Option<(Gap, InputError)>,
-    /// What stands behind the last row, or is all there is.
+    /// The text behind the last row, or the whole text without rows.
     after: Gap,
     /// How many blocks begin, where all of them are read.
     pub(super) breaks: usize,
-    /// What else was passed over, or was not as the first row is.
+    /// Other skipped lines, and rows that differ from the first one.
     pub(super) skipped: Skipped,
 }
 
@@ -84,12 +84,12 @@ impl Notes {
         self.after = gap;
     }
 
-    /// What stands behind the last row.
+    /// The text behind the last row.
     pub(super) fn gap_behind(&self) -> &Gap {
         &self.after
     }
 
-    /// What is known of decimal marks after these rows, when this was known before them.
+    /// The known facts about decimal marks after these rows, when this was known before them.
     pub(super) fn mark_after(&self, before: Mark) -> Mark {
         match (before, &self.mark) {
             (Mark::Open, Some((mark, _))) => Mark::Found(*mark),

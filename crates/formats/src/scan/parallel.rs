@@ -18,7 +18,7 @@ use super::values::Mark;
 /// Chunks of a group for each thread: enough that a slow one does not leave the other threads idle for long.
 const CHUNKS_PER_THREAD: usize = 4;
 
-/// What became of a group.
+/// The treatment of a group.
 struct Outcome<T> {
     made: Vec<T>,
     /// Where the next group starts.

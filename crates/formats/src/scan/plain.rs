@@ -160,7 +160,7 @@ pub(super) fn count(chunk: &[u8], layout: &Layout, ways: &Ways) -> Option<usize>
     Some(total)
 }
 
-/// Whether line feeds end lines, nothing else does, and there are no comments.
+/// Returns whether line feeds end lines, nothing else does, and there are no comments.
 fn is_plain(chunk: &[u8], layout: &Layout) -> bool {
     layout.syntax.comment.is_none_or(|[one, other]| memchr2(one, other, chunk).is_none())
         && memchr_iter(b'\r', chunk).all(|position| chunk.get(position + 1) == Some(&b'\n'))

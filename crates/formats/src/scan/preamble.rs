@@ -1,4 +1,4 @@
-//! What comes before the first record of a table: lines to be passed over, comments, and what they tell of the table.
+//! Lines before the first record of a table: skipped lines, comments, and their facts about the table.
 
 use memchr::memchr_iter;
 
@@ -23,12 +23,12 @@ const MOST_LINES_BEFORE: u64 = 1000;
 /// Bytes that start comments unless another one is asked for.
 pub(super) const USUAL_MARKS: [u8; 2] = *b"#%";
 
-/// What comes before the first record.
+/// Lines before the first record.
 pub(super) struct Preamble {
     pub(super) syntax: Syntax,
-    /// Whether there are comments, or it was said what they are.
+    /// `true` if there are comments, or it was said what they are.
     has_comments: bool,
-    /// Whether something separates columns.
+    /// `true` if something separates columns.
     pub(super) has_delimiter: bool,
     /// How many lines were passed over that are neither comments nor blank.
     pub(super) passed: u64,
@@ -198,7 +198,7 @@ impl Preamble {
         }
     }
 
-    /// Whether all these names stand in the comment before the first record, or in the line that it starts with.
+    /// Returns whether all these names stand in the comment before the first record, or in the line that it starts with.
     fn has_names(&self, names: &[&str], lines: &mut Lines) -> bool {
         let has_all = |cells: Vec<Vec<u8>>| has_names(&cells, names);
         names.len() < 2
@@ -223,7 +223,7 @@ impl Preamble {
     }
 }
 
-/// Whether the first line that looks like a comment, which is the next one, is rather a header such as `#,x,y` or a row such as
+/// Returns whether the first line that looks like a comment, which is the next one, is rather a header such as `#,x,y` or a row such as
 /// `#1,2,3`: it has as many cells as the line after it, and those are not separated by blanks.
 fn is_header(line: &[u8], asked: &AskedDialect, lines: &mut Lines, is_mark: impl Fn(u8) -> bool) -> bool {
     let Some(next) = lines.after_next(|_| false) else { return true };
@@ -235,7 +235,7 @@ fn is_header(line: &[u8], asked: &AskedDialect, lines: &mut Lines, is_mark: impl
     delimiter != BLANKS && cells > 1 && cells == cells_of(&next, delimiter).len()
 }
 
-/// What separates columns by Excel's own first line, `sep=;`.
+/// The separator of columns by Excel's own first line, `sep=;`.
 fn stated_delimiter(line: &[u8]) -> Option<u8> {
     let line = line.strip_prefix(b"\"").and_then(|line| line.strip_suffix(b"\"")).unwrap_or(line);
     let (start, stated) = line.split_at_checked(4)?;
@@ -248,14 +248,14 @@ fn stated_delimiter(line: &[u8]) -> Option<u8> {
     }
 }
 
-/// Whether each of these names is that of one of the cells.
+/// Returns whether each of these names is that of one of the cells.
 fn has_names(cells: &[Vec<u8>], names: &[&str]) -> bool {
     let cells: Vec<Foreign> =
         cells.iter().map(|cell| String::from_utf8_lossy(cell).trim().to_owned().into()).collect();
     names.iter().all(|name| !Heading::named(&cells, name).is_empty())
 }
 
-/// Whether a line is no record, whatever separates cells; tabs that are known to separate some make one.
+/// Returns whether a line is no record, whatever separates cells; tabs that are known to separate some make one.
 fn is_blank(line: &[u8], asked: &AskedDialect) -> bool {
     line.trim_ascii().is_empty() && !(asked.delimiter == Some(b'\t') && line.contains(&b'\t'))
 }

@@ -2,7 +2,7 @@
 
 use crate::dialect::BLANKS;
 
-/// Whether a cell, counted from 0, of a record as it stands in the file begins with a quote, so that what is within is the text as
+/// Returns whether a cell, counted from 0, of a record as it stands in the file begins with a quote, so that what is within is the text as
 /// it was written. The rules are those of `csv_core`: a quote opens at the very beginning of a cell, two quotes within are one,
 /// and what follows a closing quote is no longer within.
 pub(super) fn is_quoted(record: &[u8], delimiter: u8, index: usize) -> bool {

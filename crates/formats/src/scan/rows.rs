@@ -12,7 +12,7 @@ use super::layout::{Layout, Row};
 use super::notes::Notes;
 use super::values::Mark;
 
-/// What a chunk holds.
+/// The content.
 pub(super) enum Parsed {
     /// Its rows.
     Rows(Rows),
@@ -53,7 +53,7 @@ pub(super) struct RowReader<'a> {
     mark: Mark,
     notes: Notes,
     total: usize,
-    /// Whether there was a row, and what stands behind the last one as far as comments were found among records.
+    /// `true` if there was a row, and what stands behind the last one as far as comments were found among records.
     has_rows: bool,
     gap: Gap,
 }
@@ -76,12 +76,12 @@ impl<'a> RowReader<'a> {
         self.total
     }
 
-    /// What was noticed since this was asked last.
+    /// The findings since this was asked last.
     pub(super) fn take_notes(&mut self) -> Notes {
         std::mem::take(&mut self.notes)
     }
 
-    /// What was noticed, with what stands behind the last row.
+    /// The findings, with what stands behind the last row.
     fn notes_to_end(&mut self) -> Notes {
         let mut gap = std::mem::take(&mut self.gap);
         gap.add(self.records.gap_behind());

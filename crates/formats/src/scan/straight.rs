@@ -35,8 +35,8 @@ struct Cell {
 }
 
 impl Straight {
-    /// The way of these steps, if they go to the cells of so many columns, each another one but for those that tell whether there
-    /// is a number, with so many cells behind them.
+    /// Returns a fast path if every step reads a distinct column (presence checks excepted). `columns` is the number of columns of the
+    /// table, `behind` the number of cells after them.
     pub(super) fn of(steps: &[Step], columns: usize, behind: usize) -> Option<Self> {
         let (mut cells, mut presences) = (Vec::new(), Vec::new());
         for step in steps {

@@ -19,7 +19,7 @@ pub(super) enum Value {
     Decimal(i64, i32),
     Double(f64),
     Exact(Rational),
-    /// What a column takes instead of the number, as a mantissa and an exponent of ten.
+    /// The value that a column takes instead of the number, as a mantissa and an exponent of ten.
     Aside((i64, i64), Reading, Role),
 }
 
@@ -33,7 +33,7 @@ impl Value {
         }
     }
 
-    /// Whether this says that a number is there.
+    /// Returns whether this says that a number is there.
     pub(super) fn is_presence(&self) -> bool {
         matches!(self, Value::Aside((1.., _), _, Role::Presence))
     }
@@ -77,7 +77,7 @@ pub(super) enum Mark {
 }
 
 impl Mark {
-    /// What is known of the numbers of a table whose cells are separated by this, before any is read.
+    /// The known facts about the numbers of a table whose cells are separated by this, before any is read.
     pub(super) fn of(asked: &AskedDialect, delimiter: u8) -> Self {
         match (asked.decimal, asked.thousands) {
             (Some(mark), _) => Mark::Given(mark),
@@ -101,9 +101,9 @@ impl Mark {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Numbers<'a> {
     pub(super) options: &'a TableOptions,
-    /// Whether every text that `plain_decimal` reads keeps to the limits.
+    /// `true` if every text that `plain_decimal` reads keeps to the limits.
     pub(super) plain: bool,
-    /// Whether commas separate cells. Then a comma within quotes may as well group digits, as in `"1,234"`.
+    /// `true` if commas separate cells. Then a comma within quotes may as well group digits, as in `"1,234"`.
     pub(super) has_comma_cells: bool,
 }
 
@@ -114,18 +114,18 @@ impl<'a> Numbers<'a> {
         Numbers { options, plain, has_comma_cells: delimiter == b',' }
     }
 
-    /// Whether a cell says that its value is missing.
+    /// Returns whether a cell says that its value is missing.
     pub(super) fn is_missing(&self, cell: &[u8]) -> bool {
         decode(cell).is_ok_and(|cell| self.options.missing_as.are_in(cell))
     }
 
-    /// Whether there is a number in a cell.
+    /// Returns whether there is a number in a cell.
     pub(super) fn is_number(&self, cell: &[u8], mark: Mark) -> bool {
         let is_marked = |decimal| self.read_marked(cell, decimal).is_ok();
         mark.known().map_or_else(|| DecimalMark::ALL.into_iter().any(is_marked), is_marked)
     }
 
-    /// What a column takes from a cell, which is its number unless the column has another role, and the decimal mark that the
+    /// The values that a column takes from a cell, which is its number unless the column has another role, and the decimal mark that the
     /// number tells if none was known.
     pub(super) fn value(
         &self,
@@ -167,12 +167,12 @@ impl<'a> Numbers<'a> {
         Ok((value, told))
     }
 
-    /// Whether a cell is a number with this decimal mark, and nothing else.
+    /// Returns whether a cell is a number with this decimal mark, and nothing else.
     fn tells(&self, cell: &[u8], mark: DecimalMark) -> bool {
         self.read_marked(cell, mark).is_ok() && !(mark == DecimalMark::Comma && self.may_be_grouped(cell))
     }
 
-    /// Whether the commas of a cell may group its digits: `1,234`, but neither `12,5` nor `0,125`.
+    /// Returns whether the commas of a cell may group its digits: `1,234`, but neither `12,5` nor `0,125`.
     fn may_be_grouped(&self, cell: &[u8]) -> bool {
         let grouped = Notation { decimal: DecimalMark::Point, thousands: Some(Thousands::Comma) };
         let is_number = |cell| Reading::Decimal.read_written(cell, grouped, &self.options.limits).is_ok();

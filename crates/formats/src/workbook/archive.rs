@@ -15,7 +15,7 @@ use crate::error::InputErrorKind;
 use crate::limits::LONGEST_LINE;
 use crate::memory_use::MemoryUse;
 
-/// What messages call such files.
+/// The name of such files in messages.
 pub(super) const FORMAT: &str = "a workbook";
 
 /// The two kinds of workbooks.

@@ -37,7 +37,7 @@ const MOST_SHEETS: usize = 10_000;
 struct Sheet {
     name: String,
     text: Vec<u8>,
-    /// What the text takes.
+    /// The memory of the text.
     memory: HeldMemory,
 }
 

@@ -5,7 +5,7 @@ use crate::budget::HeldMemory;
 use crate::error::InputErrorKind;
 use crate::memory_use::MemoryUse;
 
-/// What separates the cells of a line.
+/// The separator of cells of a line.
 pub(super) const DELIMITER: u8 = b'\t';
 
 /// As many rows and columns as a sheet can have.

@@ -23,7 +23,7 @@ pub(super) fn refuse_many(count: usize) -> Result<(), InputErrorKind> {
 #[derive(Default)]
 pub(super) struct Book {
     pub(super) counts_from_1904: bool,
-    /// Whether formulas are to be computed anew, so that a 0 in them may be no value.
+    /// `true` if formulas are to be computed anew, so that a 0 in them may be no value.
     pub(super) is_recalculated: bool,
     /// What the formats of cells show, by their number.
     pub(super) shows: Vec<Shows>,
@@ -179,7 +179,7 @@ pub(super) fn unescaped(text: String) -> String {
 pub(super) struct Texts {
     all: String,
     ends: Vec<u32>,
-    /// What they take.
+    /// Their memory.
     memory: Option<HeldMemory>,
 }
 

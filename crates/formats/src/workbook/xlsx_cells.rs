@@ -9,7 +9,7 @@ use super::text::Lines;
 use super::xlsx_book::{Book, rich_text, unescaped};
 use crate::error::InputErrorKind;
 
-/// What is stored in a cell.
+/// The value stored in a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Stored {
     Number,
@@ -33,7 +33,7 @@ struct Cell {
     style: usize,
 }
 
-/// What a cell has in it.
+/// The content of a cell.
 #[derive(Default)]
 struct Content {
     formula: Option<String>,

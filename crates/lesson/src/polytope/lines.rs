@@ -23,7 +23,7 @@ pub(super) struct LineError {
     line: usize,
     /// Characters from 1.
     column: usize,
-    /// What is wrong, as a name for programs.
+    /// The problem, as a name for programs.
     kind: &'static str,
     /// In words.
     message: String,

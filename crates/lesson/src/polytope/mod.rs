@@ -23,10 +23,10 @@ pub const MOST_HALF_PLANES: usize = 60;
 /// The longest text that is read, in bytes.
 const LONGEST_TEXT: usize = 20_000;
 
-/// What one number may have: whoever draws half-planes reads them.
+/// Limits on one number: whoever draws half-planes reads them.
 const NUMBERS: Limits = Limits { digits: 30, exponent: 30 };
 
-/// What is asked about half-planes besides their set.
+/// The questions about half-planes besides their set.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct PolytopeOptions {
@@ -53,13 +53,13 @@ pub enum PolytopeError {
     Objective {
         /// The coefficient as it was given.
         text: String,
-        /// What is wrong with it.
+        /// The problem with it.
         problem: String,
     },
     /// A vertex that is not there.
     #[error("start: there is no vertex {start} (the set has {vertices}, counted from 0)")]
     Start {
-        /// What was asked for.
+        /// The request.
         start: usize,
         /// How many there are.
         vertices: usize,

@@ -89,7 +89,7 @@ fn finding(facts: &Facts<'_>, answer: &LpAnswer) -> Message {
     }
 }
 
-/// What is wrong with an answer, at which ends.
+/// The problem with an answer, at which ends.
 fn verdict_on(answer: &LpAnswer, verdict: Verdict) -> Message {
     let of_worst = |end: &PuiEnd| end.of(&answer.judgements).verdict == verdict;
     let named = |end: PuiEnd| text!(&format!("end.{}", end.end().name()), theta: THETA[end.axis()]);

@@ -37,7 +37,7 @@ pub(super) fn how_many_matter(facts: &Facts<'_>) -> Question {
     Question { id: "how-many-matter", question, answer, show: None }
 }
 
-/// Whether other half-planes than these would shape the set just as well: some repeat one of them, or the set is flat
+/// Returns whether other half-planes than these would shape the set just as well: some repeat one of them, or the set is flat
 /// and one of them could be replaced.
 fn has_choice(facts: &Facts<'_>, needed: &[usize]) -> bool {
     use RegionKind::{Line, Point, Ray, Segment};

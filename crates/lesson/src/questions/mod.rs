@@ -19,7 +19,7 @@ use crate::layers::Programs;
 use crate::leave_one_out::Without;
 use crate::texts::Message;
 
-/// What questions are made of.
+/// The material of questions.
 #[derive(Debug)]
 pub(crate) struct Facts<'a> {
     pub(crate) problem: &'a Problem,
@@ -45,7 +45,7 @@ impl Question {
     }
 }
 
-/// What the page points at.
+/// The target of a pointer on the page.
 #[derive(Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 enum Show {

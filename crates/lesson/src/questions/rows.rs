@@ -1,4 +1,4 @@
-//! What changes when a reading is left out.
+//! The changes when a reading is left out.
 
 use boundfit_estimation::{BoundName, bounds_of_reading};
 use boundfit_exact::{Rational, Rounding};

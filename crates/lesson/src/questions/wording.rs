@@ -148,7 +148,7 @@ pub(super) fn every_bound(problem: &Problem) -> Message {
     text!("wording.every-bound", conditions: problem.conditions.len())
 }
 
-/// What a set is: `a polygon with 6 vertices`.
+/// The kind of a set: `a polygon with 6 vertices`.
 pub(super) fn described(region: &Region) -> Message {
     text!(&format!("set.{}", region.kind().name()), vertices: region.vertices().len())
 }

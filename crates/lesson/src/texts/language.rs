@@ -36,7 +36,7 @@ impl Language {
         }
     }
 
-    /// What stands before the decimals of a number.
+    /// The text before the decimals of a number.
     pub(crate) const fn decimal_mark(self) -> &'static str {
         match self {
             Language::English => ".",

@@ -215,7 +215,7 @@ fn literals(source: &str) -> Vec<String> {
     found
 }
 
-/// Whether a literal is words for the reader: several with a mark or a capital letter among them, or one with a capital letter.
+/// Returns whether a literal is words for the reader: several with a mark or a capital letter among them, or one with a capital letter.
 fn is_wording(literal: &str) -> bool {
     const KEYS: [&str; 9] =
         ["Arrow", "Escape", "Enter", "Home", "End", "Page", "Delete", "Backspace", "Worker"];

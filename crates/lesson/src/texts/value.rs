@@ -12,7 +12,7 @@ pub(crate) struct Message {
     values: BTreeMap<String, Value>,
 }
 
-/// What stands in a place of a text.
+/// The value in a place of a text.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub(crate) enum Value {
@@ -40,7 +40,7 @@ pub(crate) enum Value {
     },
 }
 
-/// Whether nothing is left out, for serde.
+/// Returns whether nothing is left out, for serde.
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands over a reference")]
 fn is_zero(more: &usize) -> bool {
     *more == 0

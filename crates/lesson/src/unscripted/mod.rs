@@ -1,4 +1,4 @@
-//! What the page shows where scripts are off: both pictures, the tables and the questions, as they are at the start.
+//! The page without scripts: both pictures, the tables and the questions, as they are at the start.
 
 #[cfg(feature = "figures")]
 mod pictures;
@@ -56,13 +56,13 @@ impl Facts<'_> {
         names
     }
 
-    /// What the feasible set is.
+    /// The kind of the feasible set.
     fn kind(&self) -> Message {
         let region = self.fit.fps.polyhedron().region();
         text!(&format!("kind.{}", region.kind().name()), vertices: region.vertices().len())
     }
 
-    /// What stands in the places of the introduction.
+    /// The text in the places of the introduction.
     pub(crate) fn values(&self) -> Vec<(&'static str, Value)> {
         let mut values: Vec<(&str, Value)> =
             self.names().into_iter().map(|(name, column)| (name, column.into())).collect();

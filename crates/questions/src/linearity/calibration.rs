@@ -16,9 +16,9 @@ use super::{CalibrationReading, Pass};
 /// Which columns of a table are a calibration.
 #[derive(Debug, Clone)]
 pub struct CalibrationColumns {
-    /// What was applied.
+    /// The column of the applied x.
     pub x: ColumnSelector,
-    /// What the sensor gave.
+    /// The columns of the sensor's output.
     pub response: CalibrationResponse,
 }
 
@@ -49,7 +49,7 @@ pub enum CalibrationResponse {
 pub struct Calibration {
     /// The readings, in the order of the rows.
     pub readings: Vec<CalibrationReading>,
-    /// What they were read from.
+    /// The input.
     pub input: LinearityInput,
 }
 
@@ -64,7 +64,7 @@ pub enum CalibrationError {
     Row {
         /// The table.
         file: Foreign,
-        /// What is wrong with which row.
+        /// The problem, with its row.
         problem: String,
     },
 }
@@ -222,7 +222,7 @@ impl CalibrationColumns {
         }
     }
 
-    /// What was read, for reports.
+    /// The input, for reports.
     fn input(
         &self,
         options: &ScanOptions,

@@ -17,7 +17,7 @@ pub struct Characteristic {
     pub points: Vec<CalibrationPoint>,
     /// Largest less smallest y of its points.
     pub span: Rational,
-    /// What percents are of: the span, or what was given.
+    /// The full scale of percents: the span, or a given number.
     pub full_scale: Rational,
     /// From the line whose largest deviation is smallest.
     pub independent: LinearityLine,
@@ -40,7 +40,7 @@ pub struct LinearityLine {
     pub percent: Option<Rational>,
     /// Slope and intercept.
     pub theta: [Rational; 2],
-    /// Whether no other line serves as well. Of several slopes of the zero-based line the middle one is taken.
+    /// `true` if no other line serves as well. Of several slopes of the zero-based line the middle one is taken.
     pub unique: bool,
     /// The positions of the points where the largest deviation is reached, ascending.
     pub at: Vec<usize>,

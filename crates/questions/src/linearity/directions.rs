@@ -102,7 +102,7 @@ impl Directions {
         ))
     }
 
-    /// Whether the other words are up or down: what is left of both beside a known one, else the first is up.
+    /// Returns whether the other words are up or down: what is left of both beside a known one, else the first is up.
     fn of_other(&self, other: usize) -> Pass {
         match [&self.known[0], &self.known[1]].map(|words| !words.is_empty()) {
             [true, _] => Pass::Down,
@@ -142,7 +142,7 @@ fn of_pass<T>([up, down]: &mut [T; 2], pass: Pass) -> &mut T {
 mod tests {
     use super::*;
 
-    /// What becomes of some words.
+    /// The directions of some words.
     fn passes(words: &[&str]) -> Result<String, String> {
         let mut directions = Directions::default();
         let met: Result<Vec<Word>, String> =

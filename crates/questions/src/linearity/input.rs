@@ -1,11 +1,11 @@
-//! What a calibration was read from.
+//! The input of a calibration.
 
 use boundfit_estimation::{FractionCells, Selection};
 use boundfit_exact::Foreign;
 #[cfg(feature = "files")]
 use boundfit_formats::TableNotes;
 
-/// What a calibration was read from.
+/// The input of a calibration.
 #[derive(Debug, Clone)]
 pub struct LinearityInput {
     /// The column of x.
@@ -22,7 +22,7 @@ pub struct LinearityInput {
     pub selection: Selection,
     /// Columns with cells that are fractions.
     pub fractions: Vec<FractionCells>,
-    /// What the table was taken for.
+    /// The detected format of the table.
     #[cfg(feature = "files")]
     pub table: Option<TableNotes>,
     /// The units of x and of the readings, where the file states them.

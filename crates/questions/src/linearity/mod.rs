@@ -24,10 +24,10 @@ pub use points::{CalibrationPoint, CalibrationReading, Difference, Pass};
 
 use points::{Passes, points_of_passes, points_of_readings};
 
-/// What linearity is asked about.
+/// The question of linearity.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct LinearityOptions {
-    /// What percents are of; the span of the response when `None`.
+    /// The full scale of percents; the span of the response when `None`.
     pub full_scale: Option<Rational>,
     /// The point (x, y) of zero-based linearity; the origin by default.
     pub through: [Rational; 2],

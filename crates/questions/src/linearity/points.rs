@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use boundfit_exact::Rational;
 use boundfit_geometry::Tally;
 
-/// Whether x was rising or falling when a reading was taken.
+/// States whether x was rising or falling when a reading was taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Pass {
     /// Upscale: x was rising.
@@ -19,9 +19,9 @@ pub enum Pass {
 pub struct CalibrationReading {
     /// Number of the data row, from 1. Readings of both directions may stand in one row.
     pub row: usize,
-    /// What was applied.
+    /// The applied x.
     pub x: Rational,
-    /// What the sensor gave.
+    /// The output of the sensor.
     pub y: Rational,
     /// In which direction it was approached, where that is known.
     pub pass: Option<Pass>,
@@ -53,9 +53,9 @@ pub struct Difference {
 /// A point of a characteristic.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CalibrationPoint {
-    /// What was applied.
+    /// The applied x.
     pub x: Rational,
-    /// What the sensor gave, on average.
+    /// The average output of the sensor.
     pub y: Rational,
     /// The data rows that it comes from, of which each is listed: very many readings may be at one x.
     pub rows: Tally,

@@ -9,7 +9,7 @@ use boundfit_geometry::{Constraint, HalfPlane, Point};
 
 use super::kept::Kept;
 
-/// What missing a condition counts: more than all readings.
+/// The weight of a missed condition: more than all readings.
 pub(super) const FORBIDDEN: u64 = 1 << 40;
 
 /// A boundary, and how many readings are missed beyond it.
@@ -38,14 +38,14 @@ pub(super) struct Edge {
     pub(super) left: u64,
     /// How many are missed to the right of it.
     pub(super) right: u64,
-    /// Whether the cell to the left has its smallest corner, by θ1 and then θ2, where the edge begins.
+    /// `true` if the cell to the left has its smallest corner, by θ1 and then θ2, where the edge begins.
     pub(super) is_first_of_cell: bool,
 }
 
 /// A crossing, by the two first of the boundaries that go through it.
 pub(super) type Place = [u32; 2];
 
-/// What is told of crossings and edges.
+/// Receives crossings and edges.
 pub(super) trait Visitor {
     /// A crossing, told once, and how many are missed there.
     fn crossing(&mut self, place: Place, missed: u64);
@@ -62,7 +62,7 @@ struct Crossing {
     /// How many are missed beyond it, before the crossing and behind.
     before: u64,
     behind: u64,
-    /// Whether it is steeper than the boundary walked along.
+    /// `true` if it is steeper than the boundary walked along.
     is_steeper: bool,
 }
 
@@ -99,7 +99,7 @@ impl Lines {
         (self.0.len() as u64).saturating_mul(self.0.len() as u64)
     }
 
-    /// Whether no two of them cross.
+    /// Returns whether no two of them cross.
     pub(super) fn are_parallel(&self) -> bool {
         let Some((first, more)) = self.0.split_first() else { return true };
         more.iter().all(|line| minor(&first.below, &line.below).is_zero())

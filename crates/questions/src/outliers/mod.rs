@@ -27,7 +27,7 @@ use boundfit_geometry::{
 pub use growth::Growth;
 use kept::Kept;
 
-/// What finding outliers may take.
+/// Limits on the search for outliers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OutlierLimits {
     /// How many minimal sets are listed.
@@ -49,7 +49,7 @@ pub struct Outliers {
     pub least: usize,
     /// The minimal sets of so many, in lexicographic order, each with what is left without it.
     pub pieces: Vec<Piece>,
-    /// Whether these are all of them.
+    /// `true` if these are all of them.
     pub is_complete: bool,
 }
 
@@ -58,7 +58,7 @@ pub struct Outliers {
 pub struct Piece {
     /// The data rows that are left out, ascending.
     pub rows: Vec<usize>,
-    /// What is left: a convex set, of the half-planes that can bound it.
+    /// The remaining convex set, from the half-planes that can bound it.
     pub left: Fps,
 }
 
@@ -74,7 +74,7 @@ pub enum NoOutliers {
     Steps {
         /// At least so many readings have to be left out.
         at_least: usize,
-        /// So many are enough, where that is known.
+        /// A number that is enough, if known.
         enough: Option<usize>,
         /// How many crossings would have to be looked at.
         needed: u64,
@@ -121,7 +121,7 @@ impl Outliers {
         Ok(Outliers { least, pieces, is_complete })
     }
 
-    /// What is left, as the ranges of both parameters over all pieces listed. Exact.
+    /// Returns the ranges of both parameters over all listed pieces. Exact.
     pub fn pui(&self) -> Option<[Interval; 2]> {
         let mut boxes = self.pieces.iter().filter_map(|piece| piece.left.polyhedron().bounding_box());
         let first = boxes.next()?;
@@ -175,13 +175,13 @@ impl Outliers {
         Ok(growth)
     }
 
-    /// What the pieces are at the least q.
+    /// Returns the pieces at the least q.
     fn as_growth(&self) -> Growth {
         Growth { most: self.least, pieces: self.pieces.len(), holes: 0, pui: self.pui(), area: self.area() }
     }
 }
 
-/// What is left by some rows, of those that have a part in it: what others say is in no corner of it.
+/// Returns the feasible set of `rows`, built only from the rows that bound it.
 fn active_only(measurements: &Measurements, rows: Vec<Measurement>, conditions: &[Condition]) -> Fps {
     let all = Fps::of_every_half_plane(&measurements.of_kept(rows.clone()), conditions);
     let region = all.polyhedron().region();

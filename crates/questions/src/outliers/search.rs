@@ -10,16 +10,16 @@ use super::kept::Kept;
 use super::lines::{Edge, FORBIDDEN, Lines, Place, Visitor};
 use super::{NoOutliers, OutlierLimits};
 
-/// What was found.
+/// The result of the search.
 pub(super) struct Found {
     pub(super) least: usize,
     /// Sets of so many rows that can be met or missed, each ascending.
     pub(super) sets: Vec<Vec<u32>>,
-    /// Whether these are all.
+    /// `true` if these are all.
     pub(super) is_complete: bool,
 }
 
-/// What an intersection costs per half-plane, in crossings of a walk.
+/// The cost of an intersection per half-plane, in crossings of a walk.
 const INTERSECTION: u64 = 2;
 
 /// The least number of rows that are missed anywhere, and all sets of so many.
@@ -175,7 +175,7 @@ struct Fewest {
 }
 
 impl Fewest {
-    /// Whether a place belongs to those where the fewest are missed.
+    /// Returns whether a place belongs to those where the fewest are missed.
     fn takes(&mut self, missed: u64) -> bool {
         if missed < self.missed {
             self.missed = missed;

@@ -1,4 +1,4 @@
-//! What is known of the error of a further reading.
+//! The known bound on the error of a further reading.
 
 use boundfit_estimation::{ErrorBound, Law, Measurements};
 use boundfit_exact::{Endpoint, Interval, Rational};

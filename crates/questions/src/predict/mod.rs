@@ -1,4 +1,4 @@
-//! What readings say of the line elsewhere, of a further reading there, and of where a further reading comes from.
+//! Predictions: the line elsewhere, a further reading there, and the x that a reading may come from.
 //!
 //! At x the feasible lines reach from m(x) = min θ1·x + θ2 to M(x) = max θ1·x + θ2. A further reading whose error is at most ε
 //! lies in [m(x) - ε, M(x) + ε], and a reading y may come from those x where M(x) ≥ y - ε and m(x) ≤ y + ε. M is convex and m is
@@ -38,7 +38,7 @@ pub struct PossibleX {
 pub struct PossibleEnd {
     /// The x.
     pub x: Rational,
-    /// Whether a reading may come from this very x; else it may from any x beyond, however near: of a set without end a line's
+    /// `true` if a reading may come from this very x; else it may from any x beyond, however near: of a set without end a line's
     /// value may be bounded at a single x.
     pub included: bool,
     /// Which end of the line's interval at this x decides: the upper one where further on all lines are too low.
@@ -118,7 +118,7 @@ pub(crate) fn whole() -> Interval {
     Interval::new(Endpoint::Unbounded, Endpoint::Unbounded).expect("the interval without ends")
 }
 
-/// What is left outside of gaps that have no point in common. Each knows whether the lines are too low in it.
+/// The complement of gaps without a common point. Each gap knows whether the lines are too low in it.
 fn outside(mut gaps: Vec<(Gap, bool)>) -> Vec<PossibleX> {
     gaps.sort_by(|(one, _), (other, _)| one.start().cmp(&other.start()));
     let mut left = Vec::new();
@@ -139,7 +139,7 @@ fn outside(mut gaps: Vec<(Gap, bool)>) -> Vec<PossibleX> {
 }
 
 impl PossibleX {
-    /// Whether there is an x in it.
+    /// Returns whether there is an x in it.
     fn is_something(&self) -> bool {
         match (&self.lower, &self.upper) {
             (Some(lower), Some(upper)) => {
@@ -149,7 +149,7 @@ impl PossibleX {
         }
     }
 
-    /// Whether a reading may come from this x.
+    /// Returns whether a reading may come from this x.
     pub fn contains(&self, x: &Rational) -> bool {
         let is_above = |end: &PossibleEnd| *x > end.x || (end.included && *x == end.x);
         let is_below = |end: &PossibleEnd| *x < end.x || (end.included && *x == end.x);

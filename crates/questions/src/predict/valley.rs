@@ -31,12 +31,12 @@ pub(super) struct Gap {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct GapEnd {
     pub(super) x: Rational,
-    /// Whether the function is too small at this very x, and infinite beyond.
+    /// `true` if the function is too small at this very x, and infinite beyond.
     pub(super) is_in_gap: bool,
 }
 
 impl Gap {
-    /// What gaps without a common point are sorted by.
+    /// The sort key of gaps without a common point.
     pub(super) fn start(&self) -> Option<(&Rational, bool)> {
         self.from.as_ref().map(|end| (&end.x, !end.is_in_gap))
     }

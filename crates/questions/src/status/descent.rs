@@ -75,9 +75,9 @@ pub(super) struct Local {
 #[derive(Debug)]
 struct Line {
     normal: Direction,
-    /// What comes to the gradient on the side of the normal, and on the other side.
+    /// The terms of the gradient on the side of the normal, and on the other side.
     beyond: [[Rational; 2]; 2],
-    /// Whether nothing is allowed on that side.
+    /// `true` if nothing is allowed on that side.
     is_closed: [bool; 2],
 }
 
@@ -97,7 +97,7 @@ pub(super) fn vector(direction: &Direction) -> [Rational; 2] {
     [Rational::from(direction.dx()), Rational::from(direction.dy())]
 }
 
-/// What is to be known of the sum near a point that all half-planes which hold as they are allow.
+/// The behaviour of the sum near a point that all fixed half-planes allow.
 pub(super) fn local(soft: &[Soft], hard: &[Hard], theta: &[Rational; 2]) -> Local {
     let mut here = Local {
         gradient: [Rational::zero(), Rational::zero()],
@@ -264,7 +264,7 @@ impl Local {
         self.limits.iter().map(|index| &hard[*index])
     }
 
-    /// What the bounds met with equality must make up for.
+    /// The sum that the bounds met with equality must compensate.
     pub(super) fn opposite_gradient(&self) -> [Rational; 2] {
         self.gradient.each_ref().map(|own| -own)
     }

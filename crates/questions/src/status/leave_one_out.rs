@@ -1,4 +1,4 @@
-//! What the others say of each reading: leave-one-out without a fit for each.
+//! Leave-one-out for each reading, without a fit for each.
 //!
 //! The set S of all readings is the intersection of few of their half-planes, the *spokes* of its normal fan. Whoever has no
 //! spoke can be left out without changing S. Leaving out the reading i of a spoke k opens S beyond k only, as far as half-planes

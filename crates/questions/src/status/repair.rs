@@ -94,7 +94,7 @@ fn flat_end(soft: &[Soft], hard: &[Hard], theta: &[Rational; 2], flat: &Directio
     (end != *theta).then_some(end)
 }
 
-/// What may be wider, and what holds as it is.
+/// The bounds that may be wider, and those that hold as they are.
 fn terms(all: &[Measurement], problem: &Problem) -> (Vec<Soft>, Vec<Hard>) {
     let (mut soft, mut hard) = (Vec::new(), Vec::new());
     let held = |(name, inequality): (BoundName, Inequality)| Hard { name, inequality };

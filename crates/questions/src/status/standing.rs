@@ -53,7 +53,7 @@ pub struct Standing {
     pub leverage: Option<Rational>,
     /// r = (mid y - mid Υ) / rad y; `None` where ℓ is.
     pub residual: Option<Rational>,
-    /// What adding the reading would do.
+    /// The effect of adding the reading.
     pub status: Status,
 }
 
@@ -100,7 +100,7 @@ impl Standing {
     }
 }
 
-/// What two intervals say of each other: the bounds of a reading, of which one may be missing, and the values over the set.
+/// The relation of two intervals: the bounds of a reading, one of which may be missing, and the values over the set.
 ///
 /// With both bounds and their distance positive, `lower < min Υ` and `max Υ < upper` is |r| < 1 - ℓ, and so on.
 fn by_intervals([lower, upper]: [Option<&Rational>; 2], values: &Interval) -> Status {

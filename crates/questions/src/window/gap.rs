@@ -8,7 +8,7 @@ use super::chain::{Place, Side};
 use super::search::{Both, Found, Goal};
 use super::store::Id;
 
-/// What is found.
+/// The result.
 #[derive(Debug)]
 pub(super) enum Gap {
     /// These inequalities contradict each other without any other: one that is false, or two bounds on θ1.

@@ -44,7 +44,7 @@ impl Contradiction {
     }
 }
 
-/// What is said of the set of a window.
+/// The results about the set of a window.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WindowFit {
     /// Which kind of set it is.
@@ -107,7 +107,7 @@ pub struct WindowSet {
 pub struct Window {
     store: Store,
     older: Part,
-    /// What each of the older readings changed, that of the youngest first.
+    /// The changes by each of the older readings, the youngest first.
     notes: Vec<[Option<Undo>; 2]>,
     newer: Part,
     /// A point of the set, as far as one is known.
@@ -137,7 +137,7 @@ impl Window {
         self.store.entries().len()
     }
 
-    /// Whether there are no readings.
+    /// Returns whether there are no readings.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -206,7 +206,7 @@ impl Window {
         self.store.pop_oldest()
     }
 
-    /// Whether a θ agrees with all readings and conditions. Exact. Cost: a squared logarithm.
+    /// Returns whether a θ agrees with all readings and conditions. Exact. Cost: a squared logarithm.
     pub fn is_feasible(&self) -> bool {
         self.witness.is_some() || matches!(self.gap(), Gap::Least { point: Some(_), .. })
     }

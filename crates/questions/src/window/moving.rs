@@ -9,7 +9,7 @@ use crate::range::{Order, in_order};
 /// How far a window reaches back from its newest reading.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Extent {
-    /// So many readings, in the order of rows; at least one.
+    /// A number of readings, at least one, in the order of rows.
     Readings(usize),
     /// Those whose x is at most so much less, in the order of x; of two regressors x is the first one.
     X(Rational),
@@ -34,12 +34,12 @@ pub struct Turn<'a> {
     pub span: [usize; 2],
 }
 
-/// What was left over.
+/// The readings after the last window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Moved {
     /// How many windows there were.
     pub windows: usize,
-    /// Whether all readings together do not fill a window, so that the only one has all of them.
+    /// `true` if all readings together do not fill a window, so that the only one has all of them.
     pub is_short: bool,
     /// How many readings came after the last window.
     pub left: usize,
@@ -50,7 +50,7 @@ impl Moving {
     /// asked for.
     ///
     /// # Errors
-    /// What `see` ends with.
+    /// The result of `see`.
     pub fn each<E>(
         &self,
         problem: &Problem,

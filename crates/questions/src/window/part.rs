@@ -76,7 +76,7 @@ impl Part {
     }
 }
 
-/// Whether a bound on θ1 is tighter than another one on the same side, or the same and older.
+/// Returns whether a bound on θ1 is tighter than another one on the same side, or the same and older.
 fn is_tighter(store: &Store, own: &HalfPlane, id: Id, other: Id) -> bool {
     store.half_plane(other).is_none_or(|half_plane| match by_tightness(own, half_plane) {
         Ordering::Less => true,

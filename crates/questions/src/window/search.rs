@@ -15,7 +15,7 @@ use super::chain::{Chain, Place, Side};
 use super::part::Part;
 use super::store::{Id, Store};
 
-/// What is asked of a set.
+/// The question about a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Goal {
     /// Where L - U is least: the set is empty exactly when it is positive there, or left is right of right.
@@ -45,7 +45,7 @@ pub(super) struct Both<'a> {
     pub(super) parts: [&'a Part; 2],
 }
 
-/// What a search ends with.
+/// The result of a search.
 #[derive(Debug, Default)]
 pub(super) struct Found {
     /// The half-planes that bound θ2 from below where the answer lies.
@@ -168,7 +168,7 @@ impl<'a> Both<'a> {
         }
     }
 
-    /// What L or U is just left and just right of a place.
+    /// The values of L or U just left and just right of a place.
     fn active(&self, side: Side, around: [Range; 2], place: &Place) -> Active<'a> {
         let mut both = (0..2).filter_map(|part| {
             let own = around[part]?.map(|position| self.chain(side, part).ids()[position]);
@@ -199,7 +199,7 @@ impl<'a> Both<'a> {
         })
     }
 
-    /// What of these half-planes of a side bounds θ2 at a place.
+    /// The half-planes of a side that bound θ2 at a place.
     pub(super) fn tightest_at(&self, side: Side, ids: &[Id], place: &Place) -> Option<&'a HalfPlane> {
         let own = ids.iter().filter_map(|&id| self.store.half_plane(id));
         match side {
@@ -208,7 +208,7 @@ impl<'a> Both<'a> {
         }
     }
 
-    /// What bounds θ2 from a side at a place.
+    /// The bound on θ2 from a side at a place.
     pub(super) fn bound_at(&self, side: Side, place: &Place) -> Option<&'a HalfPlane> {
         let around = [0, 1].map(|part| {
             let last = self.chain(side, part).ids().len().checked_sub(1)?;

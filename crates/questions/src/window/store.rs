@@ -77,7 +77,7 @@ impl Store {
         Some((bound / 2).checked_sub(self.gone)? as usize)
     }
 
-    /// What a number says; `None` for a reading that is gone.
+    /// The half-plane of a number; `None` for a removed reading.
     pub(super) fn constraint(&self, Id(id): Id) -> Option<&Constraint> {
         match id.checked_sub(self.conditions.len() as u64) {
             None => self.conditions.get(id as usize).map(|(.., constraint)| constraint),

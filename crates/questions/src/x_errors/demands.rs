@@ -5,23 +5,23 @@ use boundfit_geometry::Inequality;
 
 use super::{BoxBound, SideSet};
 
-/// What one or two bounds ask of θ1.
+/// The demand of one or two bounds on θ1.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SlopeDemand {
     /// The bounds: one from above and one from below, or one that is about θ1 alone.
     pub bounds: Vec<BoxBound>,
-    /// What they ask for together.
+    /// Their joint demand.
     pub demand: Demand,
 }
 
-/// What is asked of θ1.
+/// A demand on θ1.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Demand {
     /// That it is not less.
     AtLeast(Rational),
     /// That it is not more.
     AtMost(Rational),
-    /// What no θ1 does.
+    /// A demand that no θ1 meets.
     Impossible,
 }
 

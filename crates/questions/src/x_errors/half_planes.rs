@@ -1,4 +1,4 @@
-//! What a reading with a box says of the lines of one side.
+//! The half-planes of a reading with a box, for the lines of one side.
 
 use std::fmt;
 
@@ -11,9 +11,9 @@ use super::{Agreement, XErrorProblem};
 /// Which lines a set is one of. On each side |θ1| is linear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Side {
-    /// Those that do not fall: θ1 ≥ 0.
+    /// Lines that do not fall: θ1 ≥ 0.
     Rising,
-    /// Those that do not rise: θ1 ≤ 0.
+    /// Lines that do not rise: θ1 ≤ 0.
     Falling,
     /// All.
     Both,
@@ -28,7 +28,7 @@ pub enum Corner {
     Right,
 }
 
-/// What a half-plane of a set is.
+/// The name of a half-plane of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum BoxBound {
     /// The line passes below (a bound that is upper) or above (lower) a corner of the box of a reading. Without a corner the

@@ -41,9 +41,9 @@ pub enum XBounds {
 /// Which lines agree with a reading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Agreement {
-    /// Those that agree with some x and y within the bounds: that meet the box of the reading.
+    /// Lines that agree with some x and y within the bounds: they meet the box of the reading.
     Weak,
-    /// Those that agree, for every x within its bounds, with some y within its own.
+    /// Lines that agree, for every x within its bounds, with some y within its own.
     Strong,
 }
 
@@ -84,7 +84,7 @@ pub struct SideSet {
     pub side: Side,
     /// The half-planes with their intersection.
     pub polyhedron: Polyhedron,
-    /// What each half-plane is, in order.
+    /// The name of each half-plane, in order.
     pub names: Vec<BoxBound>,
     /// The parameter uncertainty intervals with their proofs; `None` when the set is empty.
     pub pui: Option<[ParameterInterval; 2]>,
@@ -110,7 +110,7 @@ pub enum SlopeEnd {
     FallsMost,
 }
 
-/// What is known of lines under errors in x.
+/// The answer about lines under errors in x.
 #[derive(Debug, Clone)]
 pub struct XErrorFit {
     /// Of weak agreement the lines that do not fall and then those that do not rise; one set of strong agreement, and where no x has an
@@ -161,7 +161,7 @@ impl XBounds {
         }
     }
 
-    /// Whether every x is exact.
+    /// Returns whether every x is exact.
     pub fn are_zero(&self) -> bool {
         self.all().iter().all(Rational::is_zero)
     }
@@ -293,18 +293,18 @@ impl SideSet {
         Some(multipliers.map(own).collect())
     }
 
-    /// Whether no line of this side agrees.
+    /// Returns whether no line of this side agrees.
     pub fn is_empty(&self) -> bool {
         self.polyhedron.region().is_empty()
     }
 
-    /// Whether the set has lines with θ1 = 0 only, which the set of the other side has as well.
+    /// Returns whether the set has lines with θ1 = 0 only, which the set of the other side has as well.
     pub fn is_level_only(&self) -> bool {
         let level = Interval::around(&Rational::zero(), &Rational::zero());
         self.side != Side::Both && self.slopes().is_some_and(|slopes| Some(slopes) == level)
     }
 
-    /// Whether lines with θ1 = 0 are among them.
+    /// Returns whether lines with θ1 = 0 are among them.
     fn reaches_level(&self) -> bool {
         self.slopes().is_some_and(|slopes| slopes.contains(&Rational::zero()))
     }
@@ -336,7 +336,7 @@ impl SideSet {
 }
 
 impl XErrorFit {
-    /// Whether no line agrees.
+    /// Returns whether no line agrees.
     pub fn is_empty(&self) -> bool {
         self.sides.iter().all(SideSet::is_empty)
     }
@@ -352,7 +352,7 @@ impl XErrorFit {
         }
     }
 
-    /// Whether two pieces have the lines with θ1 = 0 in common; `None` unless there are two.
+    /// Returns whether two pieces have the lines with θ1 = 0 in common; `None` unless there are two.
     pub fn are_joined(&self) -> Option<bool> {
         match self.pieces().as_slice() {
             [one, _] => Some(one.reaches_level()),
@@ -384,7 +384,7 @@ impl XErrorFit {
         })
     }
 
-    /// Whether a line agrees with all readings and meets all conditions. Exact. Cost: linear.
+    /// Returns whether a line agrees with all readings and meets all conditions. Exact. Cost: linear.
     pub fn contains(&self, theta: &[Rational; 2]) -> bool {
         self.sides.iter().any(|side| side.polyhedron.membership(theta).is_inside())
     }

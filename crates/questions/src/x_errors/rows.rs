@@ -39,23 +39,23 @@ impl Row {
         Inequality::new(along, self.offset.clone(), &self.bound + factor * &self.of_y)
     }
 
-    /// Whether the half-plane grows with the factor at this λ.
+    /// Returns whether the half-plane grows with the factor at this λ.
     fn grows(&self, lambda: &Rational) -> bool {
         self.grows_at([lambda, &Rational::one()])
     }
 
-    /// Whether it does at λ = x/w.
+    /// Returns whether it does at λ = x/w.
     fn grows_at(&self, [x, w]: [&Rational; 2]) -> bool {
         !(&self.of_y * w + x * (&self.of_x - &self.of_y)).is_zero()
     }
 
-    /// Whether it does at a point (x/w, y/w) that lies on its boundary.
+    /// Returns whether it does at a point (x/w, y/w) that lies on its boundary.
     fn is_touched(&self, factor: &Rational, [x, y, w]: &[Rational; 3]) -> bool {
         let Inequality { a: [along, offset], b: bound } = self.at(factor);
         self.grows_at([x, w]) && along * x + offset * y == bound * w
     }
 
-    /// Whether (1, v) lies on the boundary whatever the factor is, though a line close to it may not.
+    /// Returns whether (1, v) lies on the boundary whatever the factor is, though a line close to it may not.
     fn is_asymptote(&self, v: &Rational) -> bool {
         self.of_x.is_zero() && !self.offset.is_zero() && (&self.slope + &self.offset * v).is_zero()
     }
@@ -120,7 +120,7 @@ impl SideRows {
         envelope::intersect(&rows.map(|row| row.at(factor)).chain(ends).collect())
     }
 
-    /// Whether any factor leaves a line.
+    /// Returns whether any factor leaves a line.
     ///
     /// Some factor is large enough for all rows that grow at a point. A point in the relative interior of what the others leave has few
     /// of these: only where one λ is left may a row not grow that grows elsewhere.
@@ -189,7 +189,7 @@ impl SideRows {
     }
 }
 
-/// Whether λ = 1, which is no line.
+/// Returns whether λ = 1, which is no line.
 fn is_steepest(point: &Point) -> bool {
     let (x, _, w) = point.homogeneous();
     x == w

@@ -9,13 +9,13 @@ use boundfit_exact::Foreign;
 pub(crate) enum Inline {
     /// English.
     Words(String),
-    /// What somebody else wrote: names of columns and files, conditions.
+    /// Text from outside: names of columns and files, conditions.
     Given(Foreign),
     /// A number in digits, perhaps with a sign and a power of ten, or a fraction: `-1.8194e-3`, `21/11726`.
     Number(String),
     /// A letter of formulas.
     Symbol(Symbol),
-    /// What stands between two operands, with the space around it.
+    /// An operator between two operands, with the space around it.
     Operator(Operator),
     /// A bracket, comma, bar, sign or power of a formula, which looks alike in all languages.
     Mark(&'static str),

@@ -156,7 +156,7 @@ fn formula(inline: &Inline, limit: Option<f64>) -> Option<String> {
     })
 }
 
-/// What LaTeX shows as these words.
+/// The LaTeX source of these words.
 fn words(inline: &Inline, limit: Option<f64>) -> String {
     match inline {
         Inline::Indent => r"\quad ".to_owned(),

@@ -18,7 +18,7 @@ pub struct Document(Vec<Block>);
 /// A part of a report.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Block {
-    /// What follows is about this.
+    /// The topic of the following blocks.
     Title(Text),
     /// A sentence that opens a part: plain text sets it like a title, markup like a paragraph.
     Lead(Text),

@@ -83,7 +83,7 @@ fn chunks(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Whether two words belong together: operator and operand, row and side.
+/// Returns whether two words belong together: operator and operand, row and side.
 fn is_joined(word: &str, next: &str) -> bool {
     let relates = |word: &str| matches!(word, "*" | "<=" | ">=" | "=" | "+-");
     let is_side = || matches!(next.trim_end_matches([',', '.', ')']), "upper" | "lower");

@@ -1,4 +1,4 @@
-//! What was found about solutions as JUnit XML, which continuous integration shows as tests.
+//! Findings about solutions as JUnit XML, which continuous integration shows as tests.
 
 use boundfit_judge::{Finding, JudgedSolution, Worth};
 use boundfit_lp::Model;

@@ -1,4 +1,4 @@
-//! What was found about solutions of a linear program, as text, JSON, SARIF and JUnit.
+//! Findings about solutions of a linear program, as text, JSON, SARIF and JUnit.
 
 mod json;
 mod junit;

@@ -1,4 +1,4 @@
-//! What was found about solutions as SARIF, which code hosts show beside the files.
+//! Findings about solutions as SARIF, which code hosts show beside the files.
 //!
 //! Source: OASIS, "Static Analysis Results Interchange Format (SARIF) Version 2.1.0".
 

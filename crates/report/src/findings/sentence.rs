@@ -1,4 +1,4 @@
-//! What was found about one aspect, as a sentence.
+//! The finding about one aspect, as a sentence.
 
 use boundfit_exact::{Foreign, Rational, Rounding};
 use boundfit_judge::{Excuse, Fault, Finding, Item, Side, Worth};

@@ -44,7 +44,7 @@ pub fn judge_document(
     Document::new(blocks)
 }
 
-/// What the parts of the report have in common.
+/// The material of all parts of the report.
 struct Report<'a> {
     model: &'a Model,
     plane: &'a Plane,

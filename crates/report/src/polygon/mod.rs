@@ -44,7 +44,7 @@ pub fn polygon_document(
     Document::new(blocks)
 }
 
-/// What proves that an empty region is empty.
+/// The proof that an empty region is empty.
 fn emptiness(file: &HalfPlaneFile, polyhedron: &Polyhedron, style: &Style) -> Option<Text> {
     let multipliers = polyhedron.region().certificate()?.multipliers();
     let right_hand_side = |m: &Multiplier| &polyhedron.system().inequalities()[m.index].b * &m.value;

@@ -1,4 +1,4 @@
-//! What follows the region in a report of half-planes or generators: the facets, and which rows are redundant and why.
+//! The tables after the region in a report of half-planes or generators: facets, and redundant rows with the reason.
 
 use std::collections::HashMap;
 

@@ -92,7 +92,7 @@ fn sources(prediction: &Prediction, table: &mut Table) -> io::Result<()> {
     Ok(())
 }
 
-/// Whether an end belongs to its interval.
+/// Returns whether an end belongs to its interval.
 fn kind(end: &Option<PossibleEnd>) -> &'static str {
     match end {
         None => "unbounded",

@@ -28,7 +28,7 @@ const MOST_LISTED: usize = 40;
 /// Runs that a sentence names.
 const MOST_IN_SENTENCE: usize = 8;
 
-/// What a report of the linear range is made of.
+/// The material of a report of the linear range.
 #[derive(Debug, Clone)]
 pub struct RangeReport<'a> {
     /// The readings.
@@ -78,7 +78,7 @@ impl<'a> RangeReport<'a> {
         are_consecutive.then(|| if first == last { first.to_string() } else { format!("{first}..{last}") })
     }
 
-    /// Whether runs are ranges of x.
+    /// Returns whether runs are ranges of x.
     fn is_by_x(&self) -> bool {
         self.order == Order::X && self.x(0).is_some()
     }
@@ -250,7 +250,7 @@ fn alone(report: &RangeReport<'_>) -> Vec<String> {
     lines
 }
 
-/// What the readings of the longest run say of the parameters.
+/// The parameters of the longest run.
 fn longest(own: &Problem, fit: &Fit, style: &Style) -> Vec<(Text, Text)> {
     let region = fit.fps.polyhedron().region();
     let mut rows: Vec<(Text, Text)> =

@@ -33,7 +33,7 @@ impl WidenedJson {
 }
 
 impl StatusJson {
-    /// What stands between two rows.
+    /// The text between two rows.
     pub const BETWEEN: &'static str = ",\n";
     /// What stands after the last row.
     pub const END_OF_ROWS: &'static str = "\n  ]";
@@ -91,7 +91,7 @@ impl StatusJson {
         format!(",\n  \"repair\": {}", to_text(&json).trim_end().replace('\n', "\n  "))
     }
 
-    /// What stands before the first of the further readings.
+    /// The text before the first of the further readings.
     pub fn new_head(file: Option<Foreign<&str>>) -> String {
         let file = to_text(&file.map(|file| -> Foreign { file.into() }));
         format!(",\n  \"new\": {{\n  \"file\": {},\n  \"rows\": [\n", file.trim_end())

@@ -23,7 +23,7 @@ pub struct WindowReport {
     pub readings: usize,
     /// x of its first and last reading; `None` with two regressors.
     pub x: Option<[Rational; 2]>,
-    /// What its readings say.
+    /// The results of its readings.
     pub fit: WindowFit,
 }
 
@@ -108,7 +108,7 @@ impl WindowReport {
     }
 }
 
-/// What was found about many windows.
+/// Counts over many windows.
 #[derive(Debug, Clone, Default)]
 pub struct WindowSummary {
     empty: usize,
@@ -130,7 +130,7 @@ impl WindowSummary {
         }
     }
 
-    /// Whether a window has an empty set.
+    /// Returns whether a window has an empty set.
     pub fn has_empty(&self) -> bool {
         self.empty > 0
     }

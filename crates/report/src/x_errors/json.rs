@@ -95,7 +95,7 @@ fn side(own: &SideSet, style: &Style) -> XErrorSideJson {
     }
 }
 
-/// Whether anything is bounded, as of a fit.
+/// Returns whether anything is bounded, as of a fit.
 fn has_bounded_end(pui: &[ParameterInterval; 2]) -> bool {
     let ends = pui.iter().flat_map(|own| [&own.lower, &own.upper]);
     ends.into_iter().any(|end| matches!(end, ParameterBound::Bounded { .. }))
