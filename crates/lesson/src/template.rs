@@ -195,12 +195,22 @@ fn embedded(json: &str) -> String {
     json.replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
 }
 
-/// The modules as one: without imports and the word `export`, as all of them share one scope.
+/// The modules as one: without imports and the word `export`, as all of them share one scope, and without lines of comments.
 fn script() -> String {
     let mut script = String::new();
     for (name, source) in in_order() {
         script.push_str(&format!("// {name}\n"));
+        let mut is_comment = false;
         for line in source.lines().filter(|line| !line.starts_with("import ")) {
+            let text = line.trim();
+            is_comment |= text.starts_with("/**") && !text.contains("*/");
+            if is_comment {
+                is_comment = !text.ends_with("*/");
+                continue;
+            }
+            if text.starts_with("//") || text.starts_with("/**") && text.ends_with("*/") {
+                continue;
+            }
             script.push_str(line.strip_prefix("export ").unwrap_or(line));
             script.push('\n');
         }

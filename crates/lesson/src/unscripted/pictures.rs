@@ -1,7 +1,5 @@
 //! Both pictures of the start, as figures are plotted. Their words are English; what stands around them is in the page's language.
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use boundfit_figures::{Encoding, Figure, PictureFormat, PlotOptions, draw};
 
 use super::Facts;
@@ -15,7 +13,7 @@ pub(super) fn pictures(facts: &Facts<'_>) -> Result<String, LessonError> {
         0 => String::new(),
         _ => {
             let words = text!("data-plane.readings", count: count);
-            picture(facts, Figure::Corridor, &text!("data-plane.title"), &words)?
+            picture(facts, Figure::Data, &text!("data-plane.title"), &words)?
         }
     };
     let words = text!("parameter-plane.set", set: facts.kind());
@@ -23,7 +21,7 @@ pub(super) fn pictures(facts: &Facts<'_>) -> Result<String, LessonError> {
     Ok(format!("<div class=\"pair\">{readings}{set}</div>"))
 }
 
-/// A figure below a title, and in words for those who cannot see it. As an image it takes none of the page's styles.
+/// A figure below a title, and in words for those who cannot see it, which stand in place of its own title.
 fn picture(
     facts: &Facts<'_>,
     figure: Figure,
@@ -38,10 +36,8 @@ fn picture(
     };
     let encoding = Encoding { real_text: true, ..Encoding::default() };
     let svg = draw(facts.problem, facts.fit, figure, &options)?.encoded_as(PictureFormat::Svg, &encoding)?;
-    Ok(format!(
-        "<figure><figcaption><h3>{}</h3></figcaption><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"></figure>",
-        facts.say(title),
-        escaped(&say(words, facts.language())),
-        STANDARD.encode(svg)
-    ))
+    let label = format!("<svg aria-label=\"{}\"", escaped(&say(words, facts.language())));
+    let svg = String::from_utf8_lossy(&svg).replacen("<svg", &label, 1).replacen("<title></title>\n", "", 1);
+    let title = facts.say(title);
+    Ok(format!("<figure><figcaption><h3>{title}</h3></figcaption>{svg}</figure>"))
 }
