@@ -1,4 +1,4 @@
-//! The pages of the documentation: the README and those of `docs`.
+//! The pages of the documentation: those at the top of the repository and those of `docs`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -49,7 +49,7 @@ fn anchor(heading: &str) -> String {
     kept.map(|c| if c == ' ' { '-' } else { c }).flat_map(char::to_lowercase).collect()
 }
 
-/// The README and all pages of the folder `docs` and of the reference in it.
+/// The pages at the top of the repository, the changelog aside, and all of the folder `docs` and of the reference in it.
 pub fn pages() -> Vec<Page> {
     let pages_of = |folder: &'static str| {
         let entries = fs::read_dir(root().join(folder)).unwrap();
@@ -57,7 +57,9 @@ pub fn pages() -> Vec<Page> {
         names.filter(|name| name.ends_with(".md")).map(move |name| Path::new(folder).join(name))
     };
     let mut paths: Vec<PathBuf> = pages_of("docs").chain(pages_of("docs/reference")).collect();
-    paths.push(PathBuf::from("README.md"));
+    paths.extend(
+        ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "SECURITY.md", "STYLE.md"].map(PathBuf::from),
+    );
     paths.sort();
     paths.iter().map(|path| Page::read(path)).collect()
 }

@@ -127,6 +127,16 @@ diff fixtures/hard-lp/conformance-with-highs.md target/conformance.md",
         ..PLAIN
     },
     Step {
+        name: "examples",
+        holds: "the examples of the library run",
+        changes: "crate boundfit and what it shows",
+        script: "\
+for example in fit polygon judge teach; do
+  cargo run --quiet --locked --package boundfit --features judge,lesson --example $example
+done",
+        ..PLAIN
+    },
+    Step {
         name: "book",
         holds: "the manual becomes a book, target/book",
         changes: "docs",
