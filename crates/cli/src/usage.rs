@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use boundfit_exact::{Foreign, Limit};
-use clap::Parser;
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{CommandFactory, FromArgMatches};
 
-use crate::arguments::Arguments;
+use crate::arguments::{Arguments, with_short_help};
 
 /// What short options may be meant for. There are none for these, since a table may have columns of any name.
 const MEANT: [(&str, &str); 3] = [("-x", "--x"), ("-y", "--y"), ("-e", "--eps")];
@@ -18,7 +18,11 @@ const PREDICTED: &str =
 
 /// The program's arguments; ends the program where they are not understood.
 pub(crate) fn parse() -> Arguments {
-    Arguments::try_parse().unwrap_or_else(|error| visible(with_tips(error)).exit())
+    // The short help has lines and groups of its own.
+    let is_short = std::env::args_os().any(|word| word == "-h");
+    let command = if is_short { with_short_help(Arguments::command()) } else { Arguments::command() };
+    let parsed = command.try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
+    parsed.unwrap_or_else(|error| visible(with_tips(error)).exit())
 }
 
 /// An error in which what was typed is on one line, with all of it visible.

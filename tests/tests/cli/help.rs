@@ -76,6 +76,27 @@ fn the_short_help_leaves_limits_out() {
     assert_eq!(options(&section(&printed(&root(), "lesson -h"), "Limits:")), ["--limit"]);
 }
 
+/// The lines of a text on a screen of 80 columns.
+fn screen_lines(text: &str) -> usize {
+    text.lines().map(|line| line.chars().count().div_ceil(80).max(1)).sum()
+}
+
+#[test]
+fn the_short_help_fits_a_screen_in_groups() {
+    let program = printed(&root(), "-h");
+    assert!(screen_lines(&program) <= 40, "{program}");
+    for command in COMMANDS {
+        let help = printed(&root(), &format!("{command} -h"));
+        assert!(screen_lines(&help) <= 40, "{command}: {} lines\n{help}", screen_lines(&help));
+        assert!(help.contains(&format!("'boundfit {command} --help' explains every option.")), "{help}");
+        assert!(program.contains(&format!("\n  {command} ")), "{program}");
+    }
+    let help = printed(&root(), "fit -h");
+    for (heading, option) in [("Options:", "--eps"), ("Question:", "--sweep"), ("Output:", "--format")] {
+        assert!(options(&section(&help, heading)).contains(&option), "{heading} {option}: {help}");
+    }
+}
+
 #[test]
 fn every_value_of_a_format_is_explained() {
     let help = printed(&root(), "fit --help");

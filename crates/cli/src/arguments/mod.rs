@@ -21,6 +21,7 @@ mod reading;
 mod reduce;
 mod rows;
 mod shared;
+mod short;
 mod solutions;
 mod status;
 mod tolerance;
@@ -53,6 +54,7 @@ pub(crate) use shared::{
     DataArguments, FileArguments, LabelArguments, OutputArguments, ReplaceArguments, TableArguments,
     ThreadArguments,
 };
+pub(crate) use short::with_short_help;
 pub(crate) use solutions::SolutionArguments;
 pub(crate) use status::StatusArguments;
 pub(crate) use tolerance::Switch;

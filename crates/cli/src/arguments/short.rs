@@ -1,0 +1,162 @@
+//! The short help, `-h`: of each command what is needed first, in groups, on a screen of 40 lines. `--help` has every option.
+
+use clap::{Arg, Command};
+
+use super::notes;
+
+/// A group of options with a line about each; the heading of the first is that of `-h` itself.
+type Group = (Option<&'static str>, &'static [(&'static str, &'static str)]);
+
+/// The options that the short help shows, in every command that has them.
+const GROUPS: [Group; 3] = [
+    (
+        None,
+        &[
+            ("x", "Column of x, by header or number"),
+            ("y", "Column of y"),
+            ("up", "Column of y that was read upscale"),
+            ("down", "Column of y that was read downscale"),
+            ("direction", "Column that says up or down"),
+            ("eps", "Error bound: 0.5e-3, '1%*|y|', written, min"),
+            ("eps-column", "Column with the error bound of each reading"),
+            ("lower", "Column with the least value of the model"),
+            ("upper", "Column with the largest value of the model"),
+            ("rows", "Use these rows only, such as 14..36"),
+            ("where-row", "Use rows by a column, such as 'T >= 20'"),
+            ("where", "Condition, such as 'theta1 >= 0'; repeatable"),
+        ],
+    ),
+    (
+        Some("Question"),
+        &[
+            ("x-eps", "Bound on the errors of x, too"),
+            ("sweep", "Sets for factors of the bound, such as 0.5..2"),
+            ("by", "Each group with the same text here on its own"),
+            ("window", "Fit the last N readings, again and again"),
+            ("inverse", "Also report the inverse line"),
+            ("at", "Predict y at these x"),
+            ("from", "Predict x from these y"),
+            ("grid", "Predict y at N steps between two x"),
+            ("new", "File of readings to judge by the set"),
+            ("repair", "Report what would mend each reading"),
+            ("by-row", "Runs in the order of rows"),
+            ("most", "The most readings to ignore"),
+            ("full-scale", "The full scale, in units of y"),
+            ("through", "Point that the line goes through"),
+            ("claim", "File with the answer of a solver"),
+            ("claim-pui", "Four interval ends that were claimed"),
+            ("solver", "LP solver to judge; repeatable"),
+            ("tolerance", "Relative error that is excused"),
+            ("to", "Format of the programs"),
+            ("objective", "End of an interval to be computed"),
+            ("solution", "Answer of a solver to judge; repeatable"),
+            ("figure", "Picture to draw"),
+        ],
+    ),
+    (
+        Some("Output"),
+        &[
+            ("format", "Format of the answer"),
+            ("output", "Write to this file"),
+            ("proof", "Also write a proof to this file"),
+            ("plot", "Also draw into this file"),
+            ("digits", "Significant digits"),
+            ("exact", "Fractions in place of decimals"),
+            ("size", "Width of the picture, such as 85mm"),
+            ("title", "Title"),
+            ("language", "Language of the page"),
+        ],
+    ),
+];
+
+/// A line about the words of several commands that are no options.
+const WORDS: [(&str, &str); 2] =
+    [("data", "A table, or - for standard input"), ("more", "Further tables, drawn beside it")];
+
+/// A line about each command. A command without one is described as in `--help`.
+const COMMANDS: [(&str, &str); 17] = [
+    ("fit", "Compute all lines that agree with every reading"),
+    ("predict", "Predict y at an x, or x from a reading"),
+    ("linearity", "Compute how far a sensor is from a straight line"),
+    ("range", "Find the runs of readings that a line agrees with"),
+    ("status", "Judge each reading by the others"),
+    ("outliers", "Find the fewest readings to ignore"),
+    ("reduce", "Keep only the rows that decide"),
+    ("check", "Judge LP answers about a fit"),
+    ("convert", "Write the linear programs of a fit for other solvers"),
+    ("verify", "Check a proof against the data"),
+    ("judge", "Solve a linear program exactly, judge answers"),
+    ("polygon", "Intersect half-planes"),
+    ("plot", "Draw readings, intervals and the set"),
+    ("lesson", "Write a web page that explains a fit"),
+    ("playground", "Write a web page to type readings into"),
+    ("completions", "Print a completion script for a shell"),
+    ("man", "Print a manual page"),
+];
+
+/// The program with the short help.
+pub(crate) fn with_short_help(program: Command) -> Command {
+    program.mut_subcommands(|command| {
+        let name = command.get_name().to_owned();
+        let more = format!("'boundfit {name} --help' explains every option.");
+        let ending = match notes(&name).and_then(|notes| notes.examples.first()) {
+            Some((what, example)) => format!("{what}:\n  {example}\n{more}"),
+            None => more,
+        };
+        let command = command.mut_args(shortened).after_help(ending);
+        match COMMANDS.iter().find(|(own, _)| *own == name) {
+            Some((_, about)) => command.about(*about),
+            None => command,
+        }
+    })
+}
+
+/// An argument with one line of help, or without any.
+fn shortened(argument: Arg) -> Arg {
+    let Some(name) = argument.get_long().map(str::to_owned) else {
+        let word = WORDS.iter().find(|(id, _)| argument.get_id().as_str() == *id);
+        return match word {
+            Some((_, text)) => argument.help(*text),
+            None => argument,
+        };
+    };
+    // A limit is met by whoever writes a page; other commands hide it.
+    if name == "limit" {
+        return argument;
+    }
+    let line = |(heading, lines): &Group| {
+        let (_, text) = lines.iter().find(|(own, _)| *own == name)?;
+        Some((*heading, *text))
+    };
+    match GROUPS.iter().find_map(line) {
+        Some((heading, text)) => {
+            argument.help(text).help_heading(heading).hide_possible_values(true).hide_default_value(true)
+        }
+        None => argument.hide_short_help(true),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+    use crate::arguments::Arguments;
+
+    #[test]
+    fn every_line_is_about_something_that_there_is() {
+        let program = Arguments::command();
+        let has = |name: &str| {
+            let mut options = program.get_subcommands().flat_map(Command::get_arguments);
+            options.any(|argument| argument.get_long() == Some(name))
+        };
+        let missing: Vec<&str> = GROUPS
+            .iter()
+            .flat_map(|(_, lines)| *lines)
+            .map(|(name, _)| *name)
+            .filter(|name| !has(name))
+            .collect();
+        assert!(missing.is_empty(), "{missing:?}");
+        assert!(COMMANDS.iter().all(|(name, _)| program.find_subcommand(name).is_some()));
+    }
+}
