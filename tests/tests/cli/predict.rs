@@ -236,7 +236,7 @@ fn bad_usage_is_refused() {
         ("--grid 0..1/0", on_grid("0..1/0", grid)),
         (
             "--grid 0..1/99999999",
-            on_grid("0..1/99999999", "refused: more than 100000 values (expected fewer, or --at FILE:COL)"),
+            on_grid("0..1/99999999", "refused: more than 100000 values (expected fewer, or FILE:COL)"),
         ),
         (
             "--at 1 --new-eps min",

@@ -1,7 +1,7 @@
 //! The file of `--proof`, beside a report.
 
 use crate::exit::Failure;
-use crate::output::{self, Guard};
+use crate::output;
 
 /// Refuses a proof that would have no file of its own.
 pub(super) fn check(proof: Option<&str>, output: Option<&str>) -> Result<(), Failure> {
@@ -15,16 +15,4 @@ pub(super) fn check(proof: Option<&str>, output: Option<&str>) -> Result<(), Fai
         }
         _ => Ok(()),
     }
-}
-
-/// Writes a report, and beside it the proof to its file, where there is one.
-pub(super) fn write(
-    report: &[u8],
-    output: Option<&str>,
-    proof: Option<(String, &str)>,
-    guard: &mut Guard,
-) -> Result<(), Failure> {
-    let proof = proof.as_ref().map(|(text, file)| (text.as_bytes(), Some(*file)));
-    let parts: Vec<_> = proof.into_iter().chain([(report, output)]).collect();
-    output::write_together(&parts, guard)
 }
