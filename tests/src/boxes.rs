@@ -31,7 +31,7 @@ pub struct Boxes {
     pub readings: Vec<BoxReading>,
     /// The conditions.
     pub conditions: Vec<[Q; 3]>,
-    /// Whether a line must agree with a reading for all x in its box, and not only for some.
+    /// True if a line must agree with a reading for all x in its box, and not only for some.
     pub is_strong: bool,
 }
 
@@ -116,12 +116,12 @@ impl Boxes {
         corners
     }
 
-    /// Whether some line agrees. Each side has a corner if it has a point, since no boundary that matters to a reading is vertical.
+    /// Returns whether some line agrees. Each side has a corner if it has a point, since no boundary that matters to a reading is vertical.
     pub fn have_a_line(&self) -> bool {
         [1, -1].iter().any(|sign| !self.corners(*sign).is_empty())
     }
 
-    /// Whether the lines of one side, of which there must be one, go on for ever so that this form of θ grows.
+    /// Returns whether the lines of one side, of which there must be one, go on for ever so that this form of θ grows.
     pub fn are_endless(&self, sign: i64, form: [i64; 2]) -> bool {
         let boundaries = self.boundaries(sign);
         let form = form.map(|own| Q::from_integer(own.into()));

@@ -15,7 +15,7 @@ use crate::lp_cases::hard_case;
 /// How long a solver may work on one program.
 const TIME_LIMIT: Duration = Duration::from_secs(60);
 
-/// How far an answer may be off, in widths of an interval or parts of a size.
+/// Returns how far an answer may be off, in widths of an interval or parts of a size.
 fn tolerance() -> Rational {
     Rational::ratio(1, 1_000_000)
 }

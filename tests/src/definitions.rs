@@ -74,7 +74,7 @@ pub fn box_of(intervals: &[Interval; 2]) -> Polyhedron {
     Polyhedron::intersect(system)
 }
 
-/// Whether every number of one interval lies in another.
+/// Returns whether every number of one interval lies in another.
 pub fn contains(outer: &Interval, inner: &Interval) -> bool {
     let within = |end: &Endpoint, outer_end: &Endpoint| match end {
         Endpoint::Finite(value) => outer.contains(value),
@@ -150,7 +150,7 @@ pub struct Answer {
     minimax: Option<Least>,
 }
 
-/// What a fit of a problem says, over a unit.
+/// Returns what a fit of a problem says, over a unit.
 pub fn answer(problem: &Problem, fit: &Fit, unit: &Rational) -> Answer {
     // Error bounds per reading have a least factor, in no unit, and multipliers that add them up to 1.
     let (least_unit, multiplier_unit) = match problem.measurements.error_bound() {

@@ -165,7 +165,7 @@ impl Columns {
         Columns { columns: between(&crossings).into_iter().map(column).collect(), lines }
     }
 
-    /// Where a part of a column between crossings ends up in a column at one.
+    /// Returns where a part of a column between crossings ends up in a column at one.
     fn beside(&self, from: &Column, to: &Column, part: usize) -> usize {
         let place = |group: usize| {
             let own = self.lines.iter().find(|line| height(**line, &from.x) == from.heights[group]).unwrap();
@@ -181,7 +181,7 @@ impl Columns {
         }
     }
 
-    /// How many connected parts those have that belong to the set, or do not; with whether each goes on without end.
+    /// Returns how many connected parts those have that belong to the set, or do not; with whether each goes on without end.
     fn parts(&self, belongs: bool) -> Vec<bool> {
         let starts: Vec<usize> = self
             .columns

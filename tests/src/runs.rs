@@ -22,7 +22,7 @@ pub struct Reading {
 /// Readings in integers, and a·θ ≤ b for each condition.
 #[derive(Debug, Clone)]
 pub struct Readings {
-    /// Whether φ = (x, 1).
+    /// True if φ = (x, 1).
     pub is_line: bool,
     /// ε, where all readings have one.
     pub epsilon: Option<i64>,
@@ -101,7 +101,7 @@ impl Readings {
         order
     }
 
-    /// Whether two rows stand at one place when runs are taken by x.
+    /// Returns whether two rows stand at one place when runs are taken by x.
     pub fn are_one_place(&self, one: usize, other: usize) -> bool {
         self.rows[one].phi[0] == self.rows[other].phi[0]
     }

@@ -17,7 +17,7 @@ pub fn schemas() -> BTreeMap<String, Value> {
     files.map(schema).collect()
 }
 
-/// Where a document has what its schema does not describe, or lacks what it does: a key without a description is a violation, too.
+/// Returns where a document has what its schema does not describe, or lacks what it does: a key without a description is a violation, too.
 ///
 /// # Panics
 /// Where the schema has a keyword that this checker does not know.
@@ -92,7 +92,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Whether one of these schemas describes the value.
+    /// Returns whether one of these schemas describes the value.
     fn any(
         &mut self,
         value: &Value,

@@ -69,7 +69,7 @@ impl Said {
         Said { printed: (!value.is_zero()).then_some((half, digits)), value }
     }
 
-    /// How far rounding may have moved the number: 4 units in the last place of a double, or half a unit of its last digit.
+    /// Returns how far rounding may have moved the number: 4 units in the last place of a double, or half a unit of its last digit.
     fn rounding(&self) -> Rational {
         let ulps = last_place(&self.value).map_or_else(Rational::zero, |ulp| ulp * Rational::from(4));
         let half = self.printed.as_ref().map_or_else(Rational::zero, |(half, _)| half.clone());
@@ -93,7 +93,7 @@ fn last_place(value: &Rational) -> Option<Rational> {
     (size < Rational::from_f64(below)? + &step).then_some(step)
 }
 
-/// What a claimed end is worth; `is_upper` says which end it is.
+/// Returns what a claimed end is worth; `is_upper` says which end it is.
 pub fn judge_end(said: &Said, truth: &Truth, is_upper: bool) -> Finding {
     let error = (&said.value - &truth.end).abs();
     let plain = |verdict| Finding { verdict, rounded_to: None };
@@ -118,7 +118,7 @@ pub fn judge_end(said: &Said, truth: &Truth, is_upper: bool) -> Finding {
     plain(if is_outside { "loose" } else { "unsafe" })
 }
 
-/// Whether both ends together are an inverted interval: they cross, and one of them is neither exact nor rounded nor within
+/// Returns whether both ends together are an inverted interval: they cross, and one of them is neither exact nor rounded nor within
 /// tolerance.
 pub fn is_inverted(lower: &Said, upper: &Said, findings: [Option<&Finding>; 2]) -> bool {
     let fine = ["exact", "rounded", "within tolerance"];

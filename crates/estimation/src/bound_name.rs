@@ -19,7 +19,7 @@ pub enum BoundName {
 }
 
 impl BoundName {
-    /// What reports sort by: rows first, each with its upper bound before its lower one, then conditions.
+    /// Returns what reports sort by: rows first, each with its upper bound before its lower one, then conditions.
     fn rank(self) -> (bool, usize, bool) {
         match self {
             BoundName::Upper(row) => (false, row, false),

@@ -14,7 +14,7 @@ pub struct Condition {
     is_equation: bool,
 }
 
-/// Why a text is not a condition, and where.
+/// The reason why a text is not a condition, and where.
 pub type ParseConditionError = ParseTextError<ParseConditionErrorKind>;
 
 /// What is wrong with a text that should be a condition.
@@ -109,7 +109,7 @@ impl Condition {
         &self.inequality
     }
 
-    /// Whether it is an equation: the opposite inequality holds, too.
+    /// Returns whether it is an equation: the opposite inequality holds, too.
     pub fn is_equation(&self) -> bool {
         self.is_equation
     }

@@ -48,7 +48,7 @@ impl CorridorEdge {
         &self.lines
     }
 
-    /// Where one line gives way to the next, ascending, within the domain: one fewer than lines. Exact.
+    /// Returns where one line gives way to the next, ascending, within the domain: one fewer than lines. Exact.
     pub fn breakpoints(&self) -> &[Rational] {
         &self.breakpoints
     }
@@ -131,7 +131,7 @@ enum Side {
     Lower,
 }
 
-/// Where the form (x, 1) does not grow (upper) or fall (lower) along any ray of the region.
+/// Returns where the form (x, 1) does not grow (upper) or fall (lower) along any ray of the region.
 fn domain(region: &Region, side: Side) -> Option<Interval> {
     let (mut from, mut to): (Option<Rational>, Option<Rational>) = (None, None);
     for ray in region.rays() {

@@ -5,7 +5,7 @@ use boundfit_geometry::predicates::{Side, side};
 
 use crate::fit::Fit;
 
-/// Whether the least-squares estimate lies in the FPS; `None` when there is no estimate. Exact. Cost: linear in the number
+/// Returns whether the least-squares estimate lies in the FPS; `None` when there is no estimate. Exact. Cost: linear in the number
 /// of vertices.
 pub fn least_squares_is_feasible(fit: &Fit) -> Option<bool> {
     let estimate = fit.least_squares.as_ref().ok()?;

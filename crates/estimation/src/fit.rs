@@ -82,7 +82,7 @@ impl Fit {
         Fit { fps, pui, ..self.clone() }
     }
 
-    /// Whether no parameters agree with all readings. [`Fit::contradiction`] says why.
+    /// Returns whether no parameters agree with all readings. [`Fit::contradiction`] says why.
     pub fn is_empty(&self) -> bool {
         self.fps.polyhedron().region().is_empty()
     }
@@ -117,7 +117,7 @@ impl Fit {
         self.least_squares.as_ref().ok()?.eui.as_ref().ok()
     }
 
-    /// How far the least-squares estimate keeps inside the FPS: the smallest slack over all half-planes and the
+    /// Returns how far the least-squares estimate keeps inside the FPS: the smallest slack over all half-planes and the
     /// half-plane with it. A negative slack means that the estimate is not feasible. `None` also where the reading that it
     /// misses most is not known; [`least_squares_is_feasible`](crate::least_squares_is_feasible) does without. Exact.
     pub fn least_squares_slack(&self) -> Option<(Rational, BoundName)> {
@@ -154,7 +154,7 @@ impl Fit {
         Some(first.width()? * second.width()?)
     }
 
-    /// Whether the PUI box has a finite positive area.
+    /// Returns whether the PUI box has a finite positive area.
     pub fn has_box_with_area(&self) -> bool {
         self.box_area().is_some_and(|area| area.is_positive())
     }

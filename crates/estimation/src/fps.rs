@@ -21,9 +21,9 @@ pub struct Fps {
     names: Vec<BoundName>,
     /// Which readings these half-planes stand for beside their own.
     ties: Ties,
-    /// Whether the readings are of a line under a uniform error bound.
+    /// True if the readings are of a line under a uniform error bound.
     has_hulls: bool,
-    /// Whether the half-plane with the least slack at the least-squares estimate is one of these.
+    /// True if the half-plane with the least slack at the least-squares estimate is one of these.
     has_tightest: bool,
 }
 
@@ -95,12 +95,12 @@ impl Fps {
         }
     }
 
-    /// Whether the readings are of a line under a uniform error bound.
+    /// Returns whether the readings are of a line under a uniform error bound.
     pub(crate) fn has_hulls(&self) -> bool {
         self.has_hulls
     }
 
-    /// Whether the half-plane with the least slack at the least-squares estimate is one of these.
+    /// Returns whether the half-plane with the least slack at the least-squares estimate is one of these.
     pub(crate) fn has_tightest(&self) -> bool {
         self.has_tightest
     }
@@ -149,7 +149,7 @@ impl Fps {
     }
 }
 
-/// Where the bounds of the reading at a position are among the half-planes of [`Fps::of_every_half_plane`], the upper one
+/// Returns where the bounds of the reading at a position are among the half-planes of [`Fps::of_every_half_plane`], the upper one
 /// first; the conditions come after those of all readings. Cost: linear in the position.
 ///
 /// # Panics

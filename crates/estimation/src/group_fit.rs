@@ -10,7 +10,7 @@ use crate::problem::Problem;
 /// The parts of a fit that are a line of a table: numbers without their proofs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct GroupFit {
-    /// How many readings there are.
+    /// The number of readings there are.
     pub rows: usize,
     /// The row of the first of them in the file.
     pub first_row: Option<usize>,

@@ -211,7 +211,7 @@ fn united(mut intervals: Vec<Interval>) -> Vec<Interval> {
     Interval::new(lower, upper).into_iter().collect()
 }
 
-/// Whether all of one interval lies below all of the other, with a gap between.
+/// Returns whether all of one interval lies below all of the other, with a gap between.
 fn is_left_of(one: &Interval, other: &Interval) -> bool {
     one.upper().value().zip(other.lower().value()).is_some_and(|(upper, lower)| upper < lower)
 }

@@ -42,28 +42,28 @@ impl Law {
         }
     }
 
-    /// Whether half units of last digits are asked for.
+    /// Returns whether half units of last digits are asked for.
     pub fn needs_written(&self) -> bool {
         self.parts().any(|terms| !terms.written.is_zero())
     }
 
-    /// Whether the range of y is asked for, which is known when all readings are.
+    /// Returns whether the range of y is asked for, which is known when all readings are.
     #[cfg(feature = "files")]
     pub fn needs_range(&self) -> bool {
         self.parts().any(|terms| !terms.of_range.is_zero())
     }
 
-    /// Whether |x| is asked for, which two regressors do not have.
+    /// Returns whether |x| is asked for, which two regressors do not have.
     pub fn needs_x(&self) -> bool {
         self.parts().any(|terms| !terms.of_x.is_zero())
     }
 
-    /// Whether the bound above y is another one than that below.
+    /// Returns whether the bound above y is another one than that below.
     pub fn is_asymmetric(&self) -> bool {
         self.below.is_some()
     }
 
-    /// Whether one number bounds all errors.
+    /// Returns whether one number bounds all errors.
     pub fn is_uniform(&self) -> bool {
         self.below.is_none()
             && [&self.above.of_y, &self.above.of_x, &self.above.written].into_iter().all(Rational::is_zero)
@@ -74,13 +74,13 @@ impl Law {
         &self.above.constant + &self.above.of_range * range
     }
 
-    /// How many times the range of y is taken above and below.
+    /// Returns how many times the range of y is taken above and below.
     #[cfg(any(feature = "files", test))]
     fn of_range(&self) -> [&Rational; 2] {
         [&self.above.of_range, &self.below.as_ref().unwrap_or(&self.above).of_range]
     }
 
-    /// What a reading y at x says under this law but for its multiples of the range of y, which [`Law::widen`] adds when all
+    /// Returns what a reading y at x says under this law but for its multiples of the range of y, which [`Law::widen`] adds when all
     /// readings are known. Exact.
     pub(crate) fn bounds(&self, x: &Rational, y: Rational, written: &Rational) -> Bounds {
         let above = self.above.at(x, &y, written);
@@ -111,7 +111,7 @@ impl Law {
         }
     }
 
-    /// What is taken above y and what below: a constant, when y has this range, and how many times |y|, |x| and `written` are.
+    /// Returns what is taken above y and what below: a constant, when y has this range, and how many times |y|, |x| and `written` are.
     pub fn terms(&self, range: &Rational) -> [(Rational, Vec<(&'static str, Rational)>); 2] {
         [&self.above, self.below.as_ref().unwrap_or(&self.above)].map(|terms| {
             let multiples = [("y", &terms.of_y), ("x", &terms.of_x), ("written", &terms.written)];

@@ -9,13 +9,13 @@ use crate::measurement::Measurement;
 pub struct LineForm {
     /// Where x is counted from: θ2 is the value there.
     pub x_origin: Rational,
-    /// Whether θ2 is known to be 0, so that least squares has one parameter only. The condition `theta2 = 0` that belongs to
+    /// True if θ2 is known to be 0, so that least squares has one parameter only. The condition `theta2 = 0` that belongs to
     /// it is one of the problem's: [`Problem::through_origin`](crate::Problem::through_origin) sees to both.
     pub through_origin: bool,
 }
 
 impl LineForm {
-    /// What x is called when it is counted from the origin: `year`, `year - 1980`, `x + 1/3`.
+    /// Returns what x is called when it is counted from the origin: `year`, `year - 1980`, `x + 1/3`.
     pub fn abscissa(&self, x: &Foreign) -> Foreign {
         /// Digits of a decimal that is still easier to read than a fraction.
         const MOST_DIGITS: usize = 17;

@@ -67,7 +67,7 @@ impl<C> ErrorBound<C> {
         }
     }
 
-    /// Whether all errors have one bound.
+    /// Returns whether all errors have one bound.
     pub fn is_uniform(&self) -> bool {
         self.uniform().is_some()
     }
@@ -78,7 +78,7 @@ impl<C> ErrorBound<C> {
 pub(crate) struct Meaning {
     pub(crate) model: Model,
     pub(crate) response: Foreign,
-    /// Whether there is a column of the response.
+    /// True if there is a column of the response.
     pub(crate) has_response: bool,
     pub(crate) error_bound: ErrorBound,
     /// The law by which the bound on all errors was stated.
@@ -110,12 +110,12 @@ impl Meaning {
         }
     }
 
-    /// How many regressors are columns.
+    /// Returns how many regressors are columns.
     pub(crate) fn regressors(&self) -> usize {
         if matches!(self.model, Model::Line { .. }) { 1 } else { 2 }
     }
 
-    /// Whether every reading is given by y and an ε that is a number or a column.
+    /// Returns whether every reading is given by y and an ε that is a number or a column.
     #[cfg(feature = "files")]
     pub(crate) fn is_around_y(&self) -> bool {
         match self.error_bound {
@@ -124,13 +124,13 @@ impl Meaning {
         }
     }
 
-    /// Whether a summary of a line serves every error bound, since all have the same one.
+    /// Returns whether a summary of a line serves every error bound, since all have the same one.
     #[cfg(feature = "files")]
     pub(crate) fn is_open(&self) -> bool {
         self.regressors() == 1 && self.error_bound.is_uniform()
     }
 
-    /// Whether the bounds of each reading are known before all readings are.
+    /// Returns whether the bounds of each reading are known before all readings are.
     #[cfg(feature = "files")]
     pub(crate) fn are_bounds_known(&self) -> bool {
         let law = match &self.error_bound {
@@ -146,7 +146,7 @@ impl Meaning {
         self.measurement(row, columns.iter().map(|column| column.get(position)))
     }
 
-    /// Whether a reading in columns has two bounds, whose distance a factor may multiply.
+    /// Returns whether a reading in columns has two bounds, whose distance a factor may multiply.
     #[cfg(feature = "files")]
     pub(crate) fn have_widths(&self, columns: &[Column]) -> bool {
         let count = columns.first().map_or(0, Column::len);

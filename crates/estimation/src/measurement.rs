@@ -75,7 +75,7 @@ impl Measurement {
         }
     }
 
-    /// What least squares takes for y: y if there is one, else the middle of both bounds. Exact.
+    /// Returns what least squares takes for y: y if there is one, else the middle of both bounds. Exact.
     pub fn value(&self) -> Option<Cow<'_, Rational>> {
         self.response().map(Cow::Borrowed).or_else(|| self.middle())
     }

@@ -156,7 +156,7 @@ impl Measurements {
         &self.meaning.model
     }
 
-    /// How lines are written down; of a model with two regressors it says nothing.
+    /// Returns how lines are written down; of a model with two regressors it says nothing.
     pub fn line_form(&self) -> &LineForm {
         &self.meaning.form
     }
@@ -207,7 +207,7 @@ impl Measurements {
         &self.meaning.response
     }
 
-    /// Whether the response is a column, and not only a name for what lies between two bounds.
+    /// Returns whether the response is a column, and not only a name for what lies between two bounds.
     pub fn has_response(&self) -> bool {
         self.meaning.has_response
     }
@@ -217,7 +217,7 @@ impl Measurements {
         range_of_y(self.kept())
     }
 
-    /// Whether a reading in memory has two bounds, whose distance a factor may multiply.
+    /// Returns whether a reading in memory has two bounds, whose distance a factor may multiply.
     pub fn has_widths(&self) -> bool {
         match &self.readings {
             Readings::All(rows) => rows.is_empty() || rows.iter().any(|row| row.half_width().is_some()),
@@ -235,17 +235,17 @@ impl Measurements {
         }
     }
 
-    /// Where the error bounds come from.
+    /// Returns where the error bounds come from.
     pub fn error_bound(&self) -> &ErrorBound {
         &self.meaning.error_bound
     }
 
-    /// Whether every reading in memory lies within an ε of its y.
+    /// Returns whether every reading in memory lies within an ε of its y.
     pub(crate) fn is_around_y(&self) -> bool {
         self.kept().iter().all(|row| matches!(row.bounds, Bounds::Around { .. }))
     }
 
-    /// Whether the two hulls of the readings tell which of them can bound anything.
+    /// Returns whether the two hulls of the readings tell which of them can bound anything.
     pub(crate) fn has_hulls(&self) -> bool {
         matches!(self.model(), Model::Line { .. }) && self.error_bound().is_uniform() && self.is_around_y()
     }
@@ -334,7 +334,7 @@ impl Measurements {
         }
     }
 
-    /// Whether the reading that any θ, or the least-squares estimate at least, misses most is among those in memory.
+    /// Returns whether the reading that any θ, or the least-squares estimate at least, misses most is among those in memory.
     pub(crate) fn have_tightest(&self) -> bool {
         match &self.readings {
             Readings::All(_) | Readings::Counted { .. } => true,
@@ -344,7 +344,7 @@ impl Measurements {
         }
     }
 
-    /// Whether the readings in memory decide for every multiple of their error bounds.
+    /// Returns whether the readings in memory decide for every multiple of their error bounds.
     pub fn are_open(&self) -> bool {
         match &self.readings {
             Readings::All(_) | Readings::Counted { .. } => true,
@@ -359,7 +359,7 @@ impl Measurements {
         }
     }
 
-    /// Which of the readings in memory stand for more than themselves; `None` where all are in memory.
+    /// Returns which of the readings in memory stand for more than themselves; `None` where all are in memory.
     pub fn ties(&self) -> Option<&Ties> {
         match &self.readings {
             Readings::All(_) => None,
@@ -367,7 +367,7 @@ impl Measurements {
         }
     }
 
-    /// Whether the rows were read from reductions, which number them anew.
+    /// Returns whether the rows were read from reductions, which number them anew.
     pub fn is_of_reductions(&self) -> bool {
         matches!(
             self.readings,
@@ -375,7 +375,7 @@ impl Measurements {
         )
     }
 
-    /// How many readings are fitted, kept or not.
+    /// Returns how many readings are fitted, kept or not.
     pub fn fitted(&self) -> usize {
         match &self.readings {
             Readings::All(rows) => rows.len(),
@@ -389,12 +389,12 @@ impl Measurements {
         &self.others
     }
 
-    /// How many data rows the file has.
+    /// Returns how many data rows the file has.
     pub fn rows_total(&self) -> usize {
         self.origin.rows_total
     }
 
-    /// Which rows of the file were asked for.
+    /// Returns which rows of the file were asked for.
     pub fn selection(&self) -> &Selection {
         &self.origin.selection
     }
@@ -404,19 +404,19 @@ impl Measurements {
         &self.origin.fractions
     }
 
-    /// Which data rows of the file are fitted: first and last of those that follow each other without a gap. Empty where the
+    /// Returns which data rows of the file are fitted: first and last of those that follow each other without a gap. Empty where the
     /// readings do not come from a file, or were read without
     /// [`ScanOptions::list_rows`](boundfit_formats::ScanOptions::list_rows).
     pub fn fitted_rows(&self) -> &[[usize; 2]] {
         &self.origin.ranges
     }
 
-    /// How many rows that were asked for were left out since they lack a number.
+    /// Returns how many rows that were asked for were left out since they lack a number.
     pub fn rows_missing(&self) -> usize {
         self.origin.rows_missing
     }
 
-    /// What the table was taken for; `None` unless the readings come from text or a sheet.
+    /// Returns what the table was taken for; `None` unless the readings come from text or a sheet.
     #[cfg(feature = "files")]
     pub fn table(&self) -> Option<&TableNotes> {
         self.origin.table.as_ref()
@@ -444,7 +444,7 @@ impl Measurements {
         }
     }
 
-    /// Where in the file the numbers stand: regressors, response and, with one per row, error bound; `None` unless the
+    /// Returns where in the file the numbers stand: regressors, response and, with one per row, error bound; `None` unless the
     /// readings come from delimited text that has a row for each of them.
     #[cfg(feature = "files")]
     pub fn layout(&self) -> Option<&TextLayout> {

@@ -26,9 +26,9 @@ pub struct Minimax {
     pub least: Rational,
     /// A minimiser: the only one when `unique`, else a point in the relative interior of all of them.
     pub theta: [Rational; 2],
-    /// Whether there is no other minimiser.
+    /// True if there is no other minimiser.
     pub unique: bool,
-    /// Why nothing smaller will do; empty when `least` is 0.
+    /// The reason why nothing smaller will do; empty when `least` is 0.
     pub proof: MinimaxProof,
 }
 
@@ -114,7 +114,7 @@ impl Minimax {
         }
     }
 
-    /// Whether the bounds of these readings at a scale leave something. Exact.
+    /// Returns whether the bounds of these readings at a scale leave something. Exact.
     #[cfg(feature = "files")]
     pub(crate) fn is_enough(rows: &[Measurement], scale: &Scale, conditions: &[Condition]) -> bool {
         let bounds = rows.iter().flat_map(|row| scale.half_planes(row));

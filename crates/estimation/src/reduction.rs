@@ -11,7 +11,7 @@ use crate::ties::Ties;
 /// What is known about readings of which only those that decide the feasible set are kept.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Reduction {
-    /// How many readings there are.
+    /// The number of readings there are.
     pub count: usize,
     /// The sums over all readings.
     pub sums: Result<Sums, NoLeastSquares>,
@@ -19,7 +19,7 @@ pub struct Reduction {
     pub reach: Result<Reach, NoEui>,
     /// Which readings decide ε_min.
     pub minimax: DecidingMinimax,
-    /// Whether a reading has two bounds, whose distance a factor may multiply.
+    /// True if a reading has two bounds, whose distance a factor may multiply.
     pub has_widths: bool,
 }
 
@@ -42,7 +42,7 @@ impl Reduction {
         }
     }
 
-    /// How far least squares may move within the error bound of the readings.
+    /// Returns how far least squares may move within the error bound of the readings.
     pub(crate) fn reach_within(&self, error_bound: &ErrorBound) -> Result<Reach, NoEui> {
         let reach = self.reach.clone()?;
         match (&self.minimax, error_bound.uniform()) {
@@ -78,7 +78,7 @@ pub enum DecidingMinimax {
     Unknown(NoMinimax),
 }
 
-/// Why ε_min is not known although there are readings.
+/// The reason why ε_min is not known although there are readings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NoMinimax {
     /// It was not asked for.
@@ -96,7 +96,7 @@ pub enum NoMinimax {
     Reduced,
 }
 
-/// Why there is no EUI although there is a least-squares estimate.
+/// The reason why there is no EUI although there is a least-squares estimate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NoEui {
     /// It was not asked for.
@@ -118,7 +118,7 @@ pub enum NoEui {
     Reduced,
 }
 
-/// Why there is no least-squares estimate.
+/// The reason why there is no least-squares estimate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NoLeastSquares {
     /// ΦᵀΦ has no inverse: all regressors are multiples of one.
@@ -152,7 +152,7 @@ fn sums(weighted: &[(&Measurement, Rational)]) -> Result<Sums, NoLeastSquares> {
     Ok(Sums { count, ..totals.total() })
 }
 
-/// How far least squares may move; under one bound for all with 1 in its place.
+/// Returns how far least squares may move; under one bound for all with 1 in its place.
 fn reach(weighted: &[(&Measurement, Rational)], sums: &Sums, is_uniform: bool) -> Result<Reach, NoEui> {
     if weighted.iter().any(|(reading, _)| reading.half_width().is_none()) {
         return Err(NoEui::OneSided);

@@ -5,7 +5,7 @@ use std::fmt;
 
 use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading, characters_before};
 
-/// Why a text is not what it should be, and where.
+/// The reason why a text is not what it should be, and where.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ParseTextError<K> {
     /// How many characters come before.
@@ -17,13 +17,13 @@ pub struct ParseTextError<K> {
 /// What can be wrong with a text of some kind, as a message says it: the problem, its place, what to write instead, and what would
 /// be accepted.
 pub trait TextProblem: fmt::Display + From<ParseNumberErrorKind> {
-    /// Whether the problem is one of a place rather than of the whole text.
+    /// Returns whether the problem is one of a place rather than of the whole text.
     fn has_place(&self) -> bool;
 
-    /// What is written instead.
+    /// Returns what is written instead.
     fn advice(&self) -> Option<&'static str>;
 
-    /// What would be accepted, where the message does not say it otherwise.
+    /// Returns what would be accepted, where the message does not say it otherwise.
     fn expected(&self) -> Option<&'static str>;
 }
 
@@ -56,7 +56,7 @@ impl<'a> Scanner<'a> {
         Scanner { text, position: 0, reading, limits }
     }
 
-    /// What follows the white space at the current position.
+    /// Returns what follows the white space at the current position.
     pub(crate) fn rest(&mut self) -> &'a str {
         let rest = &self.text[self.position..];
         let trimmed = rest.trim_start();
@@ -64,13 +64,13 @@ impl<'a> Scanner<'a> {
         trimmed
     }
 
-    /// Where the text goes on, behind white space.
+    /// Returns where the text goes on, behind white space.
     pub(crate) fn start(&mut self) -> usize {
         self.rest();
         self.position
     }
 
-    /// What was read from there on.
+    /// Returns what was read from there on.
     pub(crate) fn since(&self, start: usize) -> &'a str {
         self.text[start..self.position].trim()
     }
@@ -113,7 +113,7 @@ impl<'a> Scanner<'a> {
     }
 }
 
-/// How far an unsigned number reaches from the start of a text: digits, points, a slash, and exponents with a sign.
+/// Returns how far an unsigned number reaches from the start of a text: digits, points, a slash, and exponents with a sign.
 fn number_length(text: &str, side_by_side: bool) -> usize {
     let bytes = text.as_bytes();
     let mut length = 0;

@@ -18,7 +18,7 @@ pub struct Selection {
 }
 
 impl Selection {
-    /// Whether all rows were asked for.
+    /// Returns whether all rows were asked for.
     pub fn is_all(&self) -> bool {
         *self == Selection::default()
     }

@@ -44,7 +44,7 @@ impl Terms {
     }
 }
 
-/// Why a text is no error bound, and where.
+/// The reason why a text is no error bound, and where.
 pub type ParseBoundError = ParseTextError<ParseBoundErrorKind>;
 
 /// What is wrong with a text that should be an error bound.
@@ -112,7 +112,7 @@ impl TextProblem for ParseBoundErrorKind {
     }
 }
 
-/// What is taken above y, and below where that is something else.
+/// Returns what is taken above y, and below where that is something else.
 pub(crate) fn parse_terms(
     text: &str,
     reading: Reading,

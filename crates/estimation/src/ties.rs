@@ -62,12 +62,12 @@ impl Ties {
         weighted
     }
 
-    /// Whether every reading stands for itself alone.
+    /// Returns whether every reading stands for itself alone.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// How many readings that of a row stands for, itself included.
+    /// Returns how many readings that of a row stands for, itself included.
     pub fn count(&self, row: usize) -> usize {
         self.0.get(&row).map_or(1, |rows| rows.count() as usize)
     }
@@ -78,7 +78,7 @@ impl Ties {
         [row].into_iter().chain(others.skip(1))
     }
 
-    /// What these rows stand for, alone, with at most so many numbers of each.
+    /// Returns what these rows stand for, alone, with at most so many numbers of each.
     pub(crate) fn among(&self, rows: impl Iterator<Item = usize>, most: usize) -> Self {
         let listed = |tally: &Tally| Tally::merged([tally.clone()].into_iter(), most);
         Ties(rows.filter_map(|row| Some((row, listed(self.0.get(&row)?)))).collect())

@@ -38,7 +38,7 @@ impl Problem {
         self.work(&[]).check(times * self.looks(), limit)
     }
 
-    /// How much more work the least bound takes than that of a line under one bound: it comes from cutting planes then.
+    /// Returns how much more work the least bound takes than that of a line under one bound: it comes from cutting planes then.
     pub fn looks(&self) -> u64 {
         let is_line = matches!(self.measurements.model(), Model::Line { .. });
         if is_line && self.measurements.error_bound().is_uniform() { 1 } else { 4 }

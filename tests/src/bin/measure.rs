@@ -131,7 +131,7 @@ fn whole_fit(problem: &Problem, runs: usize) -> Map<String, Value> {
     times
 }
 
-/// What the others' answers are compared with: how many vertices and hull corners there are, and the PUI.
+/// Returns what the others' answers are compared with: how many vertices and hull corners there are, and the PUI.
 fn reference(problem: &Problem) -> Map<String, Value> {
     let rows = problem.measurements.kept();
     let mut points: Vec<Point> =

@@ -76,7 +76,7 @@ impl Case {
         line
     }
 
-    /// What the program answers.
+    /// Returns what the program answers.
     pub fn report(&self) -> Value {
         let directory = directory_with(&[("data.csv", self.csv.as_bytes())]);
         report(directory.path(), &self.command_line(), b"")

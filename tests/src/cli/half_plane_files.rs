@@ -45,7 +45,7 @@ pub fn with_rows(csv: &str, keep: impl Fn(usize) -> bool) -> String {
     lines.filter(|(row, _)| *row == 0 || keep(*row)).map(|(_, line)| format!("{line}\n")).collect()
 }
 
-/// What a region is as a set: everything but the names of half-planes and what follows from them.
+/// Returns what a region is as a set: everything but the names of half-planes and what follows from them.
 pub fn shape(region: &Value) -> Value {
     let corners: Vec<&Value> =
         region["vertices"].as_array().unwrap().iter().map(|vertex| &vertex["theta"]).collect();

@@ -89,12 +89,12 @@ pub fn boundfit(directory: &Path, line: &str) -> Run {
     boundfit_with_input(directory, line, b"")
 }
 
-/// What `boundfit` prints when all is well.
+/// Returns what `boundfit` prints when all is well.
 pub fn printed(directory: &Path, line: &str) -> String {
     printed_with_input(directory, line, b"")
 }
 
-/// What `boundfit` prints for bytes on standard input when all is well.
+/// Returns what `boundfit` prints for bytes on standard input when all is well.
 pub fn printed_with_input(directory: &Path, line: &str, input: &[u8]) -> String {
     let run = boundfit_with_input(directory, line, input);
     assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{line}");

@@ -166,7 +166,7 @@ fn directions(path: &[String]) -> &'static [Direction] {
     }
 }
 
-/// Whether a decimal is the exact value when so many digits hold it, and else its rounding to so many digits.
+/// Returns whether a decimal is the exact value when so many digits hold it, and else its rounding to so many digits.
 pub fn is_rounded(exact: &str, decimal: &str, digits: usize, direction: Direction) -> bool {
     let (value, shown) = (rational(exact), rational(decimal));
     let (mantissa, last_digit) = parts(decimal);

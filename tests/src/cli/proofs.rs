@@ -25,7 +25,7 @@ impl HalfPlane {
         &self.a[0] * &direction[0] + &self.a[1] * &direction[1]
     }
 
-    /// Whether `a` is zero: all or nothing of the plane.
+    /// Returns whether `a` is zero: all or nothing of the plane.
     pub fn is_trivial(&self) -> bool {
         self.a.iter().all(Rational::is_zero)
     }
@@ -47,7 +47,7 @@ pub struct Named {
 pub struct System(pub Vec<Named>);
 
 impl System {
-    /// Whether θ satisfies all half-planes.
+    /// Returns whether θ satisfies all half-planes.
     pub fn contains(&self, theta: &[Rational; 2]) -> bool {
         self.0.iter().all(|named| !named.half_plane.slack(theta).is_negative())
     }
@@ -113,7 +113,7 @@ impl System {
         }
     }
 
-    /// Whether a half-plane that contains the region touches it.
+    /// Returns whether a half-plane that contains the region touches it.
     fn is_attained(&self, claimed: &HalfPlane, proof: &Value, region: &Value) -> bool {
         let vertices = region["vertices"].as_array().unwrap();
         if !vertices.is_empty() {
@@ -130,7 +130,7 @@ impl System {
     }
 }
 
-/// Whether a region goes on for ever along an axis, this way.
+/// Returns whether a region goes on for ever along an axis, this way.
 fn grows(region: &Value, axis: usize, sign: i64) -> bool {
     let along = |direction: &Value| exact(&direction[axis]) * whole(sign);
     let mut rays = region["rays"].as_array().unwrap().iter();

@@ -8,7 +8,7 @@ use super::proofs::System;
 
 type Point = [Rational; 2];
 
-/// What a kind of region has: vertices and rays from least to most, lines, boundary lines, and its area when fixed.
+/// Returns what a kind of region has: vertices and rays from least to most, lines, boundary lines, and its area when fixed.
 fn parts_of(kind: &str) -> ([usize; 2], [usize; 2], usize, usize, Option<&'static str>) {
     const MANY: usize = usize::MAX;
     match kind {
@@ -83,7 +83,7 @@ fn check_vertices(region: &Value, system: &System) {
     }
 }
 
-/// Whether a point lies strictly to the left of the line from one point to another.
+/// Returns whether a point lies strictly to the left of the line from one point to another.
 fn is_left(from: &Point, to: &Point, point: &Point) -> bool {
     let [along, across] = [to, point].map(|end| [&end[0] - &from[0], &end[1] - &from[1]]);
     (&along[0] * &across[1] - &along[1] * &across[0]).is_positive()

@@ -17,7 +17,7 @@ pub struct Placement {
 }
 
 impl Placement {
-    /// Where everything stays.
+    /// Returns where everything stays.
     pub fn identity() -> Self {
         Placement::sheared(Integer::zero(), Integer::zero(), [Rational::zero(), Rational::zero()])
     }

@@ -29,7 +29,7 @@ pub(super) fn same_maximum(polyhedron: &Polyhedron, objective: [Rational; 2]) ->
     }
 }
 
-/// Whether the rows leave anything, by the simplex alone.
+/// Returns whether the rows leave anything, by the simplex alone.
 pub(super) fn is_feasible(rows: &[Row]) -> bool {
     let objective = [Rational::zero(), Rational::zero()];
     !matches!(exact_simplex(&Program { rows, objective }), ExactOutcome::Infeasible { .. })

@@ -41,7 +41,7 @@ pub fn packed_reader(data: &[u8]) {
     }
 }
 
-/// How many rows there are, and how many are left out.
+/// The number of rows there are, and how many are left out.
 fn read(data: &[u8]) -> Result<(usize, usize), String> {
     let mut found = Err(String::new());
     for missing in [Missing::Refuse, Missing::Skip] {

@@ -18,7 +18,7 @@ use crate::reference_table::{self, Found, NAME, may_be_binary, may_be_records};
 /// Numbers short enough that every input takes microseconds.
 pub(super) const LIMITS: Limits = Limits { digits: 60, exponent: 400 };
 
-/// What a small machine would set.
+/// Returns what a small machine would set.
 pub(super) fn sizes() -> SizeLimits {
     SizeLimits {
         rows: 1_000,
@@ -54,7 +54,7 @@ pub fn csv_reader(data: &[u8]) {
     });
 }
 
-/// Whether a text that is no number is refused as a date or a time. Which texts are, the reference does not know.
+/// Returns whether a text that is no number is refused as a date or a time. Which texts are, the reference does not know.
 fn is_refused_as_time<T>(found: &Result<T, String>, expected: &Result<T, String>) -> bool {
     let (Err(found), Err(expected)) = (found, expected) else { return false };
     let is_time = |what: &str| {

@@ -54,7 +54,7 @@ fn question(rng: &mut ChaCha8Rng) -> Vec<String> {
     line
 }
 
-/// How decimals of a report look.
+/// Returns how decimals of a report look.
 fn style(rng: &mut ChaCha8Rng) -> Vec<String> {
     line(one_of(rng, &["", "", "", "--exact", "--digits 1000", "--rounding nearest", "--digits 25"]))
 }
@@ -231,7 +231,7 @@ pub(super) fn about_reduction(rng: &mut ChaCha8Rng) -> Case {
     Case { files: vec![("data.csv".to_owned(), text)], lines }
 }
 
-/// What unpacks to more than it is.
+/// Returns what unpacks to more than it is.
 pub(super) fn about_packed(rng: &mut ChaCha8Rng) -> Case {
     let (name, content) = bomb(rng);
     let lines = table_command(rng, &name);

@@ -43,7 +43,7 @@ pub(super) fn rows(rng: &mut ChaCha8Rng, columns: usize, bytes: usize) -> String
     text
 }
 
-/// How large a file becomes: as often as large as it may be as smaller.
+/// Returns how large a file becomes: as often as large as it may be as smaller.
 pub(super) fn size(rng: &mut ChaCha8Rng) -> usize {
     if rng.random_bool(0.5) { 3600 } else { rng.random_range(30..3600) }
 }
@@ -98,7 +98,7 @@ pub fn gzip(bytes: &[u8]) -> Vec<u8> {
     encoder.finish().expect("memory takes it")
 }
 
-/// What unpacks to many times its size, or packs of packs of it.
+/// Returns what unpacks to many times its size, or packs of packs of it.
 pub(super) fn bomb(rng: &mut ChaCha8Rng) -> (String, Vec<u8>) {
     let unpacked = rng.random_range(1_usize..4) << 16;
     let piece: &[u8] =

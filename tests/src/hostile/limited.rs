@@ -28,7 +28,7 @@ pub struct Ended {
 }
 
 impl Ended {
-    /// Whether the program came to an end of its own, with an answer or a message.
+    /// Returns whether the program came to an end of its own, with an answer or a message.
     pub fn is_well(&self) -> bool {
         self.status.is_some_and(|status| (0..=4).contains(&status)) && !self.messages.contains("panicked")
     }

@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 
 use super::{Question, sha256};
 
-/// Whether every statement of a proof of the right shape is true: the same question is asked again.
+/// Returns whether every statement of a proof of the right shape is true: the same question is asked again.
 pub fn is_true(proof: &Value, data: &[u8]) -> bool {
     let Some(question) = question(proof, data) else { return false };
     let Ok(problem) = question.problem() else { return false };
@@ -29,7 +29,7 @@ pub fn is_true(proof: &Value, data: &[u8]) -> bool {
         && sides_are_true(proof, &fit)
 }
 
-/// What a proof is about, with its model computed: the columns φ1, φ2, y and ε as they are after the reading.
+/// Returns what a proof is about, with its model computed: the columns φ1, φ2, y and ε as they are after the reading.
 fn question(proof: &Value, data: &[u8]) -> Option<Question> {
     let ends = proof["rows"].as_array()?.iter().map(|end| usize::try_from(end.as_u64()?).ok());
     let ends: Vec<usize> = ends.collect::<Option<_>>()?;
@@ -101,7 +101,7 @@ fn vertices(proof: &Value) -> Vec<[Rational; 2]> {
     proof["vertices"].as_array().expect("a list").iter().map(pair).collect()
 }
 
-/// What is active at which vertex.
+/// Returns what is active at which vertex.
 fn active(proof: &Value) -> BTreeSet<String> {
     proof["active"].as_array().expect("a list").iter().map(Value::to_string).collect()
 }
@@ -156,7 +156,7 @@ fn bounds_are_true(proof: &Value, truth: &Value, fit: &Fit) -> bool {
         && proof["farkas"] == json!([])
 }
 
-/// Whether the sides are half-planes of the set that make it, each with the vertex where the next one begins.
+/// Returns whether the sides are half-planes of the set that make it, each with the vertex where the next one begins.
 fn sides_are_true(proof: &Value, fit: &Fit) -> bool {
     let sides = proof["sides"].as_array().expect("a list");
     if fit.pui.is_none() {

@@ -95,7 +95,7 @@ impl Question {
         Question { options: TableOptions { reading, ..self.options }, ..self }
     }
 
-    /// What is to be fitted.
+    /// Returns what is to be fitted.
     ///
     /// # Errors
     /// When the data cannot be read so.

@@ -142,7 +142,7 @@ fn bounds(row: &Measurement, errors: &ErrorScale) -> [Option<Rational>; 2] {
     }
 }
 
-/// What can be stated of a scope.
+/// Returns what can be stated of a scope.
 fn stated(problem: &Problem, scope: Scope, x_error: &Rational, rng: &mut ChaCha8Rng) -> Vec<Statement> {
     let (names, polyhedron) = system(problem, &scope, x_error, &BTreeSet::new());
     let name = |index: usize| names[index];

@@ -23,7 +23,7 @@ pub fn tampered(proof: &Value) -> Vec<(String, Value)> {
     all
 }
 
-/// What a list that is empty might have had in it.
+/// Returns what a list that is empty might have had in it.
 fn element(place: &str) -> Value {
     match place {
         "/conditions" => json!(["0", "0", "1"]),

@@ -86,7 +86,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether commas may stand between groups of three digits.
+/// Returns whether commas may stand between groups of three digits.
 fn is_grouped(text: &str) -> bool {
     let text = boundfit_exact::trim_number(text);
     let text = text.strip_prefix(['+', '-', '\u{2212}']).unwrap_or(text);
@@ -97,12 +97,12 @@ fn is_grouped(text: &str) -> bool {
         && groups[1..].iter().all(|group| group.len() == 3)
 }
 
-/// What is wrong, and on which line.
+/// Returns what is wrong, and on which line.
 pub(super) fn wrong(line: Option<u64>, kind: InputErrorKind) -> InputError {
     InputError { file: NAME.into(), place: Box::new(Place { line, ..Place::default() }), kind }
 }
 
-/// What is wrong with a cell.
+/// Returns what is wrong with a cell.
 pub(super) fn wrong_cell(
     line: u64,
     place: usize,
@@ -128,7 +128,7 @@ impl From<InputErrorKind> for CellError {
     }
 }
 
-/// What is wrong with a cell that is no text.
+/// Returns what is wrong with a cell that is no text.
 pub(super) fn not_utf8(cell: &[u8], error: &std::str::Utf8Error) -> InputErrorKind {
     let position = String::from_utf8_lossy(&cell[..error.valid_up_to()]).chars().count();
     InputErrorKind::NotUtf8 { position, unit: "cell" }

@@ -43,7 +43,7 @@ impl Reader<'_> {
         text
     }
 
-    /// Whether a line has a cell for each of these names.
+    /// Returns whether a line has a cell for each of these names.
     fn has_all(&self, names: &BTreeSet<&str>, line: &[u8]) -> bool {
         let delimiter = self.options.dialect.delimiter.or_else(|| detect(line)).unwrap_or(b' ');
         let mut reader = ReaderBuilder::new();
@@ -124,7 +124,7 @@ impl Reader<'_> {
         self.columns.iter().chain(self.options.conditions.iter().map(|condition| condition.column()))
     }
 
-    /// Whether a number is asked for that no column has, but one of these cells.
+    /// Returns whether a number is asked for that no column has, but one of these cells.
     fn has_numbers_as_names(&self, record: &ByteRecord) -> bool {
         self.asked().any(|column| {
             column.number().is_some_and(|number| number == 0 || number > record.len())
@@ -132,7 +132,7 @@ impl Reader<'_> {
         })
     }
 
-    /// Whether moreover all numbers that are asked for are among them.
+    /// Returns whether moreover all numbers that are asked for are among them.
     pub(super) fn prefers_names(&self, record: &ByteRecord) -> bool {
         let mut numbers = self.asked().filter(|column| column.number().is_some());
         self.has_numbers_as_names(record)
@@ -161,12 +161,12 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a cell says what is asked for.
+/// Returns whether a cell says what is asked for.
 fn says(cell: &[u8], column: &ColumnSelector) -> bool {
     std::str::from_utf8(cell).is_ok_and(|cell| cell.trim() == column.text().raw())
 }
 
-/// Whether a cell may be a name. A comment mark before a blank is none of it.
+/// Returns whether a cell may be a name. A comment mark before a blank is none of it.
 fn is_name(cell: &[u8]) -> bool {
     let text = String::from_utf8_lossy(cell).trim().to_lowercase();
     let name = match text.split_once(' ') {

@@ -20,7 +20,7 @@ pub(super) struct Records<'a> {
     /// The line of the last record, if the text ends within its quotes.
     pub(super) open_quotes: Option<u64>,
     pub(super) delimiter: u8,
-    /// Whether reading fails at the end of the text.
+    /// True if reading fails at the end of the text.
     pub(super) fails: bool,
 }
 
@@ -70,7 +70,7 @@ impl<'a> Records<'a> {
     }
 }
 
-/// Whether a record stops before its quotes do.
+/// Returns whether a record stops before its quotes do.
 fn ends_within_quotes(record: &[u8], delimiter: u8) -> bool {
     let (mut is_inside, mut is_start) = (false, true);
     let mut bytes = record.iter().peekable();

@@ -8,7 +8,7 @@ use super::BYTE_ORDER_MARK;
 /// What the bytes 0x80 to 0x9f are in Windows-1252.
 const WINDOWS_1252: &str = "€\u{81}‚ƒ„…†‡ˆ‰Š‹Œ\u{8d}Ž\u{8f}\u{90}‘’“”•–—˜™š›œ\u{9d}žŸ";
 
-/// Whether bytes may be those of a binary table, which is refused in words of its own.
+/// Returns whether bytes may be those of a binary table, which is refused in words of its own.
 pub fn may_be_binary(bytes: &[u8]) -> bool {
     let starts: [&[u8]; 14] = [
         b"PAR1",
@@ -37,7 +37,7 @@ pub fn may_be_binary(bytes: &[u8]) -> bool {
     is_binary(bytes) || is_binary(in_utf8) || first.is_some_and(|first| b"{[<!@%#tT".contains(first))
 }
 
-/// Whether bytes may be those of another text with a table: JSON, Octave's.
+/// Returns whether bytes may be those of another text with a table: JSON, Octave's.
 pub fn may_be_records(bytes: &[u8]) -> bool {
     let start = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes).trim_ascii_start();
     // In UTF-16 other bytes stand before and between.
@@ -104,7 +104,7 @@ pub(super) fn without_blank_lines(text: &[u8], delimiter: Option<u8>) -> Vec<u8>
     mark.iter().copied().chain(iter::repeat_n(b'\n', ends)).chain(text[start..].iter().copied()).collect()
 }
 
-/// How many lines end in a range: a carriage return and a line feed right after it are one end.
+/// Returns how many lines end in a range: a carriage return and a line feed right after it are one end.
 pub(super) fn line_ends(text: &[u8], start: usize, end: usize) -> u64 {
     let ends = |&at: &usize| match text[at] {
         b'\n' => at == 0 || text[at - 1] != b'\r',

@@ -20,7 +20,7 @@ cargo xtask ci --show STEP            print the script of a step
 
   --install    as root on Debian: install missing programs while other steps run";
 
-/// What the arguments ask for.
+/// The task that the arguments ask for.
 #[derive(Debug, PartialEq)]
 enum Asked {
     Help,

@@ -9,7 +9,7 @@ use crate::root;
 /// A program that a step starts.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Program {
-    /// What people call it.
+    /// The name that people use.
     name: &'static str,
     /// A line of shell that succeeds where it is installed.
     is_there: &'static str,
@@ -42,7 +42,7 @@ pub(super) const LIBCLANG: Program =
     command("libclang", "ls /usr/lib/llvm*/lib/libclang[.-][s0-9]*", &["libclang-dev"]);
 
 impl Program {
-    /// Whether the program is installed.
+    /// Returns whether the program is installed.
     fn is_installed(&self) -> bool {
         let mut shell = Command::new("bash");
         shell.args(["-c", self.is_there]).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());

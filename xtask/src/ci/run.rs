@@ -11,7 +11,7 @@ use super::programs::{self, Installation};
 use super::steps::Step;
 use crate::root;
 
-/// What went wrong in a step.
+/// The result of a step, or the problem.
 type Outcome = Result<(), String>;
 
 /// How many tests `cargo test` says have passed and failed.

@@ -7,9 +7,9 @@ use super::programs::{
 /// A step of continuous integration.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Step {
-    /// What people type.
+    /// The name that people type.
     pub(super) name: &'static str,
-    /// What holds if the step succeeds.
+    /// The fact that holds if the step succeeds.
     pub(super) holds: &'static str,
     /// The changes that need the step.
     pub(super) changes: &'static str,

@@ -31,7 +31,7 @@ impl Generated {
         Generated { path: path.into(), text }
     }
 
-    /// Whether the repository has another text there, or none.
+    /// Returns whether the repository has another text there, or none.
     fn is_stale(&self) -> bool {
         fs::read_to_string(root().join(&self.path)).ok().as_ref() != Some(&self.text)
     }

@@ -16,7 +16,7 @@ const NEITHER: &str = " what whether how which who whom whose where wherever whe
     so and or nor but if unless though although because while than then there here else not only also even just rather \
     thus hence once those that it its itself they them their he she we you ";
 
-/// What is wrong with a sentence.
+/// A fault of a sentence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Fault {
     /// More than 30 words.
@@ -56,7 +56,7 @@ pub(super) fn split(paragraph: &str) -> Vec<String> {
     sentences.into_iter().map(|words| words.join(" ")).collect()
 }
 
-/// Whether a word with a full stop is a short form.
+/// Returns whether a word with a full stop is a short form.
 fn is_short(word: &str) -> bool {
     let known = ["e.g.", "i.e.", "cf.", "vs.", "p.", "pp.", "Fig.", "Eq.", "No.", "Thm.", "Prop.", "Sec."];
     known.contains(&word.trim_start_matches(['(', '[']))
@@ -68,7 +68,7 @@ fn words(sentence: &str) -> impl Iterator<Item = &str> {
     sentence.split_whitespace().filter(move |word| bare(word))
 }
 
-/// What is wrong with a sentence, which may be the first of a comment of rustdoc.
+/// Returns what is wrong with a sentence, which may be the first of a comment of rustdoc.
 pub(super) fn faults(sentence: &str, is_summary: bool) -> Vec<Fault> {
     let mut faults = Vec::new();
     if words(sentence).count() > MOST_WORDS {

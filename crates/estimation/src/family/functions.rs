@@ -19,7 +19,7 @@ impl Linear {
         &self.constant + &self.slope * s
     }
 
-    /// Where the function is zero; `None` for a constant.
+    /// Returns where the function is zero; `None` for a constant.
     pub(crate) fn root(&self) -> Option<Rational> {
         (-&self.constant).checked_div(&self.slope)
     }

@@ -107,7 +107,7 @@ impl Family {
         &self.breakpoints
     }
 
-    /// What lies between each breakpoint and the next: one fewer than breakpoints.
+    /// Returns what lies between each breakpoint and the next: one fewer than breakpoints.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }

@@ -63,7 +63,7 @@ impl Shape {
         found.as_ref()
     }
 
-    /// How far the shape at a sample reaches: as far as no edge of it has shrunk to nothing, its parallel sides have not
+    /// Returns how far the shape at a sample reaches: as far as no edge of it has shrunk to nothing, its parallel sides have not
     /// met, and every other half-plane still contains it.
     pub(super) fn reach(
         &mut self,
@@ -161,7 +161,7 @@ fn multiple_of(vector: &[Rational; 2], other: &[Rational; 2]) -> Option<Rational
     (parallel && factor.is_positive()).then_some(factor)
 }
 
-/// What a redundant half-plane leaves.
+/// Returns what a redundant half-plane leaves.
 fn slack_of(system: &GrowingSystem, index: usize, reason: Redundancy) -> Linear {
     let implied = match reason {
         Redundancy::Dominated { by, .. } => system.combined(&by),

@@ -20,7 +20,7 @@ pub(super) struct KeptRows {
     /// equal rows.
     counted: HashMap<Numbers, u64>,
     have_widths: bool,
-    /// Whether the second regressor is 1.
+    /// True if the second regressor is 1.
     is_line: bool,
     /// Smallest and largest x and y.
     range: Option<[[Rational; 2]; 2]>,
@@ -34,7 +34,7 @@ struct Numbers {
 }
 
 impl Numbers {
-    /// What so many readings, all equal to this row, come to.
+    /// Returns what so many readings, all equal to this row, come to.
     fn sums(&self, readings: u64) -> Sums {
         let Numbers { regressor: [u, v], y } = self;
         let times = |left: &Rational, right: &Rational| left * right * Rational::from(readings);
@@ -179,7 +179,7 @@ impl Rest {
         self.sums.parts().into_iter().all(Rational::is_zero)
     }
 
-    /// Whether some readings have these sums: Σu² and Σv² are not negative and (Σuv)² ≤ Σu²·Σv² (Cauchy and Schwarz); where
+    /// Returns whether some readings have these sums: Σu² and Σv² are not negative and (Σuv)² ≤ Σu²·Σv² (Cauchy and Schwarz); where
     /// these are equal, au + bv is 0 for all readings, and so is a·Σuy + b·Σvy. Nothing else follows, since y may be anything.
     fn is_possible(&self) -> bool {
         let Sums { uu, uv, vv, uy, vy, .. } = &self.sums;
@@ -201,7 +201,7 @@ impl Rest {
         [x, y].map(|sum| sum.checked_div(&count).unwrap_or_default())
     }
 
-    /// Whether readings of a line within these x and y have these sums: no product of distances to two sides is negative.
+    /// Returns whether readings of a line within these x and y have these sums: no product of distances to two sides is negative.
     fn is_within(&self, range: Option<&[[Rational; 2]; 2]>) -> bool {
         let Some([[x_least, x_most], [y_least, y_most]]) = range else { return true };
         let Sums { uu: xx, uv: x, uy: xy, vy: y, .. } = &self.sums;

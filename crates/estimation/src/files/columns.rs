@@ -26,7 +26,7 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// Whether the readings that decide the feasible set do so for every error bound: those of a line under a uniform one.
+    /// Returns whether the readings that decide the feasible set do so for every error bound: those of a line under a uniform one.
     pub fn are_open(&self) -> bool {
         self.meaning(&[]).is_open()
     }
@@ -105,7 +105,7 @@ impl Columns {
         row.map_or(Ok(()), |row| Err(InputError::of_row(file, row, InputErrorKind::NoBound)))
     }
 
-    /// What the numbers in those columns mean, whose names are given.
+    /// Returns what the numbers in those columns mean, whose names are given.
     pub(crate) fn meaning(&self, names: &[Foreign]) -> Meaning {
         let mut names = names.iter().cloned();
         let mut name = || names.next().unwrap_or_default();

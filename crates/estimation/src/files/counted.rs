@@ -86,12 +86,12 @@ impl CountedBatch {
         CountedBatch { columns, kinds, rows }
     }
 
-    /// How many rows there are.
+    /// The number of rows there are.
     pub fn rows(&self) -> usize {
         self.rows
     }
 
-    /// How many different ones.
+    /// Returns how many different ones.
     pub fn kinds(&self) -> usize {
         self.kinds.len()
     }
@@ -101,7 +101,7 @@ impl CountedBatch {
         self.columns
     }
 
-    /// Whether of the first rows, and so maybe of all, at most one of `least` is different from those before it.
+    /// Returns whether of the first rows, and so maybe of all, at most one of `least` is different from those before it.
     pub(super) fn are_few(columns: &[Column], least: usize) -> bool {
         let rows = columns.first().map_or(0, Column::len).min(ENOUGH_TO_TELL);
         let part: Vec<Column> = columns.iter().map(|column| column.part(0..rows)).collect();
@@ -109,7 +109,7 @@ impl CountedBatch {
         rows > 0 && CountedBatch::new(part, &numbers, |_| None, least).kinds() <= rows / least
     }
 
-    /// Where the first row of each kind stands.
+    /// Returns where the first row of each kind stands.
     pub fn positions(&self) -> impl Iterator<Item = usize> + '_ {
         self.kinds.iter().map(|(position, _)| *position)
     }
@@ -153,12 +153,12 @@ impl CountedRows {
         tallies.push(tally);
     }
 
-    /// How many rows there are.
+    /// The number of rows there are.
     pub fn rows(&self) -> usize {
         self.rows
     }
 
-    /// How many different ones.
+    /// Returns how many different ones.
     pub fn kinds(&self) -> usize {
         self.tallies.len()
     }

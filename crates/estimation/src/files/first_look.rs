@@ -40,7 +40,7 @@ pub(super) struct FirstLook<'a> {
     pub(super) most_rows: usize,
     pub(super) sieve: SharedSieve,
     pub(super) bounds: FixedBounds<'a>,
-    /// Whether numbers are kept for further looks.
+    /// True if numbers are kept for further looks.
     keeps_numbers: bool,
     brackets: SharedBrackets,
     /// The limits of what is kept, where all readings are.
@@ -163,14 +163,14 @@ impl<'a> FirstLook<'a> {
         Ok((all, scanned))
     }
 
-    /// How many bytes of numbers are kept for further looks.
+    /// Returns how many bytes of numbers are kept for further looks.
     fn most_bytes(&self) -> usize {
         let usual = if self.path.is_some() { MOST_BYTES_OF_FILE } else { MOST_BYTES_OF_STREAM };
         let memory = self.options.table.sizes.memory.limit() / 2;
         self.keep.most_bytes.unwrap_or(usual.min(usize::try_from(memory).unwrap_or(usize::MAX)))
     }
 
-    /// Where the thresholds of the EUI will lie, by the sums so far; all threads use it from now on.
+    /// Returns where the thresholds of the EUI will lie, by the sums so far; all threads use it from now on.
     fn guess(&self, sums: Sums) -> Option<Arc<Brackets>> {
         let form = &self.columns.form;
         Some(self.brackets.set(Brackets::of_form(form, &sums.counted_from(&form.x_origin))?))

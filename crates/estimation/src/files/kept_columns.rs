@@ -97,7 +97,7 @@ impl StoredColumn {
     }
 }
 
-/// How many bytes the numbers of a column take.
+/// Returns how many bytes the numbers of a column take.
 fn bytes_of(column: &Column) -> usize {
     match column {
         Column::Narrow(scaled) => size_of_val(scaled.counts()),
@@ -117,7 +117,7 @@ impl KeptPart {
         self.columns.iter().map(StoredColumn::bytes).sum()
     }
 
-    /// What is kept of the first column within brackets.
+    /// Returns what is kept of the first column within brackets.
     fn narrowed(&self, brackets: &Brackets) -> Narrowed {
         self.columns.first().map(|x| brackets.narrow(&x.column())).unwrap_or_default()
     }
@@ -182,7 +182,7 @@ impl KeptColumns {
         }
     }
 
-    /// What of the first columns lies above each threshold; `None` unless enough was kept.
+    /// Returns what of the first columns lies above each threshold; `None` unless enough was kept.
     pub(super) fn spread(&self, thresholds: &Thresholds) -> Option<Spread> {
         let parts = match &self.kept {
             Kept::Parts(parts) => parts,

@@ -26,13 +26,13 @@ pub(super) struct Looks<'a> {
     pub(super) file: Option<(&'a str, u64)>,
     pub(super) options: &'a ScanOptions,
     pub(super) selectors: &'a [ColumnSelector],
-    /// How many rows there are, and the sum of each column.
+    /// The number of rows there are, and the sum of each column.
     pub(super) count: usize,
     pub(super) totals: &'a [Rational],
 }
 
 impl Looks<'_> {
-    /// Whether the readings can be seen again.
+    /// Returns whether the readings can be seen again.
     pub(super) fn are_possible(&self) -> bool {
         self.kept.parts().is_some() || self.file.is_some()
     }
@@ -74,7 +74,7 @@ impl Looks<'_> {
         if is_same { Ok(()) } else { Err(InputError::of_file(path, InputErrorKind::Changed)) }
     }
 
-    /// How far least squares may move, and the first of the readings that the estimate misses most, or else comes nearest to
+    /// Returns how far least squares may move, and the first of the readings that the estimate misses most, or else comes nearest to
     /// missing. One look.
     pub(super) fn reach_and_tightest(
         &self,

@@ -36,12 +36,12 @@ impl<'a> Outline<'a> {
         Outline { corners: extremes.corners.iter().copied().filter_map(place).collect(), lower, upper }
     }
 
-    /// Whether a reading lies at a corner.
+    /// Returns whether a reading lies at a corner.
     pub(super) fn has_corner(&self, x: &Rational, y: &Rational) -> bool {
         self.corners.contains(&[x, y])
     }
 
-    /// Whether a point lies between the hulls, and on neither where that is asked for. So does the mean of points that do, and it
+    /// Returns whether a point lies between the hulls, and on neither where that is asked for. So does the mean of points that do, and it
     /// is on neither where one of these is not. Exact. Cost: O(log n).
     pub(super) fn has_within(&self, point: &[Rational; 2], strictly: bool) -> bool {
         let within = |chain: &[[&Rational; 2]], outside: Ordering| match side(chain, point) {
@@ -53,7 +53,7 @@ impl<'a> Outline<'a> {
     }
 }
 
-/// Where a point is as seen from a chain of points by x: below, on it or above; `None` beside it.
+/// Returns where a point is as seen from a chain of points by x: below, on it or above; `None` beside it.
 fn side(chain: &[[&Rational; 2]], [x, y]: &[Rational; 2]) -> Option<Ordering> {
     let next = chain.partition_point(|[own, _]| *own < x);
     let [next_x, next_y] = chain.get(next)?;

@@ -112,7 +112,7 @@ impl Question {
         Measurements::scan(source, &self.columns, &conditions, options, keep)
     }
 
-    /// Whether a multiple of the least bound is asked of readings that were reduced under bounds that are fixed: there is none.
+    /// Returns whether a multiple of the least bound is asked of readings that were reduced under bounds that are fixed: there is none.
     pub fn moves_fixed_bounds(&self, source: &Source) -> bool {
         self.multiple_of_least.is_some() && source.is_reduction() && self.columns.second.is_some()
     }
@@ -144,7 +144,7 @@ impl Question {
         self.columns.work_of_every(readings, longest.filter(|_| self.multiple_of_least.is_some()))
     }
 
-    /// Whether a bound or an origin that is the same for all readings is so long that it counts in each.
+    /// Returns whether a bound or an origin that is the same for all readings is so long that it counts in each.
     pub fn has_long_bound(&self) -> bool {
         let is_long = |number: &Rational| Work::of_numbers(&[number]).products(1) > 0;
         let is_long_bound =
@@ -152,7 +152,7 @@ impl Question {
         is_long_bound || is_long(&self.columns.form.x_origin)
     }
 
-    /// Whether nothing is known of the parameters beside the readings and their error bound, which is given.
+    /// Returns whether nothing is known of the parameters beside the readings and their error bound, which is given.
     pub fn is_plain(&self) -> bool {
         self.conditions.is_empty() && self.multiple_of_least.is_none() && !self.columns.form.through_origin
     }
@@ -167,7 +167,7 @@ impl Question {
         }
     }
 
-    /// What a fleet that was read for these columns says of one of its groups: see [`Fleet::group_fit`]. Exact.
+    /// Returns what a fleet that was read for these columns says of one of its groups: see [`Fleet::group_fit`]. Exact.
     ///
     /// # Panics
     /// When there are not that many groups.

@@ -160,17 +160,17 @@ impl ReducedTable {
         Ok(ReducedTable { record, header: scanned.header_line, rows, counts, table })
     }
 
-    /// How many readings there were.
+    /// The number of readings there were.
     pub fn rows(&self) -> usize {
         self.record.rows
     }
 
-    /// How many of them are kept.
+    /// Returns how many of them are kept.
     pub fn kept(&self) -> usize {
         self.rows.len()
     }
 
-    /// What the table was taken for; nothing unless it is text or a sheet, and no reduction.
+    /// Returns what the table was taken for; nothing unless it is text or a sheet, and no reduction.
     pub fn table(&self) -> Option<&TableNotes> {
         self.table.as_ref()
     }

@@ -217,7 +217,7 @@ fn add_tightest(
     rows.insert(place, tightest);
 }
 
-/// How far least squares of a line may move under a uniform bound of 1: a second look at x.
+/// Returns how far least squares of a line may move under a uniform bound of 1: a second look at x.
 fn reach_of_line(
     looks: Looks,
     form: &LineForm,

@@ -37,7 +37,7 @@ impl Series {
         }
     }
 
-    /// Whether some numbers did not fit into integers of machine words or doubles.
+    /// Returns whether some numbers did not fit into integers of machine words or doubles.
     pub(super) fn has_fractions(&self) -> bool {
         self.segments.iter().any(|segment| matches!(segment, Column::Fractions(_)))
     }

@@ -19,16 +19,16 @@ pub(super) struct Stated {
     pub(super) count: usize,
     /// The sums, with x as it is.
     pub(super) sums: Result<Sums, NoLeastSquares>,
-    /// Whether a reading has two bounds.
+    /// True if a reading has two bounds.
     pub(super) has_widths: bool,
-    /// Whether the rows decide under every multiple of the bounds.
+    /// True if the rows decide under every multiple of the bounds.
     pub(super) is_open: bool,
-    /// Whether the rows decide under every bound that all readings have: then nothing lies beyond them.
+    /// True if the rows decide under every bound that all readings have: then nothing lies beyond them.
     pub(super) is_hull: bool,
 }
 
 impl Stated {
-    /// What reductions of this file say, if they serve what is asked for.
+    /// Returns what reductions of this file say, if they serve what is asked for.
     ///
     /// # Errors
     /// The first thing in which one of them does not.
@@ -61,7 +61,7 @@ impl Stated {
     }
 }
 
-/// How many readings each row of reductions stands for, of so many rows; `None` where they do not say so.
+/// Returns how many readings each row of reductions stands for, of so many rows; `None` where they do not say so.
 ///
 /// # Errors
 /// When it is not known which row is which.
@@ -73,7 +73,7 @@ pub(super) fn counts_of(
     reductions.counts(rows).map_err(|error| InputError::of_file(file, error))
 }
 
-/// What a fit asks of a reduction.
+/// Returns what a fit asks of a reduction.
 pub(super) fn asked_by_fit(meaning: &Meaning) -> AskedReduction {
     let regressors = match &meaning.model {
         Model::Line { x } => vec![x.clone()],
@@ -95,7 +95,7 @@ pub(super) fn asked_by_fit(meaning: &Meaning) -> AskedReduction {
     AskedReduction { model: ReducedModel { regressors, response, bounds }, bounds: words }
 }
 
-/// What a reduction asks of others: of a line under one bound for all readings, or one in a column, all that serve any multiple.
+/// Returns what a reduction asks of others: of a line under one bound for all readings, or one in a column, all that serve any multiple.
 pub(super) fn asked_by_reduction(meaning: &Meaning) -> AskedReduction {
     let mut asked = asked_by_fit(meaning);
     if meaning.regressors() == 1 {

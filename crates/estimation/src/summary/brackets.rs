@@ -67,7 +67,7 @@ impl Brackets {
         Some(Brackets { brackets: [first, second, zero].map(|bracket| bracket.moved(&form.x_origin)) })
     }
 
-    /// What is kept of a column of x. Exact. Cost: linear; on machine numbers where they are ones.
+    /// Returns what is kept of a column of x. Exact. Cost: linear; on machine numbers where they are ones.
     pub(crate) fn narrow(&self, x: &Column) -> Narrowed {
         let kept = match x {
             Column::Narrow(x) => {
@@ -134,7 +134,7 @@ enum End<'a> {
     Top(&'a Rational),
 }
 
-/// Whether an x is within one of three brackets. Without branches: this sees every x.
+/// Returns whether an x is within one of three brackets. Without branches: this sees every x.
 #[inline]
 fn is_within<N: PartialOrd>(ends: &[N; 9], x: &N) -> bool {
     let [a, b, c, d, e, f, g, h, i] = ends;
@@ -160,7 +160,7 @@ impl Narrowed {
         &self.kept
     }
 
-    /// What of all x lies above the thresholds; `None` unless each is within its bracket. Exact.
+    /// Returns what of all x lies above the thresholds; `None` unless each is within its bracket. Exact.
     pub(crate) fn spread(&self, brackets: &Brackets, thresholds: &Thresholds) -> Option<Spread> {
         let kept = |thresholds: &Thresholds| {
             let parts = self.kept.iter().map(|column| thresholds.of_column(column));

@@ -141,7 +141,7 @@ impl<'a> FixedBounds<'a> {
         FixedBounds { sieve: SharedEnvelopeSieve(RwLock::new(Some((known, MANY)))), ..self }
     }
 
-    /// What is to be kept of readings in columns, as far as the readings before leave it open. Exact.
+    /// Returns what is to be kept of readings in columns, as far as the readings before leave it open. Exact.
     pub(crate) fn part(&self, columns: &[Column], number: &dyn Fn(usize) -> usize) -> FixedPart {
         FixedPart {
             touching: self.of_columns(columns, number),
@@ -296,7 +296,7 @@ impl<'a> FixedBounds<'a> {
         told.into_iter().find(stands_for).map(|own| own.reading.row)
     }
 
-    /// What some readings say.
+    /// Returns what some readings say.
     fn known_by(&self, some: Vec<TiedReading>) -> Known {
         self.known_of(&touching(some, self.scale, 1, &AtVertices::Each))
     }
@@ -380,7 +380,7 @@ impl FixedSupport {
         bounds.learn(self);
     }
 
-    /// How many readings there are.
+    /// The number of readings there are.
     pub(crate) fn count(&self) -> usize {
         self.rows
     }

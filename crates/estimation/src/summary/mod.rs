@@ -53,7 +53,7 @@ use support::SupportRows;
 pub struct Keep {
     /// Up to this many readings all of them; of more only those that decide the feasible set.
     pub most_rows: usize,
-    /// Whether what takes a second look is wanted of more readings than that: the EUI and, unless the model is a line under
+    /// True if what takes a second look is wanted of more readings than that: the EUI and, unless the model is a line under
     /// a uniform error bound, ε_min.
     pub eui: bool,
     /// How many bytes of numbers are kept for that. When left out: 48 MiB of a file, 512 MiB of standard input. Of more x of a

@@ -48,7 +48,7 @@ impl Weights {
         Weights([[vv.clone(), -uv], [-uv, uu.clone()], [Rational::one(), Rational::zero()]])
     }
 
-    /// What readings in columns add. Exact. Cost: linear, on whole columns where these say it all.
+    /// Returns what readings in columns add. Exact. Cost: linear, on whole columns where these say it all.
     ///
     /// # Errors
     /// When a reading has no bound on its error.
@@ -88,7 +88,7 @@ impl Weights {
         Ok(SignedSums(sums.map(|pair| pair.map(|sum| sum.total()))))
     }
 
-    /// How far least squares may move, from what all readings add.
+    /// Returns how far least squares may move, from what all readings add.
     pub(crate) fn reach(&self, meaning: &Meaning, sums: SignedSums) -> Reach {
         let SignedSums([first, second, [absolute, _], middles]) = sums;
         let radius = |[p, q]: &[Rational; 2], [sum_u, sum_v]: [Rational; 2]| p * sum_u + q * sum_v;

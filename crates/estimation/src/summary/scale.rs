@@ -41,7 +41,7 @@ impl Scale {
         above.into_iter().chain(below)
     }
 
-    /// What the bounds of readings say about the plane, and for each which reading it is of, by position. Exact.
+    /// Returns what the bounds of readings say about the plane, and for each which reading it is of, by position. Exact.
     pub(super) fn constraints<'a>(
         &self,
         readings: impl Iterator<Item = &'a Measurement>,

@@ -46,7 +46,7 @@ impl Thresholds {
         &self.values
     }
 
-    /// What a column of x has above each. Exact. Cost: linear; on machine integers where they fit.
+    /// Returns what a column of x has above each. Exact. Cost: linear; on machine integers where they fit.
     pub(crate) fn of_column(&self, x: &Column) -> Spread {
         match x {
             Column::Narrow(x) => self.of_scaled(x),
@@ -148,7 +148,7 @@ impl Spread {
     }
 
     #[cfg(feature = "files")]
-    /// What lies above the thresholds when x is counted from another origin. Exact.
+    /// Returns what lies above the thresholds when x is counted from another origin. Exact.
     pub(crate) fn counted_from(self, origin: &Rational) -> Self {
         if origin.is_zero() {
             return self;

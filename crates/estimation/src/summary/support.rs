@@ -188,7 +188,7 @@ fn united(parts: Vec<Rows>) -> Rows {
 }
 
 impl Rows {
-    /// How many readings and numbers of rows there are.
+    /// Returns how many readings and numbers of rows there are.
     fn size(&self) -> usize {
         match self {
             Rows::Grid { points, .. } => points.iter().map(|point| point.rows.listed()).sum(),

@@ -126,7 +126,7 @@ fn nearest_to_opposite(
     [left, right, opposite].into_iter().flatten()
 }
 
-/// Whether a half-plane is a lower bound, by its position among those of readings that have both.
+/// Returns whether a half-plane is a lower bound, by its position among those of readings that have both.
 fn is_lower(position: usize) -> bool {
     position % 2 == 1
 }
@@ -184,7 +184,7 @@ pub(super) struct Vertex {
     through: [Rational; 3],
     /// The normals of the two that meet there.
     ends: [[Rational; 2]; 2],
-    /// Whether it is one of the upper bounds of θ2.
+    /// True if it is one of the upper bounds of θ2.
     is_above: bool,
 }
 
@@ -248,7 +248,7 @@ fn integers<const N: usize>(numbers: [&Rational; N]) -> Option<[i64; N]> {
 }
 
 impl VertexInUnits {
-    /// Whether a reading goes through this vertex, between the two that meet there: with its upper bound (0), or its lower one (1).
+    /// Returns whether a reading goes through this vertex, between the two that meet there: with its upper bound (0), or its lower one (1).
     /// Exact.
     pub(super) fn side_through(&self, [u, v, y]: [i64; 3]) -> Option<usize> {
         let wide = |[p, q]: [i64; 2]| i128::from(p) * i128::from(q);

@@ -34,7 +34,7 @@ impl Groups {
         Groups { starts, order: Some(order) }
     }
 
-    /// How many groups there are.
+    /// The number of groups there are.
     pub(super) fn len(&self) -> usize {
         self.starts.len() - 1
     }

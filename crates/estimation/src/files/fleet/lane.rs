@@ -20,7 +20,7 @@ const MOST_EXPONENT: u32 = 60;
 /// The most digits by which the unit of y is refined for the error bound.
 const MOST_REFINED: u32 = 18;
 
-/// What a line says of a group of readings (x, y) of a line under a uniform error bound, but for its rows; `None` unless its FPS is
+/// Returns what a line says of a group of readings (x, y) of a line under a uniform error bound, but for its rows; `None` unless its FPS is
 /// a polygon, and for numbers that are too long. Exact. Cost: O(N log N).
 pub(super) fn group_fit(x: &Counts, y: &Counts, epsilon: &Rational) -> Option<GroupFit> {
     if x.exponent.unsigned_abs().max(y.exponent.unsigned_abs()) > MOST_EXPONENT {

@@ -95,37 +95,37 @@ impl Fleet {
         Ok(Fleet { meaning, keys, groups, columns, rows, counted, counted_groups, rows_missing, table })
     }
 
-    /// How many groups there are.
+    /// The number of groups there are.
     pub fn len(&self) -> usize {
         self.groups.len()
     }
 
-    /// Whether there are none.
+    /// Returns whether there are none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// How many readings there are.
+    /// The number of readings there are.
     pub fn readings(&self) -> usize {
         self.rows.len() + self.counted.rows()
     }
 
-    /// How many rows that were asked for were left out since they lack a number.
+    /// Returns how many rows that were asked for were left out since they lack a number.
     pub fn rows_missing(&self) -> usize {
         self.rows_missing
     }
 
-    /// What the table was taken for; nothing unless it is text or a sheet.
+    /// Returns what the table was taken for; nothing unless it is text or a sheet.
     pub fn table(&self) -> Option<&TableNotes> {
         self.table.as_ref()
     }
 
-    /// Whether every reading has its own error bound.
+    /// Returns whether every reading has its own error bound.
     pub fn is_bounded_per_row(&self) -> bool {
         !self.meaning.error_bound.is_uniform()
     }
 
-    /// Whether numbers may be long: some did not fit into machine words.
+    /// Returns whether numbers may be long: some did not fit into machine words.
     pub fn has_fractions(&self) -> bool {
         self.columns.iter().chain(self.counted.columns()).any(Series::has_fractions)
     }
@@ -237,7 +237,7 @@ impl Fleet {
         Measurements::of_readings(meaning, Readings::Supporting { rows, ties, reduction })
     }
 
-    /// What a line says of a group under no conditions: [`GroupFit::of`] its fit. `None` where only the fit tells: unless the model
+    /// Returns what a line says of a group under no conditions: [`GroupFit::of`] its fit. `None` where only the fit tells: unless the model
     /// is a line with an intercept, the numbers are decimals of usual lengths, the error bound is one for all readings and their
     /// FPS is a polygon. Exact. Cost: O(N log N), a tenth of that of the fit.
     ///
@@ -311,7 +311,7 @@ struct Store {
     rows: RowNumbers,
     counted: CountedRows,
     counted_group_of: Vec<u32>,
-    /// Whether there are more rows than can be numbered.
+    /// True if there are more rows than can be numbered.
     is_full: bool,
 }
 
