@@ -47,8 +47,10 @@ def readings(line: str, question: str) -> _boundfit.Readings:
 def written(line: str, command: str, form: str, proof: Path) -> str | None:
     """What the program writes, where it writes an answer."""
     file, *words = line.split(" ")
-    if command.startswith("linearity") and "--eps" in words:
-        del words[(at := words.index("--eps")) : at + 2]
+    if command.startswith("linearity"):
+        # It has no bounds on the errors.
+        taken = [at for at, word in enumerate(words) if word in ("--x", "--y", "--rows", "--reading")]
+        words = [word for at in taken for word in words[at : at + 2]]
     name, *own = command.split(" ")
     formats = {"vertices": ["--vertices", "--format", "csv"], "proof": ["--proof", str(proof)]}
     arguments = [name, f"fixtures/{file}", *words, *own, *formats.get(form, ["--format", form])]
