@@ -100,7 +100,8 @@ fn library(words: &Words<'_>, request: &Value, form: Form) -> Result<Answer, Ref
 fn program(words: &Words<'_>, command: &str, form: Form) -> Option<String> {
     let (name, own) = command.split_once(' ').unwrap_or((command, ""));
     // Linearity has no bounds on the errors.
-    let is_taken = |option: &str| name != "linearity" || ["--x", "--y", "--rows", "--reading"].contains(&option);
+    let is_taken =
+        |option: &str| name != "linearity" || ["--x", "--y", "--rows", "--reading"].contains(&option);
     let asked = words.options.iter().filter(|(option, _)| is_taken(option));
     let asked: Vec<String> = asked.map(|(option, value)| format!("{option} {value}")).collect();
     let folder = tempfile::tempdir().unwrap();
