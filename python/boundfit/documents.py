@@ -37,9 +37,9 @@ class FitDocument(TypedDict):
     area_centroid: list[Exact] | None
     """The centroid of the area, rounded to nearest; null where the set has no finite area above 0."""
     mended_without: list[int] | None
-    """For an empty set the rows whose removal alone makes it non-empty; null for other sets and where not all rows are in memory."""
+    """The rows of an empty set whose removal alone makes it non-empty; null for other sets and where not all rows are in memory."""
     reasons: dict[str, str]
-    """For each main part that is null, the reason."""
+    """The reason for each main part that is null."""
     sweep: NotRequired[Sweep]
     """The sets under scaled error bounds; absent unless asked for."""
     guarantee: NotRequired[Guarantee]
@@ -66,7 +66,7 @@ class XErrorDocument(TypedDict):
     pieces: int
     """The number of sets that make up all of it, without one that another contains."""
     joined: bool | None
-    """Whether two sets have lines with θ1 = 0 in common; null unless there are two."""
+    """True if two sets have lines with θ1 = 0 in common; null unless there are two."""
     pui: list[Interval] | None
     """The parameter uncertainty intervals over all sets; null where no end is bounded."""
     central: XErrorCentral | None
@@ -80,7 +80,7 @@ class XErrorDocument(TypedDict):
     eui: list[ExactRange] | None
     """The estimate uncertainty intervals as if every x were exact, rounded outward; null where they are not known."""
     reasons: dict[str, str]
-    """For each main part that is null, the reason."""
+    """The reason for each main part that is null."""
 
 
 class GroupDocument(TypedDict):
@@ -89,7 +89,7 @@ class GroupDocument(TypedDict):
     schema: Literal["boundfit/fleet/2"]
     """The name and number of this schema."""
     input: LineInput
-    """What is the same for all lines."""
+    """The input, the same for all lines."""
     group: str
     """The text in the column of groups."""
     rows: int
@@ -118,7 +118,7 @@ class WindowDocument(TypedDict):
     schema: Literal["boundfit/window/1"]
     """The name and number of this schema."""
     input: LineInput
-    """What is the same for all lines."""
+    """The input, the same for all lines."""
     first_row: int
     """The first row of the window."""
     last_row: int
@@ -171,7 +171,7 @@ PredictionDocument = TypedDict(
         "at": "list[Predicted]",
         # The sources of each reading asked for; empty where the set is empty.
         "from": "list[Source]",
-        # For each part that is null or empty, the reason.
+        # The reason for each part that is null or empty.
         "reasons": "dict[str, str]",
     },
 )
@@ -190,11 +190,11 @@ class OutliersDocument(TypedDict):
     sets: list[list[int]]
     """Every set of `least` rows whose exclusion leaves a feasible parameter, ascending, in lexicographic order; `[[]]` where no reading has to be excluded."""
     complete: bool
-    """Whether these are all sets; false beyond the limit `sets`."""
+    """True if these are all sets; false beyond the limit `sets`."""
     pieces: list[list[ExactActiveVertex]]
     """For each set, in the order of `sets`, the vertices of the parameters that remain, counter-clockwise. The pieces have no point in common; together they are the parameters that miss at most `least` readings."""
     regions: list[LeftRegion]
-    """For each set the rest of its piece, in the same order."""
+    """The rest of the piece of each set, in the same order."""
     pui: list[ExactRange] | None
     """The ranges of θ1 and θ2 over all pieces, rounded outward; null where there are none."""
     area: Exact | None
@@ -204,7 +204,7 @@ class OutliersDocument(TypedDict):
     certificate: Certificate | None
     """The proof that the conditions contradict each other; null otherwise."""
     reasons: dict[str, str]
-    """For each main part that is null or not complete, the reason."""
+    """The reason for each main part that is null or not complete."""
 
 
 class LinearRangeDocument(TypedDict):
@@ -231,7 +231,7 @@ class LinearRangeDocument(TypedDict):
     alone: list[Alone]
     """The readings that are in no run."""
     longest_fit: Longest | None
-    """What the readings of the longest run say; null where there is none."""
+    """The fit of the longest run; null where there is none."""
 
 
 class LinearityDocument(TypedDict):
@@ -274,7 +274,7 @@ class LinearityDocument(TypedDict):
     down: Characteristic | None
     """The characteristic with falling x; null without directions."""
     reasons: dict[str, str]
-    """For each part that is null, the reason."""
+    """The reason for each part that is null."""
 
 
 class PolygonDocument(TypedDict):
@@ -306,11 +306,11 @@ class CheckDocument(TypedDict):
     schema: Literal["boundfit/check/2"]
     """The name and number of this schema."""
     input: CheckInput
-    """What the answers are about."""
+    """The data of the answers."""
     tolerance: Exact
     """The tolerance that was asked for."""
     digits_as_printed: bool
-    """Whether a claim may be off by the rounding of its last printed digit."""
+    """True if a claim may be off by the rounding of its last printed digit."""
     readings: Readings
     """The readings of the programs."""
     claims: list[Claim]
@@ -358,13 +358,13 @@ class VerifyDocument(TypedDict):
     schema: Literal["boundfit/verify/1"]
     """The name and number of this schema."""
     verified: bool
-    """Whether every statement is true of the data, and the question is the one asked."""
+    """True if every statement is true of the data, and the question is the one asked."""
     half_planes: int | None
     """The number of half-planes; null unless the proof is true."""
     falsehood: str | None
     """The first false statement, or the first of the differences; null when verified."""
     differences: list[str]
-    """How the question of the proof differs from the one asked, a sentence each."""
+    """The differences between the question of the proof and the one asked, a sentence each."""
     proof: str | None
     """The file of the proof; null for standard input."""
     data: str | None
@@ -372,9 +372,9 @@ class VerifyDocument(TypedDict):
     about: About
     """The question of the proof, whether the proof is true or not."""
     set: ProvedSet | None
-    """What is proved of the feasible set; null unless the proof is true and about one set."""
+    """The proved facts about the feasible set; null unless the proof is true and about one set."""
     statements: list[Proved] | None
-    """What is proved, in the order of a proof `boundfit/proof/2`; null unless the proof is true and of that kind."""
+    """The proved statements, in the order of a proof `boundfit/proof/2`; null unless the proof is true and of that kind."""
 
 
 class ProofDocument(TypedDict):
@@ -387,11 +387,11 @@ class ProofDocument(TypedDict):
     delimiter: str
     """The character between cells."""
     header: bool
-    """Whether the first row names the columns."""
+    """True if the first row names the columns."""
     rows: list[int]
     """First and last row of each range, one after the other."""
     reading: Literal["decimal", "binary64"]
-    """How numbers are read: exactly as written, or as the nearest doubles."""
+    """The reading of numbers: exactly as written, or as the nearest doubles."""
     model: list[list[int | str]]
     """φ1, φ2, y and ε: the number of a column, and by how much it is multiplied. Column 0 holds 1 in every row."""
     interval: NotRequired[list[int | None]]
@@ -428,11 +428,11 @@ class StatementsDocument(TypedDict):
     delimiter: str
     """The character between cells."""
     header: bool
-    """Whether the first row names the columns."""
+    """True if the first row names the columns."""
     rows: list[int]
     """First and last row of each range, one after the other."""
     reading: Literal["decimal", "binary64"]
-    """How numbers are read: exactly as written, or as the nearest doubles."""
+    """The reading of numbers: exactly as written, or as the nearest doubles."""
     model: list[list[int | str]]
     """φ1, φ2, y and ε: the number of a column, and by how much it is multiplied. Column 0 holds 1 in every row."""
     interval: NotRequired[list[int | None]]
@@ -556,7 +556,7 @@ class Certificate(TypedDict):
     """The proof that a set is empty."""
 
     farkas: list[Term]
-    """At most three terms that add up to 0 ≤ a negative number."""
+    """The terms, at most three, that add up to 0 ≤ a negative number."""
 
 
 class Exact(TypedDict):
@@ -611,7 +611,7 @@ class FitLeastSquares(TypedDict):
     theta: list[Exact]
     """θ1 and θ2: exact fractions; decimals have the last place of the guaranteed error where there is one."""
     in_fps: bool
-    """Whether the estimate is in the feasible set."""
+    """True if the estimate is in the feasible set."""
     guaranteed_error: list[Exact] | None
     """The largest distance of each parameter to any in the feasible set, rounded up so that it covers the rounding of `theta`; null where the set is empty or unbounded."""
     binary64: dict[str, Float | None]
@@ -661,9 +661,9 @@ class Guarantee(TypedDict):
     unknowns: int
     """The number of unknowns."""
     assumes: list[str]
-    """What it assumes."""
+    """The assumptions."""
     source: str
-    """Where it is proved."""
+    """The source of the proof."""
 
 
 class Header(TypedDict):
@@ -672,11 +672,11 @@ class Header(TypedDict):
     line: int | None
     """The number of the line, or of the row of a sheet; null without names."""
     comment: bool
-    """Whether that line is a comment."""
+    """True if that line is a comment."""
     open: bool
-    """Whether nothing told a header from a reading: every cell of the first line is a number or missing."""
+    """True if nothing told a header from a reading: every cell of the first line is a number or missing."""
     row_names: bool
-    """Whether each row begins with a name, so that it has a cell more than the header."""
+    """True if each row begins with a name, so that it has a cell more than the header."""
 
 
 class Input(TypedDict):
@@ -693,11 +693,11 @@ class Input(TypedDict):
     rows_missing: NotRequired[int]
     """The number of rows that were skipped because a value is missing; absent if there are none."""
     table: Table | None
-    """How the table was read; null for files that are neither text nor a sheet nor JSON."""
+    """The format of the table as it was read; null for files that are neither text nor a sheet nor JSON."""
     fractions: NotRequired[list[Fractions]]
     """The columns whose cells are fractions; absent if there are none."""
     reading: Literal["decimal", "binary64"]
-    """How numbers were read: exactly as written, or as the nearest doubles."""
+    """The reading of numbers: exactly as written, or as the nearest doubles."""
     sha256: str | None
     """SHA-256 of the bytes of the file; null where they were not hashed."""
     model: Literal["line", "line-through-origin", "two-regressors"]
@@ -746,15 +746,15 @@ class Inverse(TypedDict):
     """A parameter of the inverse line."""
 
     exact_range: list[ExactRange]
-    """Its range over the feasible set: no interval, one, or two where slopes have both signs. Ends are rounded outward."""
+    """The range over the feasible set: no interval, one, or two where slopes have both signs. Ends are rounded outward."""
     box_range: list[ExactRange]
-    """Its range over the PUI box, rounded outward."""
+    """The range over the PUI box, rounded outward."""
     eui_range: list[ExactRange] | None
-    """Its range over the EUI box, rounded outward; null where there is no EUI."""
+    """The range over the EUI box, rounded outward; null where there is no EUI."""
     central: Exact | None
-    """Its value for the central estimate, exact; null where there is none."""
+    """The value for the central estimate, exact; null where there is none."""
     least_squares: Exact | None
-    """Its value for the least-squares estimate, exact; null where there is none."""
+    """The value for the least-squares estimate, exact; null where there is none."""
 
 
 class Inverses(TypedDict):
@@ -814,7 +814,7 @@ class Minimax(TypedDict):
     theta: list[Exact]
     """θ1 and θ2, exact."""
     unique: bool
-    """Whether no other parameter serves as well."""
+    """True if no other parameter serves as well."""
     epsilon: Exact | None
     """The least error bound, rounded up; null where bounds differ between readings."""
     epsilon_factor: Exact | None
@@ -934,7 +934,7 @@ Sweep = TypedDict(
 
 
 class Table(TypedDict):
-    """How a table of text, JSON or a sheet was read, so that no guess goes unsaid."""
+    """The detected format of a table of text, JSON or a sheet."""
 
     header: Header
     """The line that names the columns."""
@@ -986,7 +986,7 @@ class Factor(TypedDict):
     upper: Exact
     """At least the least factor; a number of 17 digits, rounded up."""
     attained: bool
-    """Whether `upper` leaves a line."""
+    """True if `upper` leaves a line."""
     side: Literal["+", "-", "both"]
     """The side of the line, or of the last lines."""
     theta: list[Exact] | None
@@ -1003,7 +1003,7 @@ class XErrorCentral(TypedDict):
     guaranteed_error: list[Exact]
     """Half the width of each interval, rounded up so that it covers the rounding of `theta`."""
     in_fps: bool
-    """Whether it is in one of the sets."""
+    """True if it is in one of the sets."""
 
 
 class XErrorLeastSquares(TypedDict):
@@ -1012,9 +1012,9 @@ class XErrorLeastSquares(TypedDict):
     theta: list[Exact]
     """θ1 and θ2, exact."""
     in_fps: bool
-    """Whether the estimate is in one of the sets."""
+    """True if the estimate is in one of the sets."""
     in_fps_without_x_errors: bool | None
-    """Whether the estimate is in the feasible set of exact x; null where that is not known."""
+    """True if the estimate is in the feasible set of exact x; null where that is not known."""
 
 
 class XErrorSide(TypedDict):
@@ -1045,7 +1045,7 @@ class LeastSquares(TypedDict):
     theta: list[Exact]
     """θ1 and θ2: exact fractions; decimals have the last place of the guaranteed error where there is one."""
     in_fps: bool
-    """Whether the estimate is in the feasible set."""
+    """True if the estimate is in the feasible set."""
     guaranteed_error: list[Exact] | None
     """The largest distance of each parameter to any in the feasible set, rounded up so that it covers the rounding of `theta`; null where the set is empty or unbounded."""
 
@@ -1054,7 +1054,7 @@ class LineInput(TypedDict):
     """The input of a report that has a line per answer: the same for all lines."""
 
     table: Table | None
-    """How the table was read; null for files that are neither text nor a sheet nor JSON."""
+    """The format of the table as it was read; null for files that are neither text nor a sheet nor JSON."""
 
 
 class FeasibleSet(TypedDict):
@@ -1072,11 +1072,11 @@ class JudgedSet(TypedDict):
     kind: Literal["empty", "point", "segment", "ray", "line", "polygon", "unbounded-polygon", "strip", "half-plane", "plane"]
     """The kind of the set."""
     contradiction: list[Term] | None
-    """At most three terms that prove an empty set; null for other sets."""
+    """The terms, at most three, that prove an empty set; null for other sets."""
 
 
 class NewStatusRow(TypedDict):
-    """The status of a further reading. What is null is so for the same reasons as for the readings of the set."""
+    """The status of a further reading. Fields are null for the same reasons as for the readings of the set."""
 
     row: int
     """The row."""
@@ -1139,9 +1139,9 @@ class StatusRow(TypedDict):
     without: Literal["inner", "boundary", "outer", "strictly outer", "outlier"] | None
     """The status against the set of the other readings."""
     without_leverage: Exact | None
-    """As `leverage`, from the set of the other readings."""
+    """The leverage from the set of the other readings."""
     without_residual: Exact | None
-    """As `residual`, from the set of the other readings."""
+    """The residual from the set of the other readings."""
 
 
 class Widened(TypedDict):
@@ -1163,7 +1163,7 @@ class NewReading(TypedDict):
     law: str | None
     """The law as it was typed; null without one."""
     given: bool
-    """Whether the bound was given for further readings; otherwise it is that of the readings."""
+    """True if the bound was given for further readings; otherwise it is that of the readings."""
 
 
 class Possible(TypedDict):
@@ -1174,9 +1174,9 @@ class Possible(TypedDict):
     upper: Exact | None
     """The upper end; a number is rounded up. Null where nothing bounds from above."""
     lower_included: bool | None
-    """Whether the lower end belongs to the interval; null without end."""
+    """True if the lower end belongs to the interval; null without end."""
     upper_included: bool | None
-    """Whether the upper end belongs to the interval; null without end."""
+    """True if the upper end belongs to the interval; null without end."""
     proof: SourceEndRange
     """The proof of both ends; null for an end that is not there."""
 
@@ -1278,7 +1278,7 @@ class LeftRegion(TypedDict):
     area: Exact | None
     """The area, rounded to nearest; null where it is infinite."""
     missed: list[Missed] | None
-    """How far each excluded reading is missed; null for sets beyond the first 20,000 rows in all."""
+    """The distance by which each excluded reading is missed; null for sets beyond the first 20,000 rows in all."""
 
 
 class Missed(TypedDict):
@@ -1289,16 +1289,16 @@ class Missed(TypedDict):
     bound: Literal["lower", "upper"] | None
     """The bound that the parameters pass; null for a row that no parameters meet."""
     by: ExactRange | None
-    """By how much they pass it, from the least to the most over the piece; null for a row that no parameters meet."""
+    """The amount by which they pass it, from the least to the most over the piece; null for a row that no parameters meet."""
 
 
 class Alone(TypedDict):
     """A reading that is in no run."""
 
     position: int
-    """Its position."""
+    """The position of the reading."""
     row: int
-    """Its row."""
+    """The row of the reading."""
     farkas: list[Term]
     """The terms by which the readings at its x contradict each other or the conditions."""
 
@@ -1362,11 +1362,11 @@ class Calibration(TypedDict):
     rows_missing: int
     """The number of rows that were skipped because a value is missing."""
     table: Table | None
-    """How the table was read; null for files that are neither text nor a sheet nor JSON."""
+    """The format of the table as it was read; null for files that are neither text nor a sheet nor JSON."""
     fractions: NotRequired[list[Fractions]]
     """The columns whose cells are fractions; absent if there are none."""
     reading: Literal["decimal", "binary64"]
-    """How numbers were read: exactly as written, or as the nearest doubles."""
+    """The reading of numbers: exactly as written, or as the nearest doubles."""
     sha256: str | None
     """SHA-256 of the bytes of the file; null where they were not hashed."""
     x: str
@@ -1382,7 +1382,7 @@ class Calibration(TypedDict):
     points: int
     """The number of points of the average characteristic."""
     full_scale: Literal["span", "given"]
-    """Whether full scale is the span of y or was given."""
+    """The source of full scale: the span of y, or a given number."""
 
 
 class Characteristic(TypedDict):
@@ -1425,7 +1425,7 @@ class LinearityLine(TypedDict):
     rows: list[int]
     """The rows where the deviation is reached."""
     unique: bool
-    """Whether no other line of this sort serves as well."""
+    """True if no other line of this sort serves as well."""
 
 
 class Place(TypedDict):
@@ -1465,7 +1465,7 @@ class HalfPlaneFile(TypedDict):
     rows: int
     """The number of rows."""
     reading: Literal["decimal", "binary64"]
-    """How numbers were read: exactly as written, or as the nearest doubles."""
+    """The reading of numbers: exactly as written, or as the nearest doubles."""
     sha256: str
     """SHA-256 of the bytes of the file."""
 
@@ -1510,12 +1510,12 @@ class Approximation(TypedDict):
 
 
 class CheckInput(TypedDict):
-    """What the answers are about."""
+    """The data of the answers."""
 
     file: str | None
     """The file as it was named; null for standard input."""
     table: Table | None
-    """How the table was read; null for files that are neither text nor a sheet nor JSON."""
+    """The format of the table as it was read; null for files that are neither text nor a sheet nor JSON."""
 
 
 class Claim(TypedDict):
@@ -1547,7 +1547,7 @@ class ClaimedEnd(TypedDict):
     exact: Exact | None
     """The true end, rounded outward; null where there is none."""
     excess: Exact | None
-    """How far the claim is outside the true interval, exact; negative inside."""
+    """The distance of the claim outside the true interval, exact; negative inside."""
     excess_in_ulps: Exact | None
     """The excess in units in the last place of a double at the true end."""
     excess_in_units: Exact | None
@@ -1563,15 +1563,15 @@ class ClaimedEnd(TypedDict):
     bound: str | None
     """The bound of that half-plane; null without a violation."""
     violation: Exact | None
-    """By how much the point violates it, exact; null without a violation."""
+    """The amount by which the point violates it, exact; null without a violation."""
     witness: list[Exact] | None
     """A feasible point that an unsafe end cuts off, exact; null for other verdicts."""
     proof: Evidence | None
     """The proof of a wrong status; null for other verdicts."""
     repairable: bool | None
-    """Whether the rows with the largest duals prove the true end; null without duals, or with another number of them than rows."""
+    """True if the rows with the largest duals prove the true end; null without duals, or with another number of them than rows."""
     reason: str | None
-    """Why there is no answer, or which duals are ignored and why; null otherwise."""
+    """The reason why there is no answer, or which duals are ignored and why; null otherwise."""
 
 
 class Directions(TypedDict):
@@ -1580,7 +1580,7 @@ class Directions(TypedDict):
     count: int
     """The number of directions."""
     scaled: bool
-    """Whether directions are even after both parameters are scaled by their intervals."""
+    """True if directions are even after both parameters are scaled by their intervals."""
     unbounded: int
     """The number of directions without an optimum."""
     inner: Approximation | None
@@ -1595,7 +1595,7 @@ class Evidence(TypedDict):
     """The proof of a wrong status."""
 
     shows: Literal["infeasible", "bounded", "feasible", "unbounded"]
-    """What it shows about the program."""
+    """The fact about the program that it shows."""
     rows: list[Term]
     """Rows with multipliers; empty for `feasible` and `unbounded`."""
     theta: list[Exact] | None
@@ -1617,7 +1617,7 @@ class RoundedTo(TypedDict):
     """The rounding that explains a claim."""
 
     kind: Literal["binary64", "digits"]
-    """To doubles, or to decimal digits."""
+    """The target: doubles, or decimal digits."""
     digits: int | None
     """The number of significant digits; null for doubles."""
 
@@ -1628,9 +1628,9 @@ class Worst(TypedDict):
     verdict: Literal["exact", "rounded", "within tolerance", "no answer", "loose", "infeasible point", "unsafe", "wrong status", "inverted interval"]
     """The verdict."""
     reading: Literal["decimal", "binary64"]
-    """How numbers were read."""
+    """The reading of numbers."""
     refuted: bool
-    """Whether the verdict is a refutation."""
+    """True if the verdict is a refutation."""
 
 
 class ExactSideVertex(TypedDict):
@@ -1650,7 +1650,7 @@ class Face(TypedDict):
     vertices: list[list[Exact]]
     """The vertices."""
     points: list[list[Exact]]
-    """Where there is no vertex, a point on each line that bounds the face."""
+    """A point on each line that bounds the face, where there is no vertex."""
     rays: list[list[Exact]]
     """Directions without end."""
     lines: list[list[Exact]]
@@ -1696,7 +1696,7 @@ class Model(TypedDict):
     name: str
     """The name of the model."""
     sense: Literal["min", "max"]
-    """Whether the objective is minimised or maximised."""
+    """The sense: the objective is minimised or maximised."""
     objective: str
     """The name of the objective."""
     constant: Exact
@@ -1823,11 +1823,11 @@ class Tolerance(TypedDict):
     """The smallest tolerances that excuse an error, rounded up."""
 
     absolute: Exact
-    """In the units of the rows and bounds as the file has them."""
+    """The tolerance in the units of the rows and bounds as the file has them."""
     relative: Exact
-    """In units of the larger of 1, the value and the bound."""
+    """The tolerance in units of the larger of 1, the value and the bound."""
     scaled: Exact
-    """In the units of each row after a division by its largest coefficient."""
+    """The tolerance in the units of each row after a division by its largest coefficient."""
 
 
 class About(TypedDict):
@@ -1838,9 +1838,9 @@ class About(TypedDict):
     rows_total: int | None
     """The number of rows of the data; null where they were not read to the end."""
     reading: Literal["decimal", "binary64"]
-    """How numbers were read: exactly as written, or as the nearest doubles."""
+    """The reading of numbers: exactly as written, or as the nearest doubles."""
     header: bool
-    """Whether the first row names the columns."""
+    """True if the first row names the columns."""
     delimiter: str
     """The character between cells."""
     phi1: ColumnTimes
@@ -1856,11 +1856,11 @@ class About(TypedDict):
     x_error: ColumnTimes | None
     """How far `phi1` may be from what is read; null where x is exact."""
     response: list[ColumnTimes]
-    """What is added to y."""
+    """The columns that are added to y."""
     interval: BoundColumnRange | None
     """The columns of bounds that take the place of y and ε; null where there are none."""
     law: Law | None
-    """What is added to ε above and below y; null without a law."""
+    """The terms that are added to ε above and below y; null without a law."""
     conditions: list[str]
     """The conditions as text."""
 
@@ -1898,9 +1898,9 @@ class Law(TypedDict):
     """A law of the error bound."""
 
     above: list[LawTerm]
-    """What is added above y."""
+    """The terms above y."""
     below: list[LawTerm]
-    """What is added below y."""
+    """The terms below y."""
 
 
 class LawTerm(TypedDict):
@@ -1930,7 +1930,7 @@ class Proved(TypedDict):
     epsilon: Exact | None
     """The bound that takes the place of the error bounds; null where they are as asked."""
     side: Literal["+", "-", "strong"] | None
-    """With errors in x the part of the set; null otherwise."""
+    """The part of the set, with errors in x; null otherwise."""
     form: NotRequired[list[Exact]]
     """The coefficients of the form; only for `form`."""
     range: NotRequired[ExactRange]
@@ -1950,7 +1950,7 @@ class Proved(TypedDict):
 
 
 class ProvedSet(TypedDict):
-    """What is proved of the feasible set."""
+    """The proved facts about the feasible set."""
 
     extent: Literal["empty", "bounded", "unbounded"]
     """The extent of the set."""
@@ -1978,7 +1978,7 @@ class Statement(TypedDict):
     epsilon: NotRequired[str]
     """The bound that takes the place of the error bounds."""
     side: NotRequired[Literal["+", "-", "strong"]]
-    """With errors in x the part of the set."""
+    """The part of the set, with errors in x."""
     form: NotRequired[list[str]]
     """The coefficients of the form."""
     lower: NotRequired[list[list[list[str]] | list[str]]]

@@ -31,9 +31,9 @@ export interface FitDocument {
   tightness: Exact | null;
   /** The centroid of the area, rounded to nearest; null where the set has no finite area above 0. */
   area_centroid: [Exact, Exact] | null;
-  /** For an empty set the rows whose removal alone makes it non-empty; null for other sets and where not all rows are in memory. */
+  /** The rows of an empty set whose removal alone makes it non-empty; null for other sets and where not all rows are in memory. */
   mended_without: number[] | null;
-  /** For each main part that is null, the reason. */
+  /** The reason for each main part that is null. */
   reasons: Record<string, string>;
   /** The sets under scaled error bounds; absent unless asked for. */
   sweep?: Sweep;
@@ -59,7 +59,7 @@ export interface XErrorDocument {
   sides: XErrorSide[];
   /** The number of sets that make up all of it, without one that another contains. */
   pieces: number;
-  /** Whether two sets have lines with θ1 = 0 in common; null unless there are two. */
+  /** True if two sets have lines with θ1 = 0 in common; null unless there are two. */
   joined: boolean | null;
   /** The parameter uncertainty intervals over all sets; null where no end is bounded. */
   pui: [Interval, Interval] | null;
@@ -73,7 +73,7 @@ export interface XErrorDocument {
   least_squares: XErrorLeastSquares | null;
   /** The estimate uncertainty intervals as if every x were exact, rounded outward; null where they are not known. */
   eui: [ExactRange, ExactRange] | null;
-  /** For each main part that is null, the reason. */
+  /** The reason for each main part that is null. */
   reasons: Record<string, string>;
 }
 
@@ -81,7 +81,7 @@ export interface XErrorDocument {
 export interface GroupDocument {
   /** The name and number of this schema. */
   schema: "boundfit/fleet/2";
-  /** What is the same for all lines. */
+  /** The input, the same for all lines. */
   input: LineInput;
   /** The text in the column of groups. */
   group: string;
@@ -109,7 +109,7 @@ export interface GroupDocument {
 export interface WindowDocument {
   /** The name and number of this schema. */
   schema: "boundfit/window/1";
-  /** What is the same for all lines. */
+  /** The input, the same for all lines. */
   input: LineInput;
   /** The first row of the window. */
   first_row: number;
@@ -161,7 +161,7 @@ export interface PredictionDocument {
   at: Predicted[];
   /** The sources of each reading asked for; empty where the set is empty. */
   from: Source[];
-  /** For each part that is null or empty, the reason. */
+  /** The reason for each part that is null or empty. */
   reasons: Record<string, string>;
 }
 
@@ -175,11 +175,11 @@ export interface OutliersDocument {
   least: number | null;
   /** Every set of `least` rows whose exclusion leaves a feasible parameter, ascending, in lexicographic order; `[[]]` where no reading has to be excluded. */
   sets: number[][];
-  /** Whether these are all sets; false beyond the limit `sets`. */
+  /** True if these are all sets; false beyond the limit `sets`. */
   complete: boolean;
   /** For each set, in the order of `sets`, the vertices of the parameters that remain, counter-clockwise. The pieces have no point in common; together they are the parameters that miss at most `least` readings. */
   pieces: ExactActiveVertex[][];
-  /** For each set the rest of its piece, in the same order. */
+  /** The rest of the piece of each set, in the same order. */
   regions: LeftRegion[];
   /** The ranges of θ1 and θ2 over all pieces, rounded outward; null where there are none. */
   pui: [ExactRange, ExactRange] | null;
@@ -189,7 +189,7 @@ export interface OutliersDocument {
   growth: Growth[];
   /** The proof that the conditions contradict each other; null otherwise. */
   certificate: Certificate | null;
-  /** For each main part that is null or not complete, the reason. */
+  /** The reason for each main part that is null or not complete. */
   reasons: Record<string, string>;
 }
 
@@ -215,7 +215,7 @@ export interface LinearRangeDocument {
   parts: Run[];
   /** The readings that are in no run. */
   alone: Alone[];
-  /** What the readings of the longest run say; null where there is none. */
+  /** The fit of the longest run; null where there is none. */
   longest_fit: Longest | null;
 }
 
@@ -257,7 +257,7 @@ export interface LinearityDocument {
   up: Characteristic | null;
   /** The characteristic with falling x; null without directions. */
   down: Characteristic | null;
-  /** For each part that is null, the reason. */
+  /** The reason for each part that is null. */
   reasons: Record<string, string>;
 }
 
@@ -287,11 +287,11 @@ export interface PolygonDocument {
 export interface CheckDocument {
   /** The name and number of this schema. */
   schema: "boundfit/check/2";
-  /** What the answers are about. */
+  /** The data of the answers. */
   input: CheckInput;
   /** The tolerance that was asked for. */
   tolerance: Exact;
-  /** Whether a claim may be off by the rounding of its last printed digit. */
+  /** True if a claim may be off by the rounding of its last printed digit. */
   digits_as_printed: boolean;
   /** The readings of the programs. */
   readings: Readings;
@@ -337,13 +337,13 @@ export interface JudgeDocument {
 export interface VerifyDocument {
   /** The name and number of this schema. */
   schema: "boundfit/verify/1";
-  /** Whether every statement is true of the data, and the question is the one asked. */
+  /** True if every statement is true of the data, and the question is the one asked. */
   verified: boolean;
   /** The number of half-planes; null unless the proof is true. */
   half_planes: number | null;
   /** The first false statement, or the first of the differences; null when verified. */
   falsehood: string | null;
-  /** How the question of the proof differs from the one asked, a sentence each. */
+  /** The differences between the question of the proof and the one asked, a sentence each. */
   differences: string[];
   /** The file of the proof; null for standard input. */
   proof: string | null;
@@ -351,9 +351,9 @@ export interface VerifyDocument {
   data: string | null;
   /** The question of the proof, whether the proof is true or not. */
   about: About;
-  /** What is proved of the feasible set; null unless the proof is true and about one set. */
+  /** The proved facts about the feasible set; null unless the proof is true and about one set. */
   set: ProvedSet | null;
-  /** What is proved, in the order of a proof `boundfit/proof/2`; null unless the proof is true and of that kind. */
+  /** The proved statements, in the order of a proof `boundfit/proof/2`; null unless the proof is true and of that kind. */
   statements: Proved[] | null;
 }
 
@@ -365,11 +365,11 @@ export interface ProofDocument {
   sha256: string;
   /** The character between cells. */
   delimiter: string;
-  /** Whether the first row names the columns. */
+  /** True if the first row names the columns. */
   header: boolean;
   /** First and last row of each range, one after the other. */
   rows: number[];
-  /** How numbers are read: exactly as written, or as the nearest doubles. */
+  /** The reading of numbers: exactly as written, or as the nearest doubles. */
   reading: "decimal" | "binary64";
   /** φ1, φ2, y and ε: the number of a column, and by how much it is multiplied. Column 0 holds 1 in every row. */
   model: [[number, string], [number, string], [number, string], [number, string]];
@@ -405,11 +405,11 @@ export interface StatementsDocument {
   sha256: string;
   /** The character between cells. */
   delimiter: string;
-  /** Whether the first row names the columns. */
+  /** True if the first row names the columns. */
   header: boolean;
   /** First and last row of each range, one after the other. */
   rows: number[];
-  /** How numbers are read: exactly as written, or as the nearest doubles. */
+  /** The reading of numbers: exactly as written, or as the nearest doubles. */
   reading: "decimal" | "binary64";
   /** φ1, φ2, y and ε: the number of a column, and by how much it is multiplied. Column 0 holds 1 in every row. */
   model: [[number, string], [number, string], [number, string], [number, string]];
@@ -525,7 +525,7 @@ export interface Central {
 
 /** The proof that a set is empty. */
 export interface Certificate {
-  /** At most three terms that add up to 0 ≤ a negative number. */
+  /** The terms, at most three, that add up to 0 ≤ a negative number. */
   farkas: Term[];
 }
 
@@ -575,7 +575,7 @@ export interface ExactRange {
 export interface FitLeastSquares {
   /** θ1 and θ2: exact fractions; decimals have the last place of the guaranteed error where there is one. */
   theta: [Exact, Exact];
-  /** Whether the estimate is in the feasible set. */
+  /** True if the estimate is in the feasible set. */
   in_fps: boolean;
   /** The largest distance of each parameter to any in the feasible set, rounded up so that it covers the rounding of `theta`; null where the set is empty or unbounded. */
   guaranteed_error: [Exact, Exact] | null;
@@ -621,9 +621,9 @@ export interface Guarantee {
   readings: number;
   /** The number of unknowns. */
   unknowns: number;
-  /** What it assumes. */
+  /** The assumptions. */
   assumes: string[];
-  /** Where it is proved. */
+  /** The source of the proof. */
   source: string;
 }
 
@@ -631,11 +631,11 @@ export interface Guarantee {
 export interface Header {
   /** The number of the line, or of the row of a sheet; null without names. */
   line: number | null;
-  /** Whether that line is a comment. */
+  /** True if that line is a comment. */
   comment: boolean;
-  /** Whether nothing told a header from a reading: every cell of the first line is a number or missing. */
+  /** True if nothing told a header from a reading: every cell of the first line is a number or missing. */
   open: boolean;
-  /** Whether each row begins with a name, so that it has a cell more than the header. */
+  /** True if each row begins with a name, so that it has a cell more than the header. */
   row_names: boolean;
 }
 
@@ -651,11 +651,11 @@ export interface Input {
   selection?: Selection;
   /** The number of rows that were skipped because a value is missing; absent if there are none. */
   rows_missing?: number;
-  /** How the table was read; null for files that are neither text nor a sheet nor JSON. */
+  /** The format of the table as it was read; null for files that are neither text nor a sheet nor JSON. */
   table: Table | null;
   /** The columns whose cells are fractions; absent if there are none. */
   fractions?: Fractions[];
-  /** How numbers were read: exactly as written, or as the nearest doubles. */
+  /** The reading of numbers: exactly as written, or as the nearest doubles. */
   reading: "decimal" | "binary64";
   /** SHA-256 of the bytes of the file; null where they were not hashed. */
   sha256: string | null;
@@ -701,15 +701,15 @@ export interface IntervalColumns {
 
 /** A parameter of the inverse line. */
 export interface Inverse {
-  /** Its range over the feasible set: no interval, one, or two where slopes have both signs. Ends are rounded outward. */
+  /** The range over the feasible set: no interval, one, or two where slopes have both signs. Ends are rounded outward. */
   exact_range: ExactRange[];
-  /** Its range over the PUI box, rounded outward. */
+  /** The range over the PUI box, rounded outward. */
   box_range: ExactRange[];
-  /** Its range over the EUI box, rounded outward; null where there is no EUI. */
+  /** The range over the EUI box, rounded outward; null where there is no EUI. */
   eui_range: ExactRange[] | null;
-  /** Its value for the central estimate, exact; null where there is none. */
+  /** The value for the central estimate, exact; null where there is none. */
   central: Exact | null;
-  /** Its value for the least-squares estimate, exact; null where there is none. */
+  /** The value for the least-squares estimate, exact; null where there is none. */
   least_squares: Exact | null;
 }
 
@@ -763,7 +763,7 @@ export interface LinearRange {
 export interface Minimax {
   /** θ1 and θ2, exact. */
   theta: [Exact, Exact];
-  /** Whether no other parameter serves as well. */
+  /** True if no other parameter serves as well. */
   unique: boolean;
   /** The least error bound, rounded up; null where bounds differ between readings. */
   epsilon: Exact | null;
@@ -869,7 +869,7 @@ export interface Sweep {
   pieces: Piece[];
 }
 
-/** How a table of text, JSON or a sheet was read, so that no guess goes unsaid. */
+/** The detected format of a table of text, JSON or a sheet. */
 export interface Table {
   /** The line that names the columns. */
   header: Header;
@@ -917,7 +917,7 @@ export interface Factor {
   lower: Exact;
   /** At least the least factor; a number of 17 digits, rounded up. */
   upper: Exact;
-  /** Whether `upper` leaves a line. */
+  /** True if `upper` leaves a line. */
   attained: boolean;
   /** The side of the line, or of the last lines. */
   side: "+" | "-" | "both";
@@ -933,7 +933,7 @@ export interface XErrorCentral {
   theta: [Exact, Exact];
   /** Half the width of each interval, rounded up so that it covers the rounding of `theta`. */
   guaranteed_error: [Exact, Exact];
-  /** Whether it is in one of the sets. */
+  /** True if it is in one of the sets. */
   in_fps: boolean;
 }
 
@@ -941,9 +941,9 @@ export interface XErrorCentral {
 export interface XErrorLeastSquares {
   /** θ1 and θ2, exact. */
   theta: [Exact, Exact];
-  /** Whether the estimate is in one of the sets. */
+  /** True if the estimate is in one of the sets. */
   in_fps: boolean;
-  /** Whether the estimate is in the feasible set of exact x; null where that is not known. */
+  /** True if the estimate is in the feasible set of exact x; null where that is not known. */
   in_fps_without_x_errors: boolean | null;
 }
 
@@ -971,7 +971,7 @@ export interface GroupSet {
 export interface LeastSquares {
   /** θ1 and θ2: exact fractions; decimals have the last place of the guaranteed error where there is one. */
   theta: [Exact, Exact];
-  /** Whether the estimate is in the feasible set. */
+  /** True if the estimate is in the feasible set. */
   in_fps: boolean;
   /** The largest distance of each parameter to any in the feasible set, rounded up so that it covers the rounding of `theta`; null where the set is empty or unbounded. */
   guaranteed_error: [Exact, Exact] | null;
@@ -979,7 +979,7 @@ export interface LeastSquares {
 
 /** The input of a report that has a line per answer: the same for all lines. */
 export interface LineInput {
-  /** How the table was read; null for files that are neither text nor a sheet nor JSON. */
+  /** The format of the table as it was read; null for files that are neither text nor a sheet nor JSON. */
   table: Table | null;
 }
 
@@ -995,11 +995,11 @@ export interface FeasibleSet {
 export interface JudgedSet {
   /** The kind of the set. */
   kind: "empty" | "point" | "segment" | "ray" | "line" | "polygon" | "unbounded-polygon" | "strip" | "half-plane" | "plane";
-  /** At most three terms that prove an empty set; null for other sets. */
+  /** The terms, at most three, that prove an empty set; null for other sets. */
   contradiction: Term[] | null;
 }
 
-/** The status of a further reading. What is null is so for the same reasons as for the readings of the set. */
+/** The status of a further reading. Fields are null for the same reasons as for the readings of the set. */
 export interface NewStatusRow {
   /** The row. */
   row: number;
@@ -1057,9 +1057,9 @@ export interface StatusRow {
   status: "inner" | "boundary" | null;
   /** The status against the set of the other readings. */
   without: "inner" | "boundary" | "outer" | "strictly outer" | "outlier" | null;
-  /** As `leverage`, from the set of the other readings. */
+  /** The leverage from the set of the other readings. */
   without_leverage: Exact | null;
-  /** As `residual`, from the set of the other readings. */
+  /** The residual from the set of the other readings. */
   without_residual: Exact | null;
 }
 
@@ -1079,7 +1079,7 @@ export interface NewReading {
   epsilon: Exact | null;
   /** The law as it was typed; null without one. */
   law: string | null;
-  /** Whether the bound was given for further readings; otherwise it is that of the readings. */
+  /** True if the bound was given for further readings; otherwise it is that of the readings. */
   given: boolean;
 }
 
@@ -1089,9 +1089,9 @@ export interface Possible {
   lower: Exact | null;
   /** The upper end; a number is rounded up. Null where nothing bounds from above. */
   upper: Exact | null;
-  /** Whether the lower end belongs to the interval; null without end. */
+  /** True if the lower end belongs to the interval; null without end. */
   lower_included: boolean | null;
-  /** Whether the upper end belongs to the interval; null without end. */
+  /** True if the upper end belongs to the interval; null without end. */
   upper_included: boolean | null;
   /** The proof of both ends; null for an end that is not there. */
   proof: SourceEndRange;
@@ -1188,7 +1188,7 @@ export interface LeftRegion {
   pui: [ExactRange, ExactRange] | null;
   /** The area, rounded to nearest; null where it is infinite. */
   area: Exact | null;
-  /** How far each excluded reading is missed; null for sets beyond the first 20,000 rows in all. */
+  /** The distance by which each excluded reading is missed; null for sets beyond the first 20,000 rows in all. */
   missed: Missed[] | null;
 }
 
@@ -1198,15 +1198,15 @@ export interface Missed {
   row: number;
   /** The bound that the parameters pass; null for a row that no parameters meet. */
   bound: "lower" | "upper" | null;
-  /** By how much they pass it, from the least to the most over the piece; null for a row that no parameters meet. */
+  /** The amount by which they pass it, from the least to the most over the piece; null for a row that no parameters meet. */
   by: ExactRange | null;
 }
 
 /** A reading that is in no run. */
 export interface Alone {
-  /** Its position. */
+  /** The position of the reading. */
   position: number;
-  /** Its row. */
+  /** The row of the reading. */
   row: number;
   /** The terms by which the readings at its x contradict each other or the conditions. */
   farkas: Term[];
@@ -1266,11 +1266,11 @@ export interface Calibration {
   selection?: Selection;
   /** The number of rows that were skipped because a value is missing. */
   rows_missing: number;
-  /** How the table was read; null for files that are neither text nor a sheet nor JSON. */
+  /** The format of the table as it was read; null for files that are neither text nor a sheet nor JSON. */
   table: Table | null;
   /** The columns whose cells are fractions; absent if there are none. */
   fractions?: Fractions[];
-  /** How numbers were read: exactly as written, or as the nearest doubles. */
+  /** The reading of numbers: exactly as written, or as the nearest doubles. */
   reading: "decimal" | "binary64";
   /** SHA-256 of the bytes of the file; null where they were not hashed. */
   sha256: string | null;
@@ -1286,7 +1286,7 @@ export interface Calibration {
   direction: Direction | null;
   /** The number of points of the average characteristic. */
   points: number;
-  /** Whether full scale is the span of y or was given. */
+  /** The source of full scale: the span of y, or a given number. */
   full_scale: "span" | "given";
 }
 
@@ -1326,7 +1326,7 @@ export interface LinearityLine {
   theta: [Exact, Exact];
   /** The rows where the deviation is reached. */
   rows: number[];
-  /** Whether no other line of this sort serves as well. */
+  /** True if no other line of this sort serves as well. */
   unique: boolean;
 }
 
@@ -1362,7 +1362,7 @@ export interface HalfPlaneFile {
   file: string | null;
   /** The number of rows. */
   rows: number;
-  /** How numbers were read: exactly as written, or as the nearest doubles. */
+  /** The reading of numbers: exactly as written, or as the nearest doubles. */
   reading: "decimal" | "binary64";
   /** SHA-256 of the bytes of the file. */
   sha256: string;
@@ -1407,11 +1407,11 @@ export interface Approximation {
   area: Exact | null;
 }
 
-/** What the answers are about. */
+/** The data of the answers. */
 export interface CheckInput {
   /** The file as it was named; null for standard input. */
   file: string | null;
-  /** How the table was read; null for files that are neither text nor a sheet nor JSON. */
+  /** The format of the table as it was read; null for files that are neither text nor a sheet nor JSON. */
   table: Table | null;
 }
 
@@ -1441,7 +1441,7 @@ export interface ClaimedEnd {
   rounded_to: RoundedTo | null;
   /** The true end, rounded outward; null where there is none. */
   exact: Exact | null;
-  /** How far the claim is outside the true interval, exact; negative inside. */
+  /** The distance of the claim outside the true interval, exact; negative inside. */
   excess: Exact | null;
   /** The excess in units in the last place of a double at the true end. */
   excess_in_ulps: Exact | null;
@@ -1457,15 +1457,15 @@ export interface ClaimedEnd {
   row: number | null;
   /** The bound of that half-plane; null without a violation. */
   bound: string | null;
-  /** By how much the point violates it, exact; null without a violation. */
+  /** The amount by which the point violates it, exact; null without a violation. */
   violation: Exact | null;
   /** A feasible point that an unsafe end cuts off, exact; null for other verdicts. */
   witness: [Exact, Exact] | null;
   /** The proof of a wrong status; null for other verdicts. */
   proof: Evidence | null;
-  /** Whether the rows with the largest duals prove the true end; null without duals, or with another number of them than rows. */
+  /** True if the rows with the largest duals prove the true end; null without duals, or with another number of them than rows. */
   repairable: boolean | null;
-  /** Why there is no answer, or which duals are ignored and why; null otherwise. */
+  /** The reason why there is no answer, or which duals are ignored and why; null otherwise. */
   reason: string | null;
 }
 
@@ -1473,7 +1473,7 @@ export interface ClaimedEnd {
 export interface Directions {
   /** The number of directions. */
   count: number;
-  /** Whether directions are even after both parameters are scaled by their intervals. */
+  /** True if directions are even after both parameters are scaled by their intervals. */
   scaled: boolean;
   /** The number of directions without an optimum. */
   unbounded: number;
@@ -1487,7 +1487,7 @@ export interface Directions {
 
 /** The proof of a wrong status. */
 export interface Evidence {
-  /** What it shows about the program. */
+  /** The fact about the program that it shows. */
   shows: "infeasible" | "bounded" | "feasible" | "unbounded";
   /** Rows with multipliers; empty for `feasible` and `unbounded`. */
   rows: Term[];
@@ -1507,7 +1507,7 @@ export interface Readings {
 
 /** The rounding that explains a claim. */
 export interface RoundedTo {
-  /** To doubles, or to decimal digits. */
+  /** The target: doubles, or decimal digits. */
   kind: "binary64" | "digits";
   /** The number of significant digits; null for doubles. */
   digits: number | null;
@@ -1517,9 +1517,9 @@ export interface RoundedTo {
 export interface Worst {
   /** The verdict. */
   verdict: "exact" | "rounded" | "within tolerance" | "no answer" | "loose" | "infeasible point" | "unsafe" | "wrong status" | "inverted interval";
-  /** How numbers were read. */
+  /** The reading of numbers. */
   reading: "decimal" | "binary64";
-  /** Whether the verdict is a refutation. */
+  /** True if the verdict is a refutation. */
   refuted: boolean;
 }
 
@@ -1537,7 +1537,7 @@ export interface ExactSideVertex {
 export interface Face {
   /** The vertices. */
   vertices: Exact[][];
-  /** Where there is no vertex, a point on each line that bounds the face. */
+  /** A point on each line that bounds the face, where there is no vertex. */
   points: Exact[][];
   /** Directions without end. */
   rays: Exact[][];
@@ -1581,7 +1581,7 @@ export interface Model {
   sha256: string;
   /** The name of the model. */
   name: string;
-  /** Whether the objective is minimised or maximised. */
+  /** The sense: the objective is minimised or maximised. */
   sense: "min" | "max";
   /** The name of the objective. */
   objective: string;
@@ -1699,11 +1699,11 @@ export interface Solution {
 
 /** The smallest tolerances that excuse an error, rounded up. */
 export interface Tolerance {
-  /** In the units of the rows and bounds as the file has them. */
+  /** The tolerance in the units of the rows and bounds as the file has them. */
   absolute: Exact;
-  /** In units of the larger of 1, the value and the bound. */
+  /** The tolerance in units of the larger of 1, the value and the bound. */
   relative: Exact;
-  /** In the units of each row after a division by its largest coefficient. */
+  /** The tolerance in the units of each row after a division by its largest coefficient. */
   scaled: Exact;
 }
 
@@ -1713,9 +1713,9 @@ export interface About {
   rows: [number, number][];
   /** The number of rows of the data; null where they were not read to the end. */
   rows_total: number | null;
-  /** How numbers were read: exactly as written, or as the nearest doubles. */
+  /** The reading of numbers: exactly as written, or as the nearest doubles. */
   reading: "decimal" | "binary64";
-  /** Whether the first row names the columns. */
+  /** True if the first row names the columns. */
   header: boolean;
   /** The character between cells. */
   delimiter: string;
@@ -1731,11 +1731,11 @@ export interface About {
   x_origin: Exact;
   /** How far `phi1` may be from what is read; null where x is exact. */
   x_error: ColumnTimes | null;
-  /** What is added to y. */
+  /** The columns that are added to y. */
   response: ColumnTimes[];
   /** The columns of bounds that take the place of y and ε; null where there are none. */
   interval: BoundColumnRange | null;
-  /** What is added to ε above and below y; null without a law. */
+  /** The terms that are added to ε above and below y; null without a law. */
   law: Law | null;
   /** The conditions as text. */
   conditions: string[];
@@ -1769,9 +1769,9 @@ export interface ColumnTimes {
 
 /** A law of the error bound. */
 export interface Law {
-  /** What is added above y. */
+  /** The terms above y. */
   above: LawTerm[];
-  /** What is added below y. */
+  /** The terms below y. */
   below: LawTerm[];
 }
 
@@ -1799,7 +1799,7 @@ export interface Proved {
   factor: Exact | null;
   /** The bound that takes the place of the error bounds; null where they are as asked. */
   epsilon: Exact | null;
-  /** With errors in x the part of the set; null otherwise. */
+  /** The part of the set, with errors in x; null otherwise. */
   side: "+" | "-" | "strong" | null;
   /** The coefficients of the form; only for `form`. */
   form?: [Exact, Exact];
@@ -1819,7 +1819,7 @@ export interface Proved {
   sets?: number[][];
 }
 
-/** What is proved of the feasible set. */
+/** The proved facts about the feasible set. */
 export interface ProvedSet {
   /** The extent of the set. */
   extent: "empty" | "bounded" | "unbounded";
@@ -1845,7 +1845,7 @@ export type Statement = {
   factor?: string;
   /** The bound that takes the place of the error bounds. */
   epsilon?: string;
-  /** With errors in x the part of the set. */
+  /** The part of the set, with errors in x. */
   side?: "+" | "-" | "strong";
 } & ({
   /** The coefficients of the form. */

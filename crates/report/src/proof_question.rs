@@ -13,11 +13,11 @@ pub struct ProofQuestion {
     sha256: String,
     /// The character between cells.
     delimiter: char,
-    /// Whether the first row names the columns.
+    /// True if the first row names the columns.
     header: bool,
     /// First and last row of each range, one after the other.
     rows: Vec<usize>,
-    /// How numbers are read: exactly as written, or as the nearest doubles.
+    /// The reading of numbers: exactly as written, or as the nearest doubles.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::READINGS)))]
     reading: &'static str,
     /// φ1, φ2, y and ε: the number of a column, and by how much it is multiplied. Column 0 holds 1 in every row.

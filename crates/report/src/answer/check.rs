@@ -14,11 +14,11 @@ pub struct CheckJson<'a> {
     /// The name and number of this schema.
     #[cfg_attr(feature = "schema", schemars(extend("const" = CheckJson::SCHEMA)))]
     pub schema: &'static str,
-    /// What the answers are about.
+    /// The data of the answers.
     pub input: CheckInputJson<'a>,
     /// The tolerance that was asked for.
     pub tolerance: Number,
-    /// Whether a claim may be off by the rounding of its last printed digit.
+    /// True if a claim may be off by the rounding of its last printed digit.
     pub digits_as_printed: bool,
     /// The readings of the programs.
     pub readings: ReadingsJson,
@@ -42,14 +42,14 @@ pub struct ReadingsJson {
     pub fitted: usize,
 }
 
-/// What the answers are about.
+/// The data of the answers.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CheckInputJson<'a> {
     /// The file as it was named; null for standard input.
     #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub file: Option<Foreign<&'a str>>,
-    /// How the table was read; null for files that are neither text nor a sheet nor JSON.
+    /// The format of the table as it was read; null for files that are neither text nor a sheet nor JSON.
     pub table: Option<TableJson>,
 }
 
@@ -60,10 +60,10 @@ pub struct WorstJson {
     /// The verdict.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::VERDICTS)))]
     pub verdict: &'static str,
-    /// How numbers were read.
+    /// The reading of numbers.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::READINGS)))]
     pub reading: &'static str,
-    /// Whether the verdict is a refutation.
+    /// True if the verdict is a refutation.
     pub refuted: bool,
 }
 
@@ -103,7 +103,7 @@ pub struct ClaimedEndJson {
     pub rounded_to: Option<RoundedToJson>,
     /// The true end, rounded outward; null where there is none.
     pub exact: Option<Number>,
-    /// How far the claim is outside the true interval, exact; negative inside.
+    /// The distance of the claim outside the true interval, exact; negative inside.
     pub excess: Option<Number>,
     /// The excess in units in the last place of a double at the true end.
     pub excess_in_ulps: Option<Number>,
@@ -120,15 +120,15 @@ pub struct ClaimedEndJson {
     pub row: Option<usize>,
     /// The bound of that half-plane; null without a violation.
     pub bound: Option<String>,
-    /// By how much the point violates it, exact; null without a violation.
+    /// The amount by which the point violates it, exact; null without a violation.
     pub violation: Option<Number>,
     /// A feasible point that an unsafe end cuts off, exact; null for other verdicts.
     pub witness: Option<[Number; 2]>,
     /// The proof of a wrong status; null for other verdicts.
     pub proof: Option<EvidenceJson>,
-    /// Whether the rows with the largest duals prove the true end; null without duals, or with another number of them than rows.
+    /// True if the rows with the largest duals prove the true end; null without duals, or with another number of them than rows.
     pub repairable: Option<bool>,
-    /// Why there is no answer, or which duals are ignored and why; null otherwise.
+    /// The reason why there is no answer, or which duals are ignored and why; null otherwise.
     pub reason: Option<String>,
 }
 
@@ -136,7 +136,7 @@ pub struct ClaimedEndJson {
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RoundedToJson {
-    /// To doubles, or to decimal digits.
+    /// The target: doubles, or decimal digits.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = ["binary64", "digits"])))]
     pub kind: &'static str,
     /// The number of significant digits; null for doubles.
@@ -147,7 +147,7 @@ pub struct RoundedToJson {
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct EvidenceJson {
-    /// What it shows about the program.
+    /// The fact about the program that it shows.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = ["infeasible", "bounded", "feasible", "unbounded"])))]
     pub shows: &'static str,
     /// Rows with multipliers; empty for `feasible` and `unbounded`.
@@ -164,7 +164,7 @@ pub struct EvidenceJson {
 pub struct DirectionsJson {
     /// The number of directions.
     pub count: usize,
-    /// Whether directions are even after both parameters are scaled by their intervals.
+    /// True if directions are even after both parameters are scaled by their intervals.
     pub scaled: bool,
     /// The number of directions without an optimum.
     pub unbounded: usize,

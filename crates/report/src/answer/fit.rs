@@ -45,9 +45,9 @@ pub struct FitJson {
     pub tightness: Option<Number>,
     /// The centroid of the area, rounded to nearest; null where the set has no finite area above 0.
     pub area_centroid: Option<[Number; 2]>,
-    /// For an empty set the rows whose removal alone makes it non-empty; null for other sets and where not all rows are in memory.
+    /// The rows of an empty set whose removal alone makes it non-empty; null for other sets and where not all rows are in memory.
     pub mended_without: Option<Vec<usize>>,
-    /// For each main part that is null, the reason.
+    /// The reason for each main part that is null.
     pub reasons: BTreeMap<&'static str, String>,
     /// The sets under scaled error bounds; absent unless asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -93,15 +93,15 @@ pub struct InversesJson {
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct InverseJson {
-    /// Its range over the feasible set: no interval, one, or two where slopes have both signs. Ends are rounded outward.
+    /// The range over the feasible set: no interval, one, or two where slopes have both signs. Ends are rounded outward.
     pub exact_range: Vec<RangeJson>,
-    /// Its range over the PUI box, rounded outward.
+    /// The range over the PUI box, rounded outward.
     pub box_range: Vec<RangeJson>,
-    /// Its range over the EUI box, rounded outward; null where there is no EUI.
+    /// The range over the EUI box, rounded outward; null where there is no EUI.
     pub eui_range: Option<Vec<RangeJson>>,
-    /// Its value for the central estimate, exact; null where there is none.
+    /// The value for the central estimate, exact; null where there is none.
     pub central: Option<Number>,
-    /// Its value for the least-squares estimate, exact; null where there is none.
+    /// The value for the least-squares estimate, exact; null where there is none.
     pub least_squares: Option<Number>,
 }
 
@@ -111,7 +111,7 @@ pub struct InverseJson {
 pub struct MinimaxJson {
     /// θ1 and θ2, exact.
     pub theta: [Number; 2],
-    /// Whether no other parameter serves as well.
+    /// True if no other parameter serves as well.
     pub unique: bool,
     /// The least error bound, rounded up; null where bounds differ between readings.
     pub epsilon: Option<Number>,
@@ -133,8 +133,8 @@ pub struct GuaranteeJson {
     pub readings: usize,
     /// The number of unknowns.
     pub unknowns: u32,
-    /// What it assumes.
+    /// The assumptions.
     pub assumes: Vec<String>,
-    /// Where it is proved.
+    /// The source of the proof.
     pub source: &'static str,
 }

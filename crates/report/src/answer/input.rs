@@ -24,12 +24,12 @@ pub struct InputJson {
     /// The number of rows that were skipped because a value is missing; absent if there are none.
     #[serde(skip_serializing_if = "is_zero")]
     pub rows_missing: usize,
-    /// How the table was read; null for files that are neither text nor a sheet nor JSON.
+    /// The format of the table as it was read; null for files that are neither text nor a sheet nor JSON.
     pub table: Option<TableJson>,
     /// The columns whose cells are fractions; absent if there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub fractions: Vec<FractionsJson>,
-    /// How numbers were read: exactly as written, or as the nearest doubles.
+    /// The reading of numbers: exactly as written, or as the nearest doubles.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::READINGS)))]
     pub reading: &'static str,
     /// SHA-256 of the bytes of the file; null where they were not hashed.
@@ -138,6 +138,6 @@ pub struct UnitsJson {
 #[derive(Debug, Clone, Copy, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LineInputJson<'a> {
-    /// How the table was read; null for files that are neither text nor a sheet nor JSON.
+    /// The format of the table as it was read; null for files that are neither text nor a sheet nor JSON.
     pub table: Option<&'a TableJson>,
 }

@@ -51,7 +51,7 @@ pub struct ModelJson {
     /// The name of the model.
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub name: Foreign,
-    /// Whether the objective is minimised or maximised.
+    /// The sense: the objective is minimised or maximised.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = ["min", "max"])))]
     pub sense: &'static str,
     /// The name of the objective.
@@ -67,7 +67,7 @@ pub struct ModelJson {
 pub struct FaceJson {
     /// The vertices.
     pub vertices: Vec<Vec<Number>>,
-    /// Where there is no vertex, a point on each line that bounds the face.
+    /// A point on each line that bounds the face, where there is no vertex.
     pub points: Vec<Vec<Number>>,
     /// Directions without end.
     pub rays: Vec<Vec<Number>>,
@@ -213,10 +213,10 @@ pub struct FindingJson {
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ToleranceJson {
-    /// In the units of the rows and bounds as the file has them.
+    /// The tolerance in the units of the rows and bounds as the file has them.
     pub absolute: Number,
-    /// In units of the larger of 1, the value and the bound.
+    /// The tolerance in units of the larger of 1, the value and the bound.
     pub relative: Number,
-    /// In the units of each row after a division by its largest coefficient.
+    /// The tolerance in the units of each row after a division by its largest coefficient.
     pub scaled: Number,
 }

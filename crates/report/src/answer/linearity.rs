@@ -41,7 +41,7 @@ pub struct LinearityJson {
     pub up: Option<CharacteristicJson>,
     /// The characteristic with falling x; null without directions.
     pub down: Option<CharacteristicJson>,
-    /// For each part that is null, the reason.
+    /// The reason for each part that is null.
     pub reasons: BTreeMap<&'static str, String>,
 }
 
@@ -61,12 +61,12 @@ pub struct CalibrationJson {
     pub selection: Option<SelectionJson>,
     /// The number of rows that were skipped because a value is missing.
     pub rows_missing: usize,
-    /// How the table was read; null for files that are neither text nor a sheet nor JSON.
+    /// The format of the table as it was read; null for files that are neither text nor a sheet nor JSON.
     pub table: Option<TableJson>,
     /// The columns whose cells are fractions; absent if there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub fractions: Vec<FractionsJson>,
-    /// How numbers were read: exactly as written, or as the nearest doubles.
+    /// The reading of numbers: exactly as written, or as the nearest doubles.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::READINGS)))]
     pub reading: &'static str,
     /// SHA-256 of the bytes of the file; null where they were not hashed.
@@ -87,7 +87,7 @@ pub struct CalibrationJson {
     pub direction: Option<DirectionJson>,
     /// The number of points of the average characteristic.
     pub points: usize,
-    /// Whether full scale is the span of y or was given.
+    /// The source of full scale: the span of y, or a given number.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = ["span", "given"])))]
     pub full_scale: &'static str,
 }
@@ -137,7 +137,7 @@ pub struct LinearityLineJson {
     pub theta: [Number; 2],
     /// The rows where the deviation is reached.
     pub rows: Vec<usize>,
-    /// Whether no other line of this sort serves as well.
+    /// True if no other line of this sort serves as well.
     pub unique: bool,
 }
 

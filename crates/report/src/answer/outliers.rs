@@ -22,12 +22,12 @@ pub struct OutliersJson {
     /// Every set of `least` rows whose exclusion leaves a feasible parameter, ascending, in lexicographic order; `[[]]` where no
     /// reading has to be excluded.
     pub sets: Vec<Vec<usize>>,
-    /// Whether these are all sets; false beyond the limit `sets`.
+    /// True if these are all sets; false beyond the limit `sets`.
     pub complete: bool,
     /// For each set, in the order of `sets`, the vertices of the parameters that remain, counter-clockwise. The pieces have no point
     /// in common; together they are the parameters that miss at most `least` readings.
     pub pieces: Vec<Vec<VertexJson<Number, ActiveJson>>>,
-    /// For each set the rest of its piece, in the same order.
+    /// The rest of the piece of each set, in the same order.
     pub regions: Vec<LeftRegionJson>,
     /// The ranges of θ1 and θ2 over all pieces, rounded outward; null where there are none.
     pub pui: Option<[RangeJson; 2]>,
@@ -37,7 +37,7 @@ pub struct OutliersJson {
     pub growth: Vec<GrowthJson>,
     /// The proof that the conditions contradict each other; null otherwise.
     pub certificate: Option<CertificateJson>,
-    /// For each main part that is null or not complete, the reason.
+    /// The reason for each main part that is null or not complete.
     pub reasons: BTreeMap<&'static str, String>,
 }
 
@@ -60,7 +60,7 @@ pub struct LeftRegionJson {
     pub pui: Option<[RangeJson; 2]>,
     /// The area, rounded to nearest; null where it is infinite.
     pub area: Option<Number>,
-    /// How far each excluded reading is missed; null for sets beyond the first 20,000 rows in all.
+    /// The distance by which each excluded reading is missed; null for sets beyond the first 20,000 rows in all.
     pub missed: Option<Vec<MissedJson>>,
 }
 
@@ -73,7 +73,7 @@ pub struct MissedJson {
     /// The bound that the parameters pass; null for a row that no parameters meet.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::or_null(&crate::answer::words::ENDS))))]
     pub bound: Option<&'static str>,
-    /// By how much they pass it, from the least to the most over the piece; null for a row that no parameters meet.
+    /// The amount by which they pass it, from the least to the most over the piece; null for a row that no parameters meet.
     pub by: Option<RangeJson>,
 }
 

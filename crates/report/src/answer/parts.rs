@@ -127,7 +127,7 @@ pub struct VertexJson<V, A> {
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CertificateJson {
-    /// At most three terms that add up to 0 ≤ a negative number.
+    /// The terms, at most three, that add up to 0 ≤ a negative number.
     pub farkas: Vec<TermJson>,
 }
 
@@ -171,7 +171,7 @@ pub struct FeasibleSetJson {
 pub struct LeastSquaresJson {
     /// θ1 and θ2: exact fractions; decimals have the last place of the guaranteed error where there is one.
     pub theta: [Number; 2],
-    /// Whether the estimate is in the feasible set.
+    /// True if the estimate is in the feasible set.
     pub in_fps: bool,
     /// The largest distance of each parameter to any in the feasible set, rounded up so that it covers the rounding of `theta`;
     /// null where the set is empty or unbounded.

@@ -44,7 +44,7 @@ pub struct HalfPlaneFileJson {
     pub file: Option<Foreign>,
     /// The number of rows.
     pub rows: usize,
-    /// How numbers were read: exactly as written, or as the nearest doubles.
+    /// The reading of numbers: exactly as written, or as the nearest doubles.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::READINGS)))]
     pub reading: &'static str,
     /// SHA-256 of the bytes of the file.

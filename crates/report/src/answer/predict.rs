@@ -26,7 +26,7 @@ pub struct PredictionJson<A = Vec<PredictedJson>, F = Vec<SourceJson>> {
     pub at: A,
     /// The sources of each reading asked for; empty where the set is empty.
     pub from: F,
-    /// For each part that is null or empty, the reason.
+    /// The reason for each part that is null or empty.
     pub reasons: BTreeMap<&'static str, String>,
 }
 
@@ -39,7 +39,7 @@ pub struct NewReadingJson {
     /// The law as it was typed; null without one.
     #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub law: Option<Foreign>,
-    /// Whether the bound was given for further readings; otherwise it is that of the readings.
+    /// True if the bound was given for further readings; otherwise it is that of the readings.
     pub given: bool,
 }
 
@@ -97,9 +97,9 @@ pub struct PossibleJson {
     /// Both ends, rounded outward; null without end.
     #[serde(flatten)]
     pub range: RangeJson,
-    /// Whether the lower end belongs to the interval; null without end.
+    /// True if the lower end belongs to the interval; null without end.
     pub lower_included: Option<bool>,
-    /// Whether the upper end belongs to the interval; null without end.
+    /// True if the upper end belongs to the interval; null without end.
     pub upper_included: Option<bool>,
     /// The proof of both ends; null for an end that is not there.
     pub proof: RangeJson<SourceEndJson>,

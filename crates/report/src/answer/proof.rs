@@ -81,7 +81,7 @@ pub struct ScopeJson {
     /// The bound that takes the place of the error bounds.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub epsilon: Option<String>,
-    /// With errors in x the part of the set.
+    /// The part of the set, with errors in x.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(extend("enum" = ["+", "-", "strong"])))]
     pub side: Option<&'static str>,

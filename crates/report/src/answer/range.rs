@@ -32,7 +32,7 @@ pub struct LinearRangeJson {
     pub parts: Vec<RunJson>,
     /// The readings that are in no run.
     pub alone: Vec<AloneJson>,
-    /// What the readings of the longest run say; null where there is none.
+    /// The fit of the longest run; null where there is none.
     pub longest_fit: Option<LongestJson>,
 }
 
@@ -62,9 +62,9 @@ pub struct RunJson {
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct AloneJson {
-    /// Its position.
+    /// The position of the reading.
     pub position: usize,
-    /// Its row.
+    /// The row of the reading.
     pub row: usize,
     /// The terms by which the readings at its x contradict each other or the conditions.
     pub farkas: Vec<TermJson>,

@@ -11,7 +11,7 @@ use crate::number::Number;
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct StatusesJson {
-    /// What stands before the readings.
+    /// The part before the readings.
     #[serde(flatten)]
     pub head: StatusHeadJson,
     /// The status of each reading.
@@ -24,7 +24,7 @@ pub struct StatusesJson {
     pub repair: Option<RepairJson>,
 }
 
-/// What stands before the readings.
+/// The part before the readings.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct StatusHeadJson {
@@ -46,7 +46,7 @@ pub struct JudgedSetJson {
     /// The kind of the set.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::kinds())))]
     pub kind: &'static str,
-    /// At most three terms that prove an empty set; null for other sets.
+    /// The terms, at most three, that prove an empty set; null for other sets.
     pub contradiction: Option<Vec<TermJson>>,
 }
 
@@ -67,9 +67,9 @@ pub struct StatusRowJson {
     /// The status against the set of the other readings.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = ["inner", "boundary", "outer", "strictly outer", "outlier", null])))]
     pub without: Option<&'static str>,
-    /// As `leverage`, from the set of the other readings.
+    /// The leverage from the set of the other readings.
     pub without_leverage: Option<Number>,
-    /// As `residual`, from the set of the other readings.
+    /// The residual from the set of the other readings.
     pub without_residual: Option<Number>,
 }
 
@@ -84,7 +84,7 @@ pub struct NewStatusesJson {
     pub rows: Vec<NewStatusRowJson>,
 }
 
-/// The status of a further reading. What is null is so for the same reasons as for the readings of the set.
+/// The status of a further reading. Fields are null for the same reasons as for the readings of the set.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct NewStatusRowJson {

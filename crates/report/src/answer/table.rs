@@ -3,7 +3,7 @@
 use boundfit_exact::Foreign;
 use serde::Serialize;
 
-/// How a table of text, JSON or a sheet was read, so that no guess goes unsaid.
+/// The detected format of a table of text, JSON or a sheet.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct TableJson {
@@ -32,11 +32,11 @@ pub struct TableJson {
 pub struct HeaderJson {
     /// The number of the line, or of the row of a sheet; null without names.
     pub line: Option<u64>,
-    /// Whether that line is a comment.
+    /// True if that line is a comment.
     pub comment: bool,
-    /// Whether nothing told a header from a reading: every cell of the first line is a number or missing.
+    /// True if nothing told a header from a reading: every cell of the first line is a number or missing.
     pub open: bool,
-    /// Whether each row begins with a name, so that it has a cell more than the header.
+    /// True if each row begins with a name, so that it has a cell more than the header.
     pub row_names: bool,
 }
 

@@ -13,13 +13,13 @@ pub struct VerifyJson<'a> {
     /// The name and number of this schema.
     #[cfg_attr(feature = "schema", schemars(extend("const" = VerifyJson::SCHEMA)))]
     pub schema: &'static str,
-    /// Whether every statement is true of the data, and the question is the one asked.
+    /// True if every statement is true of the data, and the question is the one asked.
     pub verified: bool,
     /// The number of half-planes; null unless the proof is true.
     pub half_planes: Option<usize>,
     /// The first false statement, or the first of the differences; null when verified.
     pub falsehood: Option<String>,
-    /// How the question of the proof differs from the one asked, a sentence each.
+    /// The differences between the question of the proof and the one asked, a sentence each.
     pub differences: &'a [String],
     /// The file of the proof; null for standard input.
     pub proof: Option<&'a str>,
@@ -27,9 +27,9 @@ pub struct VerifyJson<'a> {
     pub data: Option<&'a str>,
     /// The question of the proof, whether the proof is true or not.
     pub about: AboutJson,
-    /// What is proved of the feasible set; null unless the proof is true and about one set.
+    /// The proved facts about the feasible set; null unless the proof is true and about one set.
     pub set: Option<ProvedSetJson>,
-    /// What is proved, in the order of a proof `boundfit/proof/2`; null unless the proof is true and of that kind.
+    /// The proved statements, in the order of a proof `boundfit/proof/2`; null unless the proof is true and of that kind.
     pub statements: Option<Vec<ProvedJson>>,
 }
 
@@ -41,10 +41,10 @@ pub struct AboutJson {
     pub rows: Vec<[u64; 2]>,
     /// The number of rows of the data; null where they were not read to the end.
     pub rows_total: Option<u64>,
-    /// How numbers were read: exactly as written, or as the nearest doubles.
+    /// The reading of numbers: exactly as written, or as the nearest doubles.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::READINGS)))]
     pub reading: &'static str,
-    /// Whether the first row names the columns.
+    /// True if the first row names the columns.
     pub header: bool,
     /// The character between cells.
     pub delimiter: char,
@@ -60,11 +60,11 @@ pub struct AboutJson {
     pub x_origin: Number,
     /// How far `phi1` may be from what is read; null where x is exact.
     pub x_error: Option<ColumnTimesJson>,
-    /// What is added to y.
+    /// The columns that are added to y.
     pub response: Vec<ColumnTimesJson>,
     /// The columns of bounds that take the place of y and ε; null where there are none.
     pub interval: Option<RangeJson<BoundColumnJson>>,
-    /// What is added to ε above and below y; null without a law.
+    /// The terms that are added to ε above and below y; null without a law.
     pub law: Option<LawJson>,
     /// The conditions as text.
     pub conditions: Vec<String>,
@@ -98,9 +98,9 @@ pub struct BoundColumnJson {
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LawJson {
-    /// What is added above y.
+    /// The terms above y.
     pub above: Vec<LawTermJson>,
-    /// What is added below y.
+    /// The terms below y.
     pub below: Vec<LawTermJson>,
 }
 
@@ -117,7 +117,7 @@ pub struct LawTermJson {
     pub times: Number,
 }
 
-/// What is proved of the feasible set.
+/// The proved facts about the feasible set.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ProvedSetJson {
@@ -150,7 +150,7 @@ pub struct ProvedJson {
     pub factor: Option<Number>,
     /// The bound that takes the place of the error bounds; null where they are as asked.
     pub epsilon: Option<Number>,
-    /// With errors in x the part of the set; null otherwise.
+    /// The part of the set, with errors in x; null otherwise.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = ["+", "-", "strong", null])))]
     pub side: Option<&'static str>,
     /// The coefficients of the form; only for `form`.

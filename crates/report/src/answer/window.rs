@@ -16,7 +16,7 @@ pub struct WindowJson<'a> {
     /// The name and number of this schema.
     #[cfg_attr(feature = "schema", schemars(extend("const" = WindowJson::SCHEMA)))]
     pub schema: &'static str,
-    /// What is the same for all lines.
+    /// The input, the same for all lines.
     pub input: LineInputJson<'a>,
     /// The first row of the window.
     pub first_row: usize,
@@ -44,7 +44,7 @@ pub struct GroupJson<'a> {
     /// The name and number of this schema.
     #[cfg_attr(feature = "schema", schemars(extend("const" = GroupJson::SCHEMA)))]
     pub schema: &'static str,
-    /// What is the same for all lines.
+    /// The input, the same for all lines.
     pub input: LineInputJson<'a>,
     /// The text in the column of groups.
     #[cfg_attr(feature = "schema", schemars(with = "String"))]

@@ -2,7 +2,7 @@
 
 use boundfit_geometry::RegionKind;
 
-/// How numbers were read.
+/// The reading of numbers.
 pub(crate) const READINGS: [&str; 2] = ["decimal", "binary64"];
 
 /// The side of a set with errors in x.

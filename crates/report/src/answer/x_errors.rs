@@ -34,7 +34,7 @@ pub struct XErrorJson {
     pub sides: Vec<XErrorSideJson>,
     /// The number of sets that make up all of it, without one that another contains.
     pub pieces: usize,
-    /// Whether two sets have lines with θ1 = 0 in common; null unless there are two.
+    /// True if two sets have lines with θ1 = 0 in common; null unless there are two.
     pub joined: Option<bool>,
     /// The parameter uncertainty intervals over all sets; null where no end is bounded.
     pub pui: Option<[IntervalJson; 2]>,
@@ -48,7 +48,7 @@ pub struct XErrorJson {
     pub least_squares: Option<XErrorLeastSquaresJson>,
     /// The estimate uncertainty intervals as if every x were exact, rounded outward; null where they are not known.
     pub eui: Option<[RangeJson; 2]>,
-    /// For each main part that is null, the reason.
+    /// The reason for each main part that is null.
     pub reasons: BTreeMap<&'static str, String>,
 }
 
@@ -72,7 +72,7 @@ pub struct XErrorCentralJson {
     /// The estimate.
     #[serde(flatten)]
     pub estimate: CentralJson,
-    /// Whether it is in one of the sets.
+    /// True if it is in one of the sets.
     pub in_fps: bool,
 }
 
@@ -84,7 +84,7 @@ pub struct FactorJson {
     pub lower: Number,
     /// At least the least factor; a number of 17 digits, rounded up.
     pub upper: Number,
-    /// Whether `upper` leaves a line.
+    /// True if `upper` leaves a line.
     pub attained: bool,
     /// The side of the line, or of the last lines.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::SIDES)))]
@@ -101,8 +101,8 @@ pub struct FactorJson {
 pub struct XErrorLeastSquaresJson {
     /// θ1 and θ2, exact.
     pub theta: [Number; 2],
-    /// Whether the estimate is in one of the sets.
+    /// True if the estimate is in one of the sets.
     pub in_fps: bool,
-    /// Whether the estimate is in the feasible set of exact x; null where that is not known.
+    /// True if the estimate is in the feasible set of exact x; null where that is not known.
     pub in_fps_without_x_errors: Option<bool>,
 }
