@@ -560,7 +560,7 @@ class Certificate(TypedDict):
 
 
 class Exact(TypedDict):
-    """An exact number and its forms. What decides something takes `exact`."""
+    """An exact number and its forms. Decisions take `exact`."""
 
     exact: str | None
     """The number as a fraction `p/q` or an integer; null where the fraction is longer than the limit `fraction`."""
@@ -1101,7 +1101,7 @@ class Repair(TypedDict):
     """The least total widening that makes the set non-empty."""
 
     total: Exact | None
-    """The least sum of the factors on all widths, each at least 1, exact; null where the bounds and conditions that stay as they are contradict each other, or not all rows are in memory."""
+    """The least sum of the factors on all widths, each at least 1, exact. Null where the bounds and conditions that stay as they are contradict each other, or not all rows are in memory."""
     count: int | None
     """The number of readings with a width; null where `total` is."""
     theta: list[Exact] | None
@@ -1854,7 +1854,7 @@ class About(TypedDict):
     x_origin: Exact
     """The number that is taken from the column of `phi1` first."""
     x_error: ColumnTimes | None
-    """How far `phi1` may be from what is read; null where x is exact."""
+    """The bound on the error of `phi1`; null where x is exact."""
     response: list[ColumnTimes]
     """The columns that are added to y."""
     interval: BoundColumnRange | None

@@ -529,7 +529,7 @@ export interface Certificate {
   farkas: Term[];
 }
 
-/** An exact number and its forms. What decides something takes `exact`. */
+/** An exact number and its forms. Decisions take `exact`. */
 export interface Exact {
   /** The number as a fraction `p/q` or an integer; null where the fraction is longer than the limit `fraction`. */
   exact: string | null;
@@ -1021,7 +1021,7 @@ export interface NewStatuses {
 
 /** The least total widening that makes the set non-empty. */
 export interface Repair {
-  /** The least sum of the factors on all widths, each at least 1, exact; null where the bounds and conditions that stay as they are contradict each other, or not all rows are in memory. */
+  /** The least sum of the factors on all widths, each at least 1, exact. Null where the bounds and conditions that stay as they are contradict each other, or not all rows are in memory. */
   total: Exact | null;
   /** The number of readings with a width; null where `total` is. */
   count: number | null;
@@ -1729,7 +1729,7 @@ export interface About {
   epsilon: ColumnTimes;
   /** The number that is taken from the column of `phi1` first. */
   x_origin: Exact;
-  /** How far `phi1` may be from what is read; null where x is exact. */
+  /** The bound on the error of `phi1`; null where x is exact. */
   x_error: ColumnTimes | null;
   /** The columns that are added to y. */
   response: ColumnTimes[];

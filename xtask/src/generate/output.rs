@@ -7,8 +7,8 @@ use super::model::{Body, Definition, Document, Field, Shape, all};
 
 /// A page with a table for each document and each of its parts.
 pub(super) fn reference(documents: &[Document]) -> String {
-    let mut text = "# Documents\n\nEvery field of every JSON document that boundfit writes. This page is made from the types of the answers by `cargo xtask generate`; so are\n\
-         the JSON Schemas in the folder `schema`, the types of the [JavaScript module](../wasm.md) and those of the [Python package](../python.md). \
+    let mut text = "# Documents\n\nEvery field of every JSON document that boundfit writes. This page is made from the types of the answers by `cargo xtask generate`.\n\
+         So are the JSON Schemas in the folder `schema` and the types of the [JavaScript module](../wasm.md) and the [Python package](../python.md).\n\
          [Output and JSON](../output.md) says what all\ndocuments have in common.\n\n\
          A field is in every document of its kind unless the table calls it absent in some. A part that several documents share stands under\n\
          [Shared parts](#shared-parts).\n\n| schema | written by | |\n|---|---|---|\n"

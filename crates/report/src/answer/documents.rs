@@ -136,7 +136,7 @@ impl JsonSchema for Number {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({
-            "description": "An exact number and its forms. What decides something takes `exact`.",
+            "description": "An exact number and its forms. Decisions take `exact`.",
             "type": "object",
             "properties": {
                 "exact": {

@@ -1,8 +1,8 @@
 //! The answers as data: the types of which every JSON document consists, one file per question.
 //!
 //! A document is written from these types alone. With the feature `schema` they describe themselves: `documents` lists the JSON
-//! Schema of every document, of which `cargo xtask generate` makes `schema`, the declarations for TypeScript and Python, and the
-//! reference in docs. The sentence on each field says what it means, whether it is exact or rounded, and when it is null.
+//! Schema of every document. `cargo xtask generate` makes `schema`, the declarations for TypeScript and Python, and the reference in
+//! docs from it. The sentence on each field says what it means, whether it is exact or rounded, and when it is null.
 //!
 //! Numbers are [`Number`](crate::Number)s. A field that stands in every document of its kind is never left out; one that may be
 //! absent says so.

@@ -103,7 +103,7 @@ pub struct NewStatusRowJson {
 #[derive(Debug, Default, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RepairJson {
-    /// The least sum of the factors on all widths, each at least 1, exact; null where the bounds and conditions that stay as they
+    /// The least sum of the factors on all widths, each at least 1, exact. Null where the bounds and conditions that stay as they
     /// are contradict each other, or not all rows are in memory.
     pub total: Option<Number>,
     /// The number of readings with a width; null where `total` is.

@@ -58,7 +58,7 @@ pub struct AboutJson {
     pub epsilon: ColumnTimesJson,
     /// The number that is taken from the column of `phi1` first.
     pub x_origin: Number,
-    /// How far `phi1` may be from what is read; null where x is exact.
+    /// The bound on the error of `phi1`; null where x is exact.
     pub x_error: Option<ColumnTimesJson>,
     /// The columns that are added to y.
     pub response: Vec<ColumnTimesJson>,
