@@ -262,7 +262,11 @@ fn what_a_text_is_encoded_as_is_told_or_asked_for() {
     let message = "latin1.csv: line 1, column 3: \"\u{fffd}C\": invalid UTF-8 at character 1 of the cell (expected text in UTF-8, as the characters before it are); --encoding windows-1252 reads any byte";
     refuses(directory.path(), &fit("--encoding utf-8"), 1, message);
     let proof = boundfit(directory.path(), &fit("--proof proof.json"));
-    assert!(proof.status != 0 && proof.stderr.contains("is not plain delimited text"), "{}", proof.stderr);
+    assert!(
+        proof.status != 0 && proof.stderr.contains("about the rows of plain delimited text"),
+        "{}",
+        proof.stderr
+    );
     let unknown = boundfit(directory.path(), &fit("--encoding utf-7"));
     let expected = "expected auto or one of utf-8, windows-1252, iso-8859-1, iso-8859-15, utf-16le, utf-16be";
     assert!(unknown.status == 2 && unknown.stderr.contains(expected), "{}", unknown.stderr);

@@ -19,7 +19,7 @@ fn curve(rows: u32) -> String {
     format!("x,y\n{}", lines.collect::<String>())
 }
 
-const FIT: &str = "fit curve.csv --x x --y y --eps 0.5 --full --no-lp";
+const FIT: &str = "fit curve.csv --x x --y y --eps 0.5 --no-lp";
 
 fn number(value: &Value) -> Rational {
     let limits = Limits { digits: usize::MAX, exponent: u32::MAX };
@@ -65,12 +65,12 @@ fn digits_and_fractions_of_long_sums_are_those_of_naive_ones() {
     });
     assert_eq!([0, 1].map(|axis| number(&report["area_centroid"][axis])), centroid);
     for digits in [5, 12, 30] {
-        let text = printed(directory.path(), &format!("{FIT} --digits {digits}"));
+        let text = printed(directory.path(), &format!("{FIT} --full --digits {digits}"));
         let shown = |value: &Rational| value.to_decimal(digits, Rounding::Nearest);
         assert_eq!(said(&text, "area"), format!("{}, {} of its PUI box", shown(&area), shown(&tightness)));
         assert_eq!(said(&text, "centroid"), format!("({}, {})", shown(&centroid[0]), shown(&centroid[1])));
     }
-    let text = printed(directory.path(), &format!("{FIT} --exact"));
+    let text = printed(directory.path(), &format!("{FIT} --full --exact"));
     assert_eq!(said(&text, "area"), format!("{area}, {tightness} of its PUI box"));
     assert_eq!(said(&text, "centroid"), format!("({}, {})", centroid[0], centroid[1]));
 }
@@ -82,7 +82,7 @@ fn fractions_beyond_the_limit_are_left_out_with_the_reason() {
         serde_json::from_str(&printed(directory.path(), &format!("{FIT} --format json"))).unwrap();
     assert!(report["fps"]["vertices"].as_array().unwrap().len() > 1000);
     let reason = "the exact fraction takes more than 10000 digits (the limit 'fraction')";
-    let text = printed(directory.path(), &format!("{FIT} --exact"));
+    let text = printed(directory.path(), &format!("{FIT} --full --exact"));
     let decimal = |part: &Value| {
         assert_eq!(part["exact"], Value::Null);
         let (decimal, value) = (part["decimal"].as_str().unwrap(), part["value"].as_f64().unwrap());

@@ -133,6 +133,8 @@ fn the_library_says_what_the_program_writes() {
                 let (told, written) = (library(&words, &request, form), program(&words, command, form));
                 match (told, written) {
                     (Ok(told), Some(written)) => {
+                        // Next steps are commands, which the library has none of.
+                        let written = written.split("\nNext steps").next().unwrap();
                         assert!(
                             told.text == written,
                             "{name} as {} of {line}: {}\n{written}",

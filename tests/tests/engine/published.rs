@@ -110,7 +110,9 @@ fn the_program_prints_every_published_figure() {
     };
     let arguments =
         ["fit", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36"];
-    let text = run(&[&arguments[..], &["--eps", "0.5e-3", "--rounding", "nearest"]].concat()).stdout;
+    let text =
+        run(&[&arguments[..], &["--eps", "0.5e-3", "--rounding", "nearest", "--full", "--no-lp"]].concat())
+            .stdout;
     let published = read_json("transducer/published.json");
     // Parameters and the inverse line have a table each.
     let row = |label: &str| {

@@ -130,7 +130,12 @@ fn shortened(argument: Arg) -> Arg {
     };
     match GROUPS.iter().find_map(line) {
         Some((heading, text)) => {
-            argument.help(text).help_heading(heading).hide_possible_values(true).hide_default_value(true)
+            let argument = argument.help(text).help_heading(heading);
+            // Flags have no values to hide.
+            match argument.get_action().takes_values() {
+                true => argument.hide_possible_values(true).hide_default_value(true),
+                false => argument,
+            }
         }
         None => argument.hide_short_help(true),
     }

@@ -114,7 +114,8 @@ impl<'a> Job<'a> {
                 let mut all = || write(form, &mut stream);
                 let written = if is_watched { all() } else { while_working(Q::NAME, all) };
                 match (written, stream.stop) {
-                    (_, Some(Stop::Closed)) => return Ok(Exit::Answer),
+                    (Err(_), Some(Stop::Closed)) => return Ok(Exit::Answer),
+                    (Ok(written), Some(Stop::Closed)) => written,
                     (_, Some(Stop::Failed(failure))) => return Err(failure),
                     (written, None) => {
                         let written = written.map_err(failed)?;
@@ -143,7 +144,8 @@ impl<'a> Job<'a> {
     }
 }
 
-/// An answer that is written as it is found.
+/// An answer that is written as it is found. What follows the first part that nobody reads any more is not computed; that part
+/// counts as written, so that an answer of one part keeps its exit status.
 struct Stream {
     output: Output,
     /// Why no more is written.
@@ -152,8 +154,15 @@ struct Stream {
 
 impl Write for Stream {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.stop.is_some() {
+            return Err(io::ErrorKind::BrokenPipe.into());
+        }
         match self.output.write(bytes) {
             Ok(()) => Ok(bytes.len()),
+            Err(Stop::Closed) => {
+                self.stop = Some(Stop::Closed);
+                Ok(bytes.len())
+            }
             Err(stop) => {
                 self.stop = Some(stop);
                 Err(io::ErrorKind::BrokenPipe.into())

@@ -224,8 +224,10 @@ impl Rest {
 
 /// The sums over all readings but some.
 fn without(all: &Sums, kept: &Sums) -> Sums {
+    // What a file claims may be fewer than it keeps: then the sums say so, too.
     let count = all.count.saturating_sub(kept.count);
-    Sums { count, ..all.clone().zip(kept.clone(), |all, kept| all - kept) }
+    let [own, other] = [all.parts(), kept.parts()];
+    Sums::new(count, std::array::from_fn(|part| own[part] - other[part]))
 }
 
 fn joined(own: [[Rational; 2]; 2], other: [[Rational; 2]; 2]) -> [[Rational; 2]; 2] {

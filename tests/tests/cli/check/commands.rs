@@ -73,7 +73,7 @@ fn a_fit_of_very_many_rows_does_not_wait_for_a_solver() {
     let bounds =
         parabola.lines().skip(1).fold("x,y,e\n".to_owned(), |table, row| format!("{table}{row},1000\n"));
     let expected = "not asked about more than 50 readings (see boundfit check)";
-    assert_eq!(of("fit - --x x --y y --eps-column e", &bounds), expected);
+    assert_eq!(of("fit - --x x --y y --eps-column e --full", &bounds), expected);
 }
 
 /// Without the readings that cannot bound anything, every verdict stays.
