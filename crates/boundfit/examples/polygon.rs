@@ -3,6 +3,7 @@
 //! ```sh
 //! cargo run -p boundfit --example polygon
 //! ```
+#![expect(clippy::print_stdout, reason = "an example for people at a terminal")]
 
 use boundfit::{Error, Rational, Support, polygon};
 

@@ -47,7 +47,7 @@ impl Given for LinearityArguments {
         let source = input::open(&self.data).map_err(Failure::refused)?;
         let is_stored = source.is_stored();
         let reading = if is_stored { Reading::Binary64 } else { self.table.reading() };
-        let file = (self.data != "-").then_some(Foreign::of(&*self.data));
+        let file = (self.data != "-").then_some(Foreign::of(&self.data));
         let options = self.table.scan_options(&source, Some(&self.rows))?;
         let asked = Asked { options, ..Asked::new(Question::line(self.x.clone(), self.y.clone())) };
         Ok((Origin { file, reading, is_stored }, asked, source))

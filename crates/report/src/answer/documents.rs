@@ -82,7 +82,7 @@ fn rename(schema: &mut Value) {
             for (key, value) in fields.iter_mut() {
                 match value {
                     Value::String(name) if key == "$ref" || key == "title" => {
-                        *name = name.replace("Json", "")
+                        *name = name.replace("Json", "");
                     }
                     Value::Object(definitions) if key == "$defs" => {
                         let old = std::mem::take(definitions).into_iter();
