@@ -28,6 +28,8 @@ pub struct Fit {
     pub sweep: Option<String>,
     /// With which confidence it is said which share of further readings lies in the band of ε_min.
     pub confidence: Option<Given>,
+    /// Whether to keep every reading in memory, and which rows they are: a theorem is about all of them.
+    pub every_reading: bool,
     /// Whether the report has ten lines only.
     pub brief: bool,
     /// Whether the report has everything: also what proves each end, every estimate, and least squares in doubles.
@@ -165,7 +167,8 @@ impl Ask for Fit {
         let sweep = self.sweep.as_deref().map(|text| Factors::parse(text, limits)).transpose()?;
         let confidence = self.confidence(limits)?;
         // Where the bounds are going to move, those that decide under these are not enough.
-        let keeps_all = sweep.is_some() && !asked.question.columns.are_open();
+        let keeps_all = self.every_reading || sweep.is_some() && !asked.question.columns.are_open();
+        let shows = if self.every_reading { shows.max(Shows::Rows) } else { shows };
         let keep = Keep { eui: !self.no_eui, ..if keeps_all { Keep::EVERY } else { Keep::default() } };
         let problem = asked.scanned(source, (Asked::ROW_COST, shows), keep)?;
         if let Some(sweep) = &sweep {

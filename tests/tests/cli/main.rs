@@ -43,6 +43,7 @@ mod statement_proofs;
 mod status;
 mod sweep;
 mod taken_for;
+mod theorems;
 mod ties;
 mod verify;
 mod work;

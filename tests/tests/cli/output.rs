@@ -206,6 +206,7 @@ mod unix {
             "fit: ",
             "fit: Set-membership fit",
             "fit: Set-membership fit",
+            "fit: Set-membership fit",
             "fit: Set-membership fit with errors in x",
             "fit: group              rows  kind     theta1              theta2                 eps_min",
             "fit: rows    readings  kind     theta1                  theta2                eps_min",

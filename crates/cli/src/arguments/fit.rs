@@ -36,6 +36,11 @@ pub(super) const NOTES: Notes = Notes {
             "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof proof.json",
         ),
         (
+            "A theorem that the kernel of Coq checks, without anything of boundfit",
+            "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof answer.v\n\
+             coqc answer.v",
+        ),
+        (
             "At least which share of further readings the band of eps_min holds, with confidence 0.99",
             "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --confidence 0.99",
         ),
@@ -120,9 +125,13 @@ pub(crate) struct FitArguments {
     #[arg(long, value_name = "NUM", allow_hyphen_values = true, conflicts_with_all = ["by", "brief"])]
     pub(crate) confidence: Option<String>,
     /// Also write a proof of the answer to this file, whole or not at all. The proof is JSON that 'boundfit verify', or
-    /// anybody else, checks against the data by arithmetic alone; - means standard output if the report goes to a file
+    /// anybody else, checks against the data by arithmetic alone; in FILE.v it is a theorem for the kernel of Coq instead.
+    /// - means standard output if the report goes to a file
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    pub(crate) proof_library: bool,
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
     #[command(flatten)]
@@ -136,6 +145,7 @@ impl FitArguments {
             no_eui: self.no_eui,
             sweep: self.sweep.clone(),
             confidence: self.confidence.clone().map(Given::Read),
+            every_reading: self.proof.as_deref().is_some_and(|file| file.ends_with(".v")),
             brief: self.brief,
             full: self.full,
             inverse: self.inverse,

@@ -45,6 +45,13 @@ pub(crate) struct PolygonArguments {
     /// Also draw the set: FILE.svg, .png, .pdf, .tikz or .tex
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) plot: Option<String>,
+    /// Also write a theorem that the kernel of Coq checks to this file, which ends in .v: the half-planes describe just the
+    /// convex hull of the vertices, together with rays
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    pub(crate) proof_library: bool,
     #[command(flatten)]
     pub(crate) picture: PictureArguments,
     #[command(flatten)]

@@ -2,11 +2,11 @@
 
 use std::time::Duration;
 
-use boundfit_ask::Form;
+use boundfit_ask::{Form, NoProof, Refusal};
 use boundfit_check::{CheckOptions, EXACT_SIMPLEX, check, source_names};
-use boundfit_estimation::{Measurements, Problem};
-use boundfit_exact::{Rational, Reading};
-use boundfit_report::{NextStep, verdict_line};
+use boundfit_estimation::{Fit, Measurements, Problem};
+use boundfit_exact::{Foreign, Rational, Reading};
+use boundfit_report::{NextStep, Theory, kernel_fit, verdict_line};
 
 use crate::CommandResult;
 use crate::arguments::{FitArguments, ReportFormat};
@@ -36,13 +36,22 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     let form = if arguments.vertices { Form::Vertices } else { format.into() };
     // A solver of linear programs in doubles is a part of this program, and of no other surface.
     let asks_solver = form == Form::Text && arguments.full && !arguments.no_lp;
+    let theory = proof_file::theory(arguments.proof.as_deref(), arguments.proof_library)?;
     arguments.job(form).run_with(&arguments.question(), &mut guard, |asked, answer, origin| {
         if asks_solver {
             answer.verdict = lp_verdict(&asked.problem, origin.reading)?;
         }
         answer.next_words = Some(next_words);
-        Ok(None)
+        let Some((theory, file)) = theory.zip(arguments.proof.as_deref()) else { return Ok(None) };
+        let text = theorem(&asked.problem, &answer.fit, theory, arguments.data.file_name())?;
+        Ok(Some((text.into_bytes(), file)))
     })
+}
+
+/// The theorem about a fit.
+fn theorem(problem: &Problem, fit: &Fit, theory: Theory, file: Foreign<&str>) -> Result<String, Failure> {
+    // Readings of a table are all in memory, as they are asked for.
+    kernel_fit(problem, fit, theory).ok_or_else(|| Failure::of(&Refusal::NoProof(NoProof::Reduction), file))
 }
 
 impl FitArguments {
@@ -53,7 +62,8 @@ impl FitArguments {
             form,
             style: self.data.table.limits.limited(self.output.style()),
             output: self.output.file.output.as_deref(),
-            proof: self.proof.as_deref(),
+            // A theorem is written by this program, beside the answer.
+            proof: self.proof.as_deref().filter(|file| !proof_file::is_theorem(Some(file))),
         }
     }
 }
@@ -88,7 +98,12 @@ fn check_usage_of_proof(arguments: &FitArguments) -> Result<(), Failure> {
         let instead = "fit the rows of one group with '--rows', or a file with these rows only";
         return Err(Failure::Usage(format!("'--proof' is about one set and '--by' about many: {instead}")));
     }
-    proof_file::check(arguments.proof.as_deref(), arguments.output.file.output.as_deref())
+    let proof = arguments.proof.as_deref();
+    proof_file::theory(proof, arguments.proof_library)?;
+    if arguments.x_errors.are_asked()? || arguments.window().is_some() {
+        proof_file::refuse_theorem(proof)?;
+    }
+    proof_file::check_place(proof, arguments.output.file.output.as_deref())
 }
 
 /// Readings that an LP solver is asked about beside a fit. Measured: microlp takes 40 µs for each, for 50 about as long as the

@@ -2,15 +2,16 @@
 
 use boundfit_exact::Foreign;
 use boundfit_figures::{PictureFormat, draw_region};
-use boundfit_formats::{TableOptions, read_half_planes};
+use boundfit_formats::{HalfPlaneFile, TableOptions, read_half_planes};
 use boundfit_geometry::Polyhedron;
 use boundfit_report::{
-    h_representation, polygon_document, polygon_json, region_script, region_wkt, v_representation,
-    vertices_csv,
+    Theory, h_representation, kernel_half_planes, polygon_document, polygon_json, region_script, region_wkt,
+    v_representation, vertices_csv,
 };
 
 use super::judge::files_apart;
 use super::pictures::picture_format;
+use super::proof_file;
 use crate::CommandResult;
 use crate::arguments::{PictureArguments, PolygonArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
@@ -22,7 +23,16 @@ use crate::work::{refuse_long, times};
 /// Reads the half-planes, or finds those of generators, intersects them and writes the report.
 pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     let output = arguments.output.file.output.as_deref();
-    files_apart(&[("--output", Some(output.unwrap_or("-"))), ("--plot", arguments.plot.as_deref())])?;
+    let proof = arguments.proof.as_deref();
+    files_apart(&[
+        ("--output", Some(output.unwrap_or("-"))),
+        ("--plot", arguments.plot.as_deref()),
+        ("--proof", proof),
+    ])?;
+    let theory = match proof_file::theory(proof, arguments.proof_library)? {
+        None if proof.is_some() => return Err(Failure::Usage(ONLY_THEOREMS.to_owned())),
+        theory => theory,
+    };
     arguments.picture.check("--plot", arguments.plot.is_some())?;
     let plot = arguments.plot.as_deref().map(|file| picture_format("--plot <FILE>", file)).transpose()?;
     plot.map_or(Ok(()), |format| arguments.picture.check_format(format))?;
@@ -30,6 +40,7 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     let mut guard = arguments.output.file.replace.guard([arguments.file.as_str()]);
     guard.check(output)?;
     guard.check(arguments.plot.as_deref())?;
+    guard.check(proof)?;
     let reading = arguments.table.reading();
     let options = arguments.table.options(reading, None)?;
     let options = TableOptions { row_cost: memory::OF_A_HALF_PLANE, ..options };
@@ -65,9 +76,31 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     };
     let picture = plot.map(|format| picture(&polyhedron, &name, (format, &arguments.picture))).transpose()?;
     let picture = picture.as_deref().map(|picture| (picture, arguments.plot.as_deref()));
-    let parts: Vec<_> = picture.into_iter().chain([(report.as_bytes(), output)]).collect();
+    let theorem = theory.map(|theory| theorem(&file, &polyhedron, theory, name.borrowed())).transpose()?;
+    let theorem = theorem.as_deref().map(|text| (text.as_bytes(), proof));
+    let parts: Vec<_> = theorem.into_iter().chain(picture).chain([(report.as_bytes(), output)]).collect();
     output::write_together(&parts, &mut guard)?;
     Ok(if polyhedron.region().is_empty() { Exit::Empty } else { Exit::Answer })
+}
+
+const ONLY_THEOREMS: &str =
+    "the proof of a set of half-planes is a theorem for Coq: give '--proof' a file that ends in .v";
+
+/// The theorem about a set of half-planes.
+fn theorem(
+    file: &HalfPlaneFile,
+    polyhedron: &Polyhedron,
+    theory: Theory,
+    name: Foreign<&str>,
+) -> Result<String, Failure> {
+    if file.generators.is_some() {
+        let instead = "write its half-planes with '--format ine', and prove that file";
+        return Err(Failure::Usage(format!(
+            "'--proof' is about half-planes, and {name} has generators: {instead}"
+        )));
+    }
+    kernel_half_planes(&file.system, polyhedron, Some(&file.sha256), theory)
+        .ok_or_else(|| Failure::data(format_args!("{name}: its set has no certificate")))
 }
 
 /// The set, encoded.

@@ -1,10 +1,51 @@
 //! The file of `--proof`, beside a report.
 
+use boundfit_exact::Foreign;
+use boundfit_report::Theory;
+
 use crate::exit::Failure;
 use crate::output;
 
-/// Refuses a proof that would have no file of its own.
+/// Whether a proof is a theorem for Coq, which the ending of its file's name says.
+pub(super) fn is_theorem(proof: Option<&str>) -> bool {
+    proof.is_some_and(|file| file.ends_with(".v"))
+}
+
+/// Where a theorem has its theory from; `None` when the proof is JSON.
+///
+/// # Errors
+/// When the theory of another kind of proof is asked for.
+pub(super) fn theory(proof: Option<&str>, is_installed: bool) -> Result<Option<Theory>, Failure> {
+    match (is_theorem(proof), is_installed) {
+        (true, true) => Ok(Some(Theory::Installed)),
+        (true, false) => Ok(Some(Theory::Included)),
+        (false, false) => Ok(None),
+        (false, true) => Err(Failure::Usage(
+            "'--proof-library' is about theorems for Coq: give '--proof' a file that ends in .v".to_owned(),
+        )),
+    }
+}
+
+/// Refuses a theorem about an answer that has none.
+pub(super) fn refuse_theorem(proof: Option<&str>) -> Result<(), Failure> {
+    match proof {
+        Some(file) if is_theorem(proof) => Err(Failure::Usage(format!(
+            "'--proof {}': there are theorems for Coq about the set of one fit and about polygons, and none about this answer; \
+             a file that ends in .json gets the proof for 'boundfit verify'",
+            Foreign::of(file)
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Refuses a theorem, and a proof that would have no file of its own.
 pub(super) fn check(proof: Option<&str>, output: Option<&str>) -> Result<(), Failure> {
+    refuse_theorem(proof)?;
+    check_place(proof, output)
+}
+
+/// Refuses a proof that would have no file of its own.
+pub(super) fn check_place(proof: Option<&str>, output: Option<&str>) -> Result<(), Failure> {
     let Some(file) = proof else { return Ok(()) };
     match output.unwrap_or("-") {
         "-" if file == "-" => Err(Failure::Usage(

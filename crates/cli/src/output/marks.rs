@@ -18,6 +18,10 @@ const MARKS: &[(&str, &str)] = &[
     ("Generators of ", "\nRegion: "),
     ("Linear program of ", ": m"),
     ("import Mathlib.Tactic\n\n-- Written by boundfit ", ""),
+    (
+        "(* What is proved: the last theorems of this file.",
+        "What is outside: that the rows are those of the data.\n",
+    ),
     ("LP answers about ", ", judged exactly\n"),
     ("verified: ", " is true of "),
     ("refuted: ", " is not true of "),

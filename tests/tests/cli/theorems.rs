@@ -1,0 +1,124 @@
+//! `--proof FILE.v`: which theorem is written, and who refuses one. Whether Coq accepts it is asked in the target `kernel`.
+
+use std::fs;
+use std::path::Path;
+
+use boundfit_tests::cli::{boundfit, boundfit_with_input, directory_with, files_in};
+use tempfile::TempDir;
+
+const DATA: &str = "x,y,e,lo,up,w\n1,2,1,1.5,2.5,0\n2,3.1,1/2,NA,3.5,1\n3,3.9,0.25,3,,2\n4,5,1,4,6,1\n";
+
+fn directory() -> TempDir {
+    directory_with(&[
+        ("a.csv", DATA.as_bytes()),
+        ("planes.csv", b"a1,a2,b\n-1,0,0\n0,-1,0\n2,3,6\n"),
+        ("points.ext", b"V-representation\nbegin\n2 3 rational\n1 1 0\n1 0 1\nend\n"),
+        ("mine.v", b"Definition one := 1.\n"),
+    ])
+}
+
+fn refused(directory: &Path, line: &str, message: &str) {
+    let before = files_in(directory);
+    let run = boundfit(directory, line);
+    assert!(matches!(run.status, 1 | 2) && run.stdout.is_empty(), "{line}: {run:?}");
+    assert!(run.stderr.starts_with(&format!("error: {message}\n")), "{line}: {}", run.stderr);
+    assert_eq!(files_in(directory), before, "{line}");
+}
+
+#[test]
+fn the_theorem_is_about_what_was_asked() {
+    const INSIDE: &str = "forall r, In r rows -> Qabs (y r - (fst p * x r + snd p)) <= eps r";
+    for (line, status, says) in [
+        (
+            "fit a.csv --x x --y y --eps 0.2",
+            0,
+            &[INSIDE, "Definition eps (r : row) : Q := (1 # 5).", "<-> hull vertices p)"][..],
+        ),
+        ("fit a.csv --x x --y y --eps-column e", 0, &[INSIDE, "Definition eps (r : row) : Q := number 2 r."]),
+        (
+            "fit a.csv --x x --y y --eps 0",
+            3,
+            &[INSIDE, "Theorem nothing_is_feasible : forall p, ~ feasible p."],
+        ),
+        ("fit a.csv --x x,w --y y --eps 3", 0, &["Qabs (y r - (fst p * x r + snd p * u r)) <= eps r"]),
+        (
+            "fit a.csv --x x --lower lo --upper up",
+            0,
+            &["at_least (least r) (fst p * x r + snd p) /\\ at_most (fst p * x r + snd p) (most r)"],
+        ),
+        (
+            "fit a.csv --x x --y y --eps 1 --where theta2>=0",
+            0,
+            &["(forall c, In c conditions -> keeps c p)", "\"0,-1,,0\n"],
+        ),
+        (
+            "fit a.csv --x x --y y --eps 1 --rows 4",
+            0,
+            &["<-> hull_and_cone vertices rays p)", "Rows of the data: 4."],
+        ),
+        ("polygon planes.csv", 0, &["fst p * a r + snd p * b r <= c r", "<-> hull vertices p)"]),
+    ] {
+        let directory = directory();
+        let alone = boundfit(directory.path(), line);
+        for library in ["", " --proof-library"] {
+            let run = boundfit(directory.path(), &format!("{line} --proof answer.v{library}"));
+            assert_eq!((run.status, &run.stdout), (status, &alone.stdout), "{line}: {run:?}");
+            let text = fs::read_to_string(directory.path().join("answer.v")).unwrap();
+            for part in says {
+                assert!(text.contains(part), "{line}: {part}: {text}");
+            }
+            let needs = "From Boundfit Require Import Reader Checker Convex Sound Rationals RealNumbers.\n";
+            assert_eq!(text.contains(needs), !library.is_empty(), "{line}");
+            assert_eq!(text.contains("\nModule Sound.\n"), library.is_empty(), "{line}");
+            assert!(text.contains("\nPrint Assumptions "), "{line}");
+        }
+    }
+}
+
+#[test]
+fn readings_from_standard_input_have_a_theorem() {
+    let directory = directory();
+    let line = "fit - --x x --y y --eps 0.2 --proof answer.v";
+    assert_eq!(boundfit_with_input(directory.path(), line, DATA.as_bytes()).status, 0);
+    let piped = fs::read_to_string(directory.path().join("answer.v")).unwrap();
+    assert_eq!(boundfit(directory.path(), &line.replace(" - ", " a.csv ")).status, 0);
+    assert_eq!(fs::read_to_string(directory.path().join("answer.v")).unwrap(), piped);
+}
+
+#[test]
+fn other_answers_have_no_theorem() {
+    const NONE: &str = "'--proof a.v': there are theorems for Coq about the set of one fit and about polygons, and none about this \
+                        answer; a file that ends in .json gets the proof for 'boundfit verify'";
+    let directory = directory();
+    for command in ["status", "outliers", "range", "predict --at 1"] {
+        refused(directory.path(), &format!("{command} a.csv --x x --y y --eps 1 --proof a.v"), NONE);
+    }
+    refused(directory.path(), "linearity a.csv --x x --y y --proof a.v", NONE);
+    refused(directory.path(), "fit a.csv --x x --y y --eps 1 --x-eps 1 --proof a.v", NONE);
+    refused(
+        directory.path(),
+        "polygon planes.csv --proof a.json",
+        "the proof of a set of half-planes is a theorem for Coq: give '--proof' a file that ends in .v",
+    );
+    refused(
+        directory.path(),
+        "polygon points.ext --proof a.v",
+        "'--proof' is about half-planes, and points.ext has generators: write its half-planes with '--format ine', and prove that file",
+    );
+    refused(
+        directory.path(),
+        "fit a.csv --x x --y y --eps 1 --proof a.json --proof-library",
+        "'--proof-library' is about theorems for Coq: give '--proof' a file that ends in .v",
+    );
+    refused(
+        directory.path(),
+        "fit a.csv --x x --y y --eps 1 --proof mine.v",
+        "mine.v: not written: it is there and does not look as if boundfit wrote it (--force replaces it)",
+    );
+    assert_eq!(boundfit(directory.path(), "reduce a.csv --x x --y y -o r.csv").status, 0);
+    refused(
+        directory.path(),
+        "fit r.csv --x x --y y --eps 1 --proof a.v",
+        "a proof is about every reading, and this is a reduction: prove the answer about the table that it was made from",
+    );
+}
