@@ -19,8 +19,10 @@ from ._check import Judgement, check
 from ._fit import Central, Fit, Guarantee, Minimax
 from ._fitting import fit, fit_file
 from ._found import (
+    Best,
     Growth,
     LinearRange,
+    NextReading,
     Outliers,
     PossibleX,
     PredictedValue,
@@ -39,7 +41,8 @@ from ._polygon import Polygon, generators, polygon, polygon_file
 from ._proof import verify
 from ._questions import outliers, predict, status, windows
 
-# Not among the names of a star: there it would take the place of the builtin.
+# Not among the names of a star: there they would take the places of builtins.
+from ._questions import next as next
 from ._questions import range as range
 from ._reduce import reduce, reduce_file
 from ._boundfit import __version__
@@ -47,6 +50,7 @@ from ._x_errors import Factor, Side, XErrorFit
 
 __all__ = [
     "Answer",
+    "Best",
     "Central",
     "Characteristic",
     "Factor",
@@ -63,6 +67,7 @@ __all__ = [
     "LinearityLine",
     "LowerBound",
     "Minimax",
+    "NextReading",
     "Outliers",
     "Polygon",
     "PossibleX",

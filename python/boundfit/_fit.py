@@ -57,7 +57,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
     """All parameters that agree with all readings, with what follows from them. Every number is exact. Of an empty set
     :attr:`contradiction` says why it is.
 
-    The readings stay at hand for further questions: :meth:`status`, :meth:`predict`, :meth:`outliers`, :meth:`range` and
+    The readings stay at hand for further questions: :meth:`status`, :meth:`predict`, :meth:`next`, :meth:`outliers`, :meth:`range` and
     :meth:`windows`. Columns in memory are kept for that as they were, in the copy from which they were fitted. A fit can be pickled:
     its readings are, or the path of their file, and it is fitted again where it is read.
     """
@@ -284,7 +284,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
     ) -> bytes:
         """A figure as the bytes of a file: ``"svg"``, ``"png"``, ``"pdf"``, ``"tikz"`` (a picture for ``\\input`` in LaTeX) or
         ``"tex"`` (a document with that picture). Figures are ``"data"``, ``"eui"``, ``"pui"``, ``"fps"``, ``"corridor"``,
-        ``"directions"``, ``"status"``, ``"outliers"`` and ``"range"``.
+        ``"directions"``, ``"status"``, ``"outliers"``, ``"range"`` and ``"next"``.
 
         ``width`` is in millimetres, ``font_size`` in points, ``dpi`` of a PNG alone; ``real_text`` keeps the texts of an SVG. An
         empty title, or label of an axis, leaves it out. ``directions`` is about the figure of that name; with ``scaled`` they are spread

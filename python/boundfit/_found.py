@@ -11,7 +11,7 @@ from ._bounds import Interval, Intervals, Point, Term
 from ._columns import Reading
 
 if TYPE_CHECKING:
-    from .documents import LinearRangeDocument, OutliersDocument, PredictionDocument, StatusesDocument, WindowDocument
+    from .documents import LinearRangeDocument, NextReadingDocument, OutliersDocument, PredictionDocument, StatusesDocument, WindowDocument
 
 
 class RowStatus(NamedTuple):
@@ -267,6 +267,51 @@ class LinearRange(Answer["LinearRangeDocument"]):
         """The intervals of both parameters of the longest run."""
         own = self._document["longest_fit"]
         return None if own is None else intervals(own["pui"], self._reading)
+
+
+class Best(NamedTuple):
+    """The best x for a goal."""
+
+    goal: str
+    """``"theta1"`` or ``"theta2"``, the length of its interval, or ``"area"``."""
+    now: Fraction | None
+    """``None`` without end, or where the fraction is too long to be written."""
+    worst: Fraction | None
+    """After the worst outcome of a reading at the best x; as ``now``."""
+    at: list[Fraction]
+    """The best x; empty where the worst outcome leaves the goal as it is at every x of the range."""
+
+
+class NextReading(Answer["NextReadingDocument"]):
+    """Where the next reading certainly makes the set smaller, and which x of a range leaves the least at worst."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return f"<boundfit.NextReading: certain in {self.certain}>"
+
+    @property
+    def certain(self) -> list[Interval]:
+        """The open intervals of x where a reading certainly makes the set smaller; none of an empty set."""
+        return [interval(own, self._reading) for own in self._document["certain"] or ()]
+
+    @property
+    def within(self) -> tuple[Fraction, Fraction] | None:
+        """The range in which the best x is looked for; ``None`` where it is not known, or the set is empty."""
+        own = self._document["within"]
+        return None if own is None else (value(own["lower"]), value(own["upper"]))
+
+    @property
+    def is_certain_within(self) -> bool | None:
+        """``True`` if a reading certainly makes the set smaller somewhere in that range."""
+        return self._document["certain_within"]
+
+    @property
+    def best(self) -> list[Best]:
+        """The best x for each goal."""
+        return [
+            Best(own["goal"], number(own["now"]), number(own["worst"]), [value(x) for x in own["at"]]) for own in self._document["goals"]
+        ]
 
 
 class WindowFit(NamedTuple):

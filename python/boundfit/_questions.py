@@ -9,7 +9,7 @@ from . import _boundfit, _found
 from ._asking import How, ask, exact, readings
 from ._cells import cells
 from ._columns import Column, Number, fraction, is_number, regressors
-from ._found import LinearRange, Outliers, Prediction, Statuses, WindowFit
+from ._found import LinearRange, NextReading, Outliers, Prediction, Statuses, WindowFit
 
 
 class Asked:
@@ -87,6 +87,23 @@ class Asked:
     def range(self, *, by: Literal["x", "row"] | None = None) -> LinearRange:
         """Every run of readings, in order of x or of rows, that some parameters agree with: where a sensor is linear."""
         return LinearRange(ask(self._readings, "range", by=by), self._readings.reading)
+
+    def next(
+        self,
+        within: tuple[Number, Number] | None = None,
+        *,
+        goal: Literal["theta1", "theta2", "area"] | None = None,
+        new_eps: Number | None = None,
+    ) -> NextReading:
+        """Where the next reading of a line certainly makes the set smaller, whatever it shows, and which x ``within`` a range leaves
+        the shortest interval of θ1, the shortest one of θ2 and the smallest area, or the ``goal`` of these, at worst.
+
+        ``within`` is the range of the readings unless it is given. ``new_eps`` bounds the error of the next reading, where it is not
+        that of the fitted ones.
+        """
+        reading = self._readings.reading
+        ends = None if within is None else [exact(end, reading) for end in within]
+        return NextReading(ask(self._readings, "next", within=ends, goal=goal, new_eps=exact(new_eps, reading)), reading)
 
     def windows(self, window: int | None = None, *, window_x: Number | None = None, step: int = 1) -> list[WindowFit]:
         """The fits of the last ``window`` readings in order of rows, or of those whose x is at most ``window_x`` less than the
@@ -214,7 +231,29 @@ def windows(
     return Asked(readings(x, y, eps, **how)).windows(window, window_x=window_x, step=step)
 
 
-# The last of this module, which takes the name of the builtin.
+# The last of this module, which take the names of builtins.
+def next(
+    x: Column,
+    y: Column | None = None,
+    eps: Number | Column | None = None,
+    *,
+    within: tuple[Number, Number] | None = None,
+    goal: Literal["theta1", "theta2", "area"] | None = None,
+    new_eps: Number | None = None,
+    **how: Unpack[How],
+) -> NextReading:
+    """Where to take the next reading: :meth:`boundfit.Fit.next` of columns, which are as in :func:`boundfit.fit`.
+
+    >>> import boundfit
+    >>> found = boundfit.next([0, 2], [0, 2], "1/2", within=(0, 4), goal="theta1")
+    >>> found.certain
+    [Interval(lower=None, upper=UpperBound(0, 1)), Interval(lower=LowerBound(2, 1), upper=None)]
+    >>> found.best[0].at, found.best[0].worst
+    ([Fraction(4, 1)], Fraction(1, 2))
+    """
+    return Asked(readings(x, y, eps, **how)).next(within, goal=goal, new_eps=new_eps)
+
+
 def range(
     x: Column | tuple[Column, Column],
     y: Column | None = None,

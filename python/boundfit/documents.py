@@ -178,6 +178,29 @@ PredictionDocument = TypedDict(
 """The values of all feasible lines at given x, and the x that given readings may come from."""
 
 
+class NextReadingDocument(TypedDict):
+    """The x where one more reading certainly makes the feasible set smaller, and the best x of a range."""
+
+    schema: Literal["boundfit/next/1"]
+    """The name and number of this schema."""
+    input: Input
+    """The question."""
+    fps: FeasibleSet
+    """The feasible parameter set."""
+    new_reading: NewReading
+    """The error of the next reading."""
+    certain: list[ExactRange] | None
+    """The open intervals of x, ascending, where a reading certainly makes the set smaller. Decimals and doubles are rounded inward. Null where the set is empty."""
+    within: SearchRange | None
+    """The range in which the best x is looked for; null where the set is empty or the x of the readings are not known."""
+    certain_within: bool | None
+    """True if a reading certainly makes the set smaller somewhere in `within`; null where `within` is."""
+    goals: list[Goal]
+    """The best x of the range for each goal; empty where `within` is null."""
+    reasons: dict[str, str]
+    """The reason for each part that is null and for each goal that is left out."""
+
+
 class OutliersDocument(TypedDict):
     """The fewest readings to exclude so that a feasible parameter is left, and all ways to do so."""
 
@@ -1243,6 +1266,30 @@ class SourceEndRange(TypedDict):
     """The lower end; a number is rounded down. Null where nothing bounds from below."""
     upper: SourceEnd | None
     """The upper end; a number is rounded up. Null where nothing bounds from above."""
+
+
+class Goal(TypedDict):
+    """The best x for a goal."""
+
+    goal: Literal["theta1", "theta2", "area"]
+    """The goal: the length of a parameter's interval, or the area of the set."""
+    now: Exact | None
+    """The value of the goal before the reading, rounded up; null where it has no bound."""
+    worst: Exact | None
+    """The largest value after a reading at the best x, rounded up; null where it has no bound."""
+    at: list[Exact]
+    """The best x, exact, ascending; empty where the worst outcome leaves the goal as it is at every x of the range."""
+
+
+class SearchRange(TypedDict):
+    """A range of x, both ends included."""
+
+    lower: Exact
+    """The lower end, exact."""
+    upper: Exact
+    """The upper end, exact."""
+    given: bool
+    """True if the range was given; otherwise it is that of the readings."""
 
 
 class Growth(TypedDict):

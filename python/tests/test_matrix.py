@@ -23,6 +23,7 @@ FUNCTIONS = {
     "fit-x-errors": boundfit.fit_file,
     "fleet": boundfit.fit_groups,
     "linearity": boundfit.linearity_file,
+    "next": boundfit.next,
     "outliers": boundfit.outliers,
     "predict": boundfit.predict,
     "range": boundfit.range,

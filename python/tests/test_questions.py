@@ -46,6 +46,8 @@ QUESTIONS: dict[str, tuple[Callable[[boundfit.Fit], boundfit.Answer], list[str]]
     "outliers": (lambda fit: fit.outliers(), ["outliers"]),
     "range": (lambda fit: fit.range(), ["range"]),
     "range by row": (lambda fit: fit.range(by="row"), ["range", "--by-row"]),
+    "next": (lambda fit: fit.next((-10, "21/2"), new_eps="0.1"), ["next", "--within", "-10..21/2", "--new-eps", "0.1"]),
+    "next slope": (lambda fit: fit.next(goal="theta1", new_eps="1/7"), ["next", "--goal", "theta1", "--new-eps", "1/7"]),
 }
 
 
@@ -110,6 +112,7 @@ def test_functions_are_methods_of_fits() -> None:
     assert boundfit.predict(x, y, "0.5e-3", at=[1, 2], **how).to_json() == fit.predict([1, 2]).to_json()
     assert boundfit.outliers(x, y, "0.5e-3", most=1, **how).to_json() == fit.outliers(most=1).to_json()
     assert boundfit.range(x, y, "0.5e-3", by="row", **how).to_json() == fit.range(by="row").to_json()
+    assert boundfit.next(x, y, "0.5e-3", within=(0, 9), goal="area", **how).to_json() == fit.next((0, 9), goal="area").to_json()
     assert boundfit.windows(x, y, "0.5e-3", window=5, **how) == fit.windows(5)
 
 

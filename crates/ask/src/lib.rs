@@ -9,6 +9,7 @@
 //! | `fit` | every parameter pair that agrees with all readings |
 //! | `fleet` | the fit of each group of readings |
 //! | `linearity` | how far a sensor is from a straight line |
+//! | `next` | where the next reading certainly helps |
 //! | `outliers` | the fewest readings to leave out |
 //! | `predict` | where the line runs, and where further readings lie |
 //! | `range` | every run of readings that some parameters agree with |
@@ -45,6 +46,7 @@ mod form;
 mod given;
 mod linearity;
 mod misuse;
+mod next;
 mod outliers;
 mod predict;
 mod question;
@@ -64,6 +66,7 @@ pub use form::{Form, Paper, Shows, Written};
 pub use given::Given;
 pub use linearity::{Calibrated, Linearity, Through};
 pub use misuse::{Misuse, NoProof};
+pub use next::Next;
 pub use outliers::Outliers;
 pub use predict::{Predict, Predicted};
 pub use question::{Ask, Out};

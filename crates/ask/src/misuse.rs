@@ -60,6 +60,8 @@ misuses! {
     /// Two regressors have no single x that goes in steps.
     GridOfTwoRegressors:
         "{grid} is about a line: with two regressors there is no single x (ask {at} for pairs)",
+    /// Two regressors have no single x at which the next reading is taken.
+    NextOfTwoRegressors: "'next' is about a line: with two regressors there is no single x",
     /// Values of two kinds are no single table.
     TwoTables: "csv writes one table: ask {at} or {grid}, and {from}, in calls of their own",
     /// Further readings have bounds of their own, and a law takes its bound from a whole table.

@@ -43,6 +43,8 @@ pub enum Refusal {
     Readings(String),
     /// Nothing is known of the error of a reading, of which it is asked where it comes from: why.
     FurtherError(NoFurtherError),
+    /// Nothing bounds the error of the next reading, which the question is about: why.
+    NextError(String),
     /// Outliers are not found.
     Outliers {
         /// Why.
@@ -114,6 +116,7 @@ impl Refusal {
             | Refusal::Reduction { .. }
             | Refusal::Form { .. }
             | Refusal::FurtherError(_)
+            | Refusal::NextError(_)
             | Refusal::NoProof(_) => true,
             _ => false,
         }
@@ -164,6 +167,10 @@ impl Refusal {
             Refusal::FurtherError(reason) => format!(
                 "{} needs the error bound of the reading, and {reason}: say it with {}",
                 surface.key("from"),
+                surface.key("new_eps")
+            ),
+            Refusal::NextError(reason) => format!(
+                "the error bound of the next reading is needed, and {reason}: say it with {}",
                 surface.key("new_eps")
             ),
             Refusal::Outliers { why, steps } => of_outliers(why, *steps, surface),

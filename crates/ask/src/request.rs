@@ -10,6 +10,7 @@ use crate::fit::Fit;
 use crate::fleet::Fleet;
 use crate::form::{Form, Paper, Written};
 use crate::linearity::Linearity;
+use crate::next::Next;
 use crate::outliers::Outliers;
 use crate::predict::Predict;
 use crate::question::Ask;
@@ -99,7 +100,7 @@ macro_rules! questions {
     };
 }
 
-questions!(Fit, FitXErrors, Fleet, Linearity, Outliers, Predict, Range, Status, Window);
+questions!(Fit, FitXErrors, Fleet, Linearity, Next, Outliers, Predict, Range, Status, Window);
 
 impl Request {
     /// Reads a request as JSON says it.

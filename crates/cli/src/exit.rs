@@ -95,6 +95,8 @@ impl Surface for Options {
             "at" => "X,...|FILE:COL",
             "from" => "Y,...|FILE:COL",
             "grid" => "FROM..TO/N",
+            "within" => "LO..HI",
+            "goal" => "GOAL",
             _ => "NUM",
         };
         value(&format!("--{} <{placeholder}>", key.replace('_', "-")), text)

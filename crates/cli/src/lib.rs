@@ -40,6 +40,7 @@ pub fn main() -> ExitCode {
     let result = match arguments.command {
         Command::Fit(arguments) => commands::fit::run(&arguments),
         Command::Predict(arguments) => commands::predict::run(&arguments),
+        Command::Next(arguments) => commands::next::run(&arguments),
         Command::Linearity(arguments) => commands::linearity::run(&arguments),
         Command::Check(arguments) => commands::check::run(&arguments),
         Command::Verify(arguments) => commands::verify::run(&arguments),

@@ -217,6 +217,14 @@ impl Measurements {
         range_of_y(self.kept())
     }
 
+    /// The least and the largest x of the readings of a line, as it is counted; `None` where there are no readings, or those in
+    /// memory need not have them: of a line under one error bound the hulls have both. Exact.
+    pub fn range_of_x(&self) -> Option<[Rational; 2]> {
+        let x = || self.kept().iter().map(|reading| &reading.regressor[0]);
+        let is_known = self.every().is_some() || (self.are_open() && self.has_hulls());
+        Some([x().min()?.clone(), x().max()?.clone()]).filter(|_| is_known)
+    }
+
     /// Returns whether a reading in memory has two bounds, whose distance a factor may multiply.
     pub fn has_widths(&self) -> bool {
         match &self.readings {

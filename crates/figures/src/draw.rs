@@ -13,7 +13,7 @@ use crate::picture::Picture;
 use crate::render::Look;
 use crate::series::{Compared, Series};
 use crate::text::one_line;
-use crate::{data_plane, groups, parameter_plane, render, status};
+use crate::{data_plane, groups, next, parameter_plane, render, status};
 
 /// Draws a figure of a fit. Cost: linear in the readings; [`Figure::Directions`] solves a linear program per direction, and
 /// [`Figure::Status`] and [`Figure::Range`] take O(N log N). [`Figure::Outliers`] looks for them first: where that has no answer or
@@ -34,6 +34,7 @@ pub fn draw(
         Figure::Fps => parameter_plane::fps(problem, fit, options),
         Figure::Directions => parameter_plane::directions(problem, fit, options),
         Figure::Range => data_plane::runs(problem, options),
+        Figure::Next => next::drawing(problem, fit, options),
         Figure::Status => status::drawing(problem, fit, options),
         Figure::Outliers => match Outliers::new(problem, &OutlierLimits::default()) {
             Ok(outliers) => parameter_plane::outliers(problem, &outliers, options),

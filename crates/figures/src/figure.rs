@@ -23,6 +23,8 @@ pub enum Figure {
     Outliers,
     /// The readings with the line of the longest run that fits, and a bar for every run.
     Range,
+    /// The distance of the feasible lines over x, and where a further reading certainly makes the set smaller.
+    Next,
 }
 
 impl Figure {
@@ -30,7 +32,7 @@ impl Figure {
     pub const OF_FIT: [Figure; 6] =
         [Figure::Data, Figure::Eui, Figure::Pui, Figure::Fps, Figure::Corridor, Figure::Directions];
     /// All figures: those of every fit, and those that answer a question of their own.
-    pub const ALL: [Figure; 9] = [
+    pub const ALL: [Figure; 10] = [
         Figure::Data,
         Figure::Eui,
         Figure::Pui,
@@ -40,6 +42,7 @@ impl Figure {
         Figure::Status,
         Figure::Outliers,
         Figure::Range,
+        Figure::Next,
     ];
 
     /// A short name, fit for a file: `data`, `eui` and so on.
@@ -54,6 +57,7 @@ impl Figure {
             Figure::Status => "status",
             Figure::Outliers => "outliers",
             Figure::Range => "range",
+            Figure::Next => "next",
         }
     }
 
@@ -69,6 +73,7 @@ impl Figure {
             Figure::Status => "Statuses: residual and leverage of each reading against the others",
             Figure::Outliers => "What is left without the fewest readings that have to be left out",
             Figure::Range => "Linear range: the line of the longest run that fits, and all runs",
+            Figure::Next => "Where a further reading certainly makes the set smaller",
         }
     }
 }

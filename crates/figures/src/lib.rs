@@ -36,6 +36,7 @@ mod figure;
 mod groups;
 mod labels;
 mod linearity;
+mod next;
 #[cfg_attr(not(feature = "outlines"), path = "no_outlines.rs")]
 mod outlines;
 mod page;

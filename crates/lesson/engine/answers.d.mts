@@ -165,6 +165,28 @@ export interface PredictionDocument {
   reasons: Record<string, string>;
 }
 
+/** The x where one more reading certainly makes the feasible set smaller, and the best x of a range. */
+export interface NextReadingDocument {
+  /** The name and number of this schema. */
+  schema: "boundfit/next/1";
+  /** The question. */
+  input: Input;
+  /** The feasible parameter set. */
+  fps: FeasibleSet;
+  /** The error of the next reading. */
+  new_reading: NewReading;
+  /** The open intervals of x, ascending, where a reading certainly makes the set smaller. Decimals and doubles are rounded inward. Null where the set is empty. */
+  certain: ExactRange[] | null;
+  /** The range in which the best x is looked for; null where the set is empty or the x of the readings are not known. */
+  within: SearchRange | null;
+  /** True if a reading certainly makes the set smaller somewhere in `within`; null where `within` is. */
+  certain_within: boolean | null;
+  /** The best x of the range for each goal; empty where `within` is null. */
+  goals: Goal[];
+  /** The reason for each part that is null and for each goal that is left out. */
+  reasons: Record<string, string>;
+}
+
 /** The fewest readings to exclude so that a feasible parameter is left, and all ways to do so. */
 export interface OutliersDocument {
   /** The name and number of this schema. */
@@ -1157,6 +1179,28 @@ export interface SourceEndRange {
 
 /** An x, or both regressors. */
 export type Value = Exact | [Exact, Exact];
+
+/** The best x for a goal. */
+export interface Goal {
+  /** The goal: the length of a parameter's interval, or the area of the set. */
+  goal: "theta1" | "theta2" | "area";
+  /** The value of the goal before the reading, rounded up; null where it has no bound. */
+  now: Exact | null;
+  /** The largest value after a reading at the best x, rounded up; null where it has no bound. */
+  worst: Exact | null;
+  /** The best x, exact, ascending; empty where the worst outcome leaves the goal as it is at every x of the range. */
+  at: Exact[];
+}
+
+/** A range of x, both ends included. */
+export interface SearchRange {
+  /** The lower end, exact. */
+  lower: Exact;
+  /** The upper end, exact. */
+  upper: Exact;
+  /** True if the range was given; otherwise it is that of the readings. */
+  given: boolean;
+}
 
 /** The parameters that miss at most so many readings. */
 export interface Growth {

@@ -16,6 +16,7 @@
 
 mod guarantee;
 mod linearity;
+mod next;
 mod outliers;
 mod predict;
 mod range;
@@ -31,6 +32,7 @@ pub use linearity::{
 };
 #[cfg(feature = "files")]
 pub use linearity::{Calibration, CalibrationColumns, CalibrationError, CalibrationResponse};
+pub use next::{Best, Goal, Next, NextReading};
 pub use outliers::{Growth, NoOutliers, OutlierLimits, Outliers, Piece};
 pub use predict::{FurtherError, NoFurtherError, PossibleEnd, PossibleX, Predictor};
 pub use range::{LinearRange, Order, Run};

@@ -16,6 +16,8 @@ pub const STATUS: u64 = 6;
 pub const LINEARITY: u64 = 6;
 /// The runs that fit, or windows: every reading comes and goes, and what is left is asked for places between.
 pub const RANGE: u64 = 8;
+/// A fit, and the sums over the corners of the set at three x.
+pub const NEXT: u64 = 4;
 /// Sets left without some readings; looking at all [crossings](CROSSINGS) of bounds comes on top.
 const OUTLIERS: u64 = 8;
 /// How much more than a fit of all readings but one takes it is to look at all crossings of the bounds of a reading, which are put

@@ -51,6 +51,7 @@ mod judge;
 #[cfg(feature = "files")]
 mod kernel;
 mod linearity;
+mod next_reading;
 mod number;
 mod origin;
 mod outliers;
@@ -107,6 +108,7 @@ pub use kernel::{THEORY, Theory, kernel_fit, kernel_half_planes};
 pub use linearity::{linearity_csv, linearity_document, linearity_json};
 #[cfg(feature = "files")]
 pub use linearity::{linearity_proof, linearity_question};
+pub use next_reading::{NextReadingReport, next_reading_csv, next_reading_document, next_reading_json};
 pub use number::{Number, Reader};
 pub use origin::Origin;
 #[cfg(feature = "files")]

@@ -30,18 +30,24 @@ pub(super) fn asked_of_table(rng: &mut ChaCha8Rng, file: &str, fit: &[String]) -
         2 => {
             ("outliers", words(one_of(rng, &["", "--most 1", "--most 5", "--most 100", "--most 4000000000"])))
         }
-        3 => ("range", words(one_of(rng, &["", "--by-row", "--by-x"]))),
+        3 => {
+            match one_of(rng, &["", "--by-row", "--by-x", "--within -3..9", "--within 0..1/3 --new-eps 1e-9"])
+            {
+                own if own.starts_with("--within") => ("next", words(own)),
+                own => ("range", words(own)),
+            }
+        }
         4 => ("fit", window(rng)),
         5 => ("fit", x_errors(rng)),
         _ => {
-            let figure = one_of(rng, &["status", "outliers", "range"]);
+            let figure = one_of(rng, &["status", "outliers", "range", "next"]);
             let line = words(&format!("plot {file} --figure {figure} -o a.svg"));
             return vec![[line, fit.to_vec()].concat()];
         }
     };
     let format = words(one_of(rng, &["", "--format json", "--format csv", "--digits 1000"]));
     let line = [words(command), vec![file.to_owned()], fit.to_vec(), options, format].concat();
-    if line.iter().any(|word| word.starts_with("--window")) {
+    if command == "next" || line.iter().any(|word| word.starts_with("--window")) {
         return vec![line];
     }
     with_proof(rng, line, file)

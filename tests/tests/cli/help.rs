@@ -3,10 +3,11 @@
 use boundfit_tests::cli::printed;
 use boundfit_tests::program::root;
 
-const COMMANDS: [&str; 17] = [
+const COMMANDS: [&str; 18] = [
     "fit",
     "status",
     "predict",
+    "next",
     "linearity",
     "range",
     "outliers",

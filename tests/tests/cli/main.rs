@@ -26,6 +26,7 @@ mod long_sums;
 mod matrix;
 mod names;
 mod nested;
+mod next;
 mod outliers;
 mod output;
 mod packed;

@@ -255,7 +255,7 @@ fn pictures_of_many_boxes_are_thinned_out() {
 #[test]
 fn pictures_that_there_are_not_with_errors_in_x_are_refused() {
     let own = "--x U --y I --eps 2 --x-eps 0.2";
-    for figure in ["eui", "pui", "corridor", "directions", "status", "outliers", "range", "all"] {
+    for figure in ["eui", "pui", "corridor", "directions", "status", "outliers", "range", "next", "all"] {
         let run = plot(CURRENT, &format!("{own} --figure {figure}"));
         let expected = format!(
             "error: '--figure {figure}' is about readings whose x is exact: with errors in x ('--x-eps') draw 'data' or 'fps'"

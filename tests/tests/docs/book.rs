@@ -64,7 +64,9 @@ fn both_lists_of_contents_name_every_page() {
 
 #[test]
 fn the_figures_in_the_book_are_those_that_plot_draws() {
-    for name in ["transducer-fps.svg", "transducer-corridor.svg", "transducer-range.svg"] {
+    for name in
+        ["transducer-fps.svg", "transducer-corridor.svg", "transducer-range.svg", "transducer-next.svg"]
+    {
         let golden = fs::read(root().join("fixtures/figures").join(name)).unwrap();
         assert!(
             fs::read(root().join("docs/pictures").join(name)).unwrap() == golden,

@@ -16,6 +16,7 @@ mod library;
 mod line_forms;
 mod linearity;
 mod mending;
+mod next;
 mod oracle;
 mod outliers;
 mod paths;

@@ -24,7 +24,7 @@ fn commands() -> Vec<String> {
     let transducer = "plot fixtures/transducer/transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3";
     let small = "plot fixtures/figures";
     let mut all: Vec<String> =
-        ["data", "eui", "pui", "fps", "corridor", "directions", "status", "range", "outliers"]
+        ["data", "eui", "pui", "fps", "corridor", "directions", "status", "range", "next", "outliers"]
             .map(|figure| format!("{transducer} --figure {figure}"))
             .to_vec();
     all.extend(

@@ -22,6 +22,8 @@ fn transducer() {
     check("transducer/range.txt", &range, 0);
     check("transducer/range.csv", &[&range[..], &["--format", "csv"]].concat(), 0);
     check("transducer/range.json", &[&range[..], &["--format", "json"]].concat(), 0);
+    let next = [&["next"][..], &fit[1..], &["--within", "-20..20", "--format", "json"]].concat();
+    check("transducer/next.json", &next, 0);
     check("transducer/fit-exact.txt", &[&fit[..], &["--exact", "--full"]].concat(), 0);
     check("transducer/fit-sweep.txt", &[&fit[..], &["--sweep", "0.5..2"]].concat(), 0);
 }

@@ -9,6 +9,7 @@ mod lesson;
 mod limits;
 mod linearity;
 mod look;
+mod next;
 mod notes;
 mod outliers;
 mod playground;
@@ -41,6 +42,7 @@ pub(crate) use lesson::LessonArguments;
 pub(crate) use limits::LimitArguments;
 pub(crate) use linearity::LinearityArguments;
 pub(crate) use look::{PictureArguments, refuse_without_picture};
+pub(crate) use next::NextArguments;
 pub(crate) use notes::Notes;
 pub(crate) use outliers::OutliersArguments;
 pub(crate) use playground::PlaygroundArguments;
@@ -76,6 +78,7 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     Fit(FitArguments),
     Predict(PredictArguments),
+    Next(NextArguments),
     Linearity(LinearityArguments),
     Range(RangeArguments),
     Status(StatusArguments),
@@ -122,6 +125,7 @@ pub(crate) fn notes(command: &str) -> Option<&'static Notes> {
     Some(match command {
         "fit" => &fit::NOTES,
         "predict" => &predict::NOTES,
+        "next" => &next::NOTES,
         "linearity" => &linearity::NOTES,
         "range" => &range::NOTES,
         "status" => &status::NOTES,

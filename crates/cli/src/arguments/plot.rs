@@ -65,7 +65,8 @@ pub(super) const NOTES: Notes = Notes {
 /// of the PUI box). Figures of the parameter plane: fps (the feasible parameter set with its boxes and estimates),
 /// directions (the hull of the optimal points of linear programs and the polygon of their supporting half-planes,
 /// beside the set), outliers (the sets that remain without the fewest outliers). status shows each reading against the
-/// set of the others, its residual across and its leverage up. With errors in x (--x-eps) only two figures exist: data
+/// set of the others, its residual across and its leverage up. next shows the distance of the feasible lines over x, and
+/// where one more reading certainly makes the set smaller. With errors in x (--x-eps) only two figures exist: data
 /// with boxes and the steepest and the shallowest line, and fps with one set for each sign of the slope.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
@@ -144,7 +145,7 @@ impl Figures {
         let one =
             |figure: Figure| (PossibleValue::new(figure.name()).help(figure.title()), Figures::One(figure));
         let all = (
-            PossibleValue::new(ALL).help("Each of the figures of a fit, without status and range"),
+            PossibleValue::new(ALL).help("Each of the figures of a fit, without status, range and next"),
             Figures::All,
         );
         Figure::ALL.into_iter().map(one).chain([all])

@@ -37,6 +37,8 @@ const GROUPS: [Group; 3] = [
             ("at", "Predict y at these x"),
             ("from", "Predict x from these y"),
             ("grid", "Predict y at N steps between two x"),
+            ("within", "Best x in this range, such as -10..10"),
+            ("goal", "Make theta1, theta2 or area small"),
             ("new", "File of readings to judge by the set"),
             ("repair", "Report what would mend each reading"),
             ("by-row", "Runs in the order of rows"),
@@ -74,9 +76,10 @@ const WORDS: [(&str, &str); 2] =
     [("data", "A table, or - for standard input"), ("more", "Further tables, drawn beside it")];
 
 /// A line about each command. A command without one is described as in `--help`.
-const COMMANDS: [(&str, &str); 17] = [
+const COMMANDS: [(&str, &str); 18] = [
     ("fit", "Compute all lines that agree with every reading"),
     ("predict", "Predict y at an x, or x from a reading"),
+    ("next", "Find where one more reading certainly helps"),
     ("linearity", "Compute how far a sensor is from a straight line"),
     ("range", "Find the runs of readings that a line agrees with"),
     ("status", "Judge each reading by the others"),

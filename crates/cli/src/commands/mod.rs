@@ -10,6 +10,7 @@ pub(crate) mod judge;
 pub(crate) mod lesson;
 pub(crate) mod linearity;
 pub(crate) mod man;
+pub(crate) mod next;
 pub(crate) mod outliers;
 mod pictures;
 pub(crate) mod playground;

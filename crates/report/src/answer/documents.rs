@@ -10,6 +10,7 @@ use crate::answer::check::CheckJson;
 use crate::answer::fit::FitJson;
 use crate::answer::judge::JudgeJson;
 use crate::answer::linearity::LinearityJson;
+use crate::answer::next_reading::NextReadingJson;
 use crate::answer::outliers::OutliersJson;
 use crate::answer::parts::EndJson;
 #[cfg(feature = "files")]
@@ -60,6 +61,7 @@ pub fn documents() -> Vec<DocumentSchema> {
         DocumentSchema::of::<WindowJson<'_>>(WindowJson::SCHEMA, "fit of windows, a line for each"),
         DocumentSchema::of::<StatusesJson>(StatusesJson::SCHEMA, "status"),
         DocumentSchema::of::<PredictionJson>(PredictionJson::SCHEMA, "predict"),
+        DocumentSchema::of::<NextReadingJson>(NextReadingJson::SCHEMA, "next"),
         DocumentSchema::of::<OutliersJson>(OutliersJson::SCHEMA, "outliers"),
         DocumentSchema::of::<LinearRangeJson>(LinearRangeJson::SCHEMA, "range"),
         DocumentSchema::of::<LinearityJson>(LinearityJson::SCHEMA, "linearity"),

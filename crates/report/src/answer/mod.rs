@@ -14,6 +14,7 @@ pub(crate) mod fit;
 pub(crate) mod input;
 pub(crate) mod judge;
 pub(crate) mod linearity;
+pub(crate) mod next_reading;
 pub(crate) mod outliers;
 pub(crate) mod parts;
 #[cfg(feature = "files")]
@@ -38,6 +39,7 @@ pub use fit::*;
 pub use input::*;
 pub use judge::*;
 pub use linearity::*;
+pub use next_reading::*;
 pub use outliers::*;
 pub use parts::*;
 #[cfg(feature = "files")]
@@ -72,6 +74,7 @@ schemas! {
     OutliersJson => "boundfit/outliers/1"
     StatusesJson => "boundfit/status/1"
     PredictionJson => "boundfit/predict/1"
+    NextReadingJson => "boundfit/next/1"
     LinearityJson => "boundfit/linearity/1"
     #[cfg(feature = "files")] PolygonJson => "boundfit/polygon/2"
     CheckJson<'_> => "boundfit/check/2"

@@ -128,14 +128,13 @@ pub fn prediction_document(prediction: &Prediction, has_proofs: bool, style: &St
 
 /// The known bound on the error of a further reading.
 fn further(prediction: &Prediction, style: &Style) -> Text {
-    let bounded = Text::new().mark("|").symbol(Symbol::Error).mark("|").operator(Operator::AtMost);
     let law = prediction.given.as_ref().or_else(|| prediction.problem.measurements.law());
     let what = match (&prediction.error, law) {
         (Err(reason), _) => return Text::from(format!("not predicted: {reason}")),
         (Ok(error), law) => match (error.uniform(), law) {
-            (Some(epsilon), _) => bounded.then(given(epsilon, prediction, style)),
+            (Some(epsilon), _) => known_error(epsilon, prediction.problem, prediction.given.is_some(), style),
             (None, Some(law)) if law.is_asymmetric() => Text::from("y ").given(law.text()),
-            (None, Some(law)) => bounded.given(law.text()),
+            (None, Some(law)) => bounded().given(law.text()),
             (None, None) => Text::new(),
         },
     };
@@ -143,11 +142,15 @@ fn further(prediction: &Prediction, style: &Style) -> Text {
     Text::from("the error of a further reading: ").then(what).words(if given { ", as given" } else { "" })
 }
 
-/// The bound on the error of a further reading: nobody wrote a multiple of eps_min down.
-fn given(epsilon: &Rational, prediction: &Prediction, style: &Style) -> Text {
-    let is_written =
-        prediction.given.is_some() || prediction.problem.measurements.multiple_of_least().is_none();
-    if is_written { style.given(epsilon) } else { Text::new().number(style.upper(epsilon)) }
+/// `|e| <= `.
+fn bounded() -> Text {
+    Text::new().mark("|").symbol(Symbol::Error).mark("|").operator(Operator::AtMost)
+}
+
+/// The bound on the error of a further reading, given or that of the readings: nobody wrote a multiple of eps_min down.
+pub(crate) fn known_error(epsilon: &Rational, problem: &Problem, is_given: bool, style: &Style) -> Text {
+    let is_written = is_given || problem.measurements.multiple_of_least().is_none();
+    bounded().then(if is_written { style.given(epsilon) } else { Text::new().number(style.upper(epsilon)) })
 }
 
 /// An x, or both regressors.

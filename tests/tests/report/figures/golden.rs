@@ -17,6 +17,12 @@ fn statuses_of_the_transducer() {
 }
 
 #[test]
+fn where_the_next_reading_of_the_transducer_helps() {
+    check("transducer-next", &format!("{TRANSDUCER} --figure next"), 0);
+    check("kind-strip-next", &of_kind("one-reading.csv --x x --y y --eps 0.1 --figure next"), 0);
+}
+
+#[test]
 fn the_six_figures_of_the_transducer() {
     for figure in ["data", "eui", "pui", "fps", "corridor", "directions"] {
         check(&format!("transducer-{figure}"), &format!("{TRANSDUCER} --figure {figure}"), 0);
