@@ -108,6 +108,7 @@ fn questions(case: &Case) -> Vec<String> {
         of("status ") + " --repair --format json",
         of("status ") + " --proof - -o /dev/null",
         of("predict ") + &format!(" {at} --format json"),
+        of("next ") + " --within -1..9 --new-eps 1 --format json",
         of("outliers ") + " --format json",
         of("outliers ") + " --proof - -o /dev/null",
         of("range ") + " --format json",
