@@ -24,6 +24,7 @@ const fn command(name: &'static str, is_there: &'static str, packages: &'static 
 
 pub(super) const LRS: Program = command("lrs", "command -v lrs", &["lrslib"]);
 pub(super) const CDD: Program = command("cddexec_gmp", "command -v cddexec_gmp", &["libcdd-tools"]);
+pub(super) const COQ: Program = command("coqc", "command -v coqc", &["coq"]);
 pub(super) const GLPK: Program = command("glpsol", "command -v glpsol", &["glpk-utils"]);
 pub(super) const CBC: Program = command("cbc", "command -v cbc", &["coinor-cbc"]);
 pub(super) const OCTAVE: Program = command("octave-cli", "command -v octave-cli", &["octave"]);

@@ -1,7 +1,8 @@
 //! The steps in their order. Programs are installed while the compiler works: steps that need one come after those that do not.
 
 use super::programs::{
-    CBC, CDD, CHROMIUM, CMAKE, CXX, GLPK, LATEX, LIBCLANG, LRS, NODE, OCTAVE, PYTHON, Program, TIKZ, VENV,
+    CBC, CDD, CHROMIUM, CMAKE, COQ, CXX, GLPK, LATEX, LIBCLANG, LRS, NODE, OCTAVE, PYTHON, Program, TIKZ,
+    VENV,
 };
 
 /// A step of continuous integration.
@@ -43,7 +44,7 @@ cargo fmt --manifest-path wasm/Cargo.toml --all --check",
         // Targets that `cargo test` leaves out, and what only features bring, are named.
         script: "\
 cargo clippy --workspace --all-targets --locked -- -D warnings
-cargo clippy --workspace --test external --benches --features tests/arrow,tests/benches \\
+cargo clippy --workspace --test external --test kernel --benches --features tests/arrow,tests/benches \\
   --locked -- -D warnings",
         ..PLAIN
     },
@@ -178,6 +179,14 @@ mdbook build docs",
         changes: "exporters, readers of solutions, answers",
         needs: &[LRS, CDD, GLPK, CBC, OCTAVE, LATEX, TIKZ, PYTHON, VENV],
         script: "cargo test --workspace --locked --test external",
+        ..PLAIN
+    },
+    Step {
+        name: "kernel",
+        holds: "Coq's kernel accepts theorems about answers, and what it accepts is true",
+        changes: "crate report (kernel), exporters of theorems",
+        needs: &[COQ],
+        script: "cargo test --workspace --locked --test kernel -- --nocapture",
         ..PLAIN
     },
     Step {

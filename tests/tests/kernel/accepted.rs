@@ -1,0 +1,111 @@
+//! Theorems about fixtures, every kind of set and generated problems.
+
+use std::collections::BTreeMap;
+
+use boundfit_estimation::{Fit, Problem, fit};
+use boundfit_geometry::Polyhedron;
+use boundfit_report::{Theory, kernel_fit, kernel_half_planes};
+use boundfit_tests::generate::{rational_system, seeded, system, tangents};
+use boundfit_tests::proofs::{bounded, generated, questions};
+
+use crate::coq::{compiled, modules, run, theory};
+
+/// Theorems in a run of `coqc`.
+const BATCH: usize = 60;
+
+fn all_are_accepted(name: &str, theorems: &[String]) {
+    for (batch, texts) in theorems.chunks(BATCH).enumerate() {
+        let output = compiled(&format!("{name}{batch}"), &modules(texts));
+        assert!(output.is_ok(), "{name}, batch {batch}: {output:?}");
+    }
+}
+
+fn theorem(problem: &Problem, kinds: &mut BTreeMap<&'static str, usize>) -> String {
+    let fit = fit(problem);
+    *kinds.entry(fit.fps.polyhedron().region().kind().name()).or_default() += 1;
+    kernel_fit(problem, &fit, Theory::Installed).unwrap()
+}
+
+#[test]
+fn fixtures_laws_intervals_conditions_and_every_kind_are_theorems() {
+    let mut kinds = BTreeMap::new();
+    let problems = questions().into_iter().chain(bounded()).map(|question| question.problem().unwrap());
+    let theorems: Vec<String> = problems.map(|problem| theorem(&problem, &mut kinds)).collect();
+    assert_eq!(kinds.len(), 10, "{kinds:?}");
+    all_are_accepted("fixtures", &theorems);
+}
+
+#[test]
+fn generated_fits_are_theorems() {
+    let mut rng = seeded(3101);
+    let mut kinds = BTreeMap::new();
+    let mut theorems = Vec::new();
+    while theorems.len() < 150 {
+        let question = generated(&mut rng);
+        if let Ok(problem) = question.problem() {
+            theorems.push(theorem(&problem, &mut kinds));
+        }
+    }
+    assert!(kinds.len() >= 8, "{kinds:?}");
+    all_are_accepted("fits", &theorems);
+}
+
+#[test]
+fn generated_half_planes_are_theorems() {
+    let mut rng = seeded(3102);
+    let mut kinds = BTreeMap::<_, usize>::new();
+    let mut theorems = Vec::new();
+    while theorems.len() < 200 {
+        let system = match theorems.len() % 8 {
+            0 => system(&tangents(&mut rng, 12)),
+            _ => rational_system(&mut rng),
+        };
+        let polyhedron = Polyhedron::intersect(system.clone());
+        *kinds.entry(polyhedron.region().kind().name()).or_default() += 1;
+        theorems.push(kernel_half_planes(&system, &polyhedron, None, Theory::Installed).unwrap());
+    }
+    assert_eq!(kinds.len(), 10, "{kinds:?}");
+    all_are_accepted("half_planes", &theorems);
+}
+
+/// A fit whose set is not empty.
+fn answered() -> (Problem, Fit) {
+    let problems = questions().into_iter().map(|question| question.problem().unwrap());
+    let mut fits = problems.map(|problem| {
+        let fit = fit(&problem);
+        (problem, fit)
+    });
+    fits.find(|(_, fit)| !fit.is_empty()).unwrap()
+}
+
+#[test]
+fn a_file_on_its_own_assumes_nothing_over_the_rational_numbers() {
+    let (problem, fit) = answered();
+    let text = kernel_fit(&problem, &fit, Theory::Included).unwrap() + "Print Assumptions the_real_set.\n";
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("answer.v"), &text).unwrap();
+    let output = run(directory.path(), "coqc", &["-q", "answer.v"]).unwrap();
+    println!("{output}");
+    let (rational, real) = output.split_once("Axioms:\n").unwrap();
+    assert_eq!(rational, "Closed under the global context\n");
+    let axioms: Vec<&str> = real.lines().filter(|line| !line.starts_with(' ')).collect();
+    // Of Coq's own real numbers.
+    assert_eq!(
+        axioms,
+        ["ClassicalDedekindReals.sig_forall_dec", "FunctionalExtensionality.functional_extensionality_dep"]
+    );
+}
+
+#[test]
+fn the_second_kernel_of_coq_accepts_the_theory() {
+    let (problem, fit) = answered();
+    let text = kernel_fit(&problem, &fit, Theory::Installed).unwrap();
+    compiled("Checked", &text).unwrap();
+    let own = ["Reader", "Checker", "Convex", "Sound", "Rationals", "RealNumbers", "Checked"];
+    let names: Vec<String> = own.iter().map(|name| format!("Boundfit.{name}")).collect();
+    let mut arguments = vec!["-silent", "-R", ".", "Boundfit"];
+    for name in &names {
+        arguments.extend(["-norec", name.as_str()]);
+    }
+    run(theory(), "coqchk", &arguments).unwrap();
+}

@@ -1,0 +1,5 @@
+//! Theorems for the kernel of Coq: true ones are accepted, and what is accepted is true.
+
+mod accepted;
+mod coq;
+mod forged;
