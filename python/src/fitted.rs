@@ -71,10 +71,7 @@ impl Fitted {
 
     /// As [`Fitted::origin`], for people: what comes from no file is not from standard input either.
     fn shown_origin(&self) -> Origin<'_> {
-        Origin {
-            file: Some(Foreign::of(self.file.as_deref().unwrap_or(IN_MEMORY))),
-            ..self.origin()
-        }
+        Origin { file: Some(Foreign::of(self.file.as_deref().unwrap_or(IN_MEMORY))), ..self.origin() }
     }
 
     fn origin(&self) -> Origin<'_> {

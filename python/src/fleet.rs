@@ -146,7 +146,8 @@ pub(crate) fn fit_groups<'py>(
     let by = ColumnSelector::name(&key.0);
     let (table, reading) = table(&columns.into_iter().chain([key]).collect::<Vec<_>>(), &names, floats)?;
     let asked = ask::Asked { x_errors, options: asked.options(reading)?, ..ask::Asked::new(question) };
-    let read = py.detach(|| Groups::read(&asked, Source::of_table("readings", table), &by).map(|own| lines(&own)));
+    let read =
+        py.detach(|| Groups::read(&asked, Source::of_table("readings", table), &by).map(|own| lines(&own)));
     let (lines, per_row) = read.map_err(|refusal| refuse(questions::in_words(&refusal)))?;
     let dict = PyDict::new(py);
     dict.set_item("group", lines.keys)?;

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
+use boundfit::Reading;
 use boundfit::ask::{self, Ask as _, Asked, Fit, Form, Refusal, Request, Shows};
 use boundfit::files::{ColumnSelector, Limits, Source};
 use boundfit::report::{Origin, Style};
-use boundfit::Reading;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyTuple};
 
@@ -88,8 +88,8 @@ impl Readings {
             // A proof of it may be asked for later.
             let asked = question.read(&self.asked, self.source()?, Shows::Rows);
             let asked = asked.map_err(|refusal| questions::in_words(&refusal))?;
-            let answer = question.answer(&asked).map_err(|refusal| questions::in_words(&refusal))?;
-            let answer = ask::Fitted { next_words: Some(next_words), ..answer };
+            let mut answer = question.answer(&asked).map_err(|refusal| questions::in_words(&refusal))?;
+            answer.next_words = Some(next_words);
             Ok(Fitted {
                 asked,
                 answer,
