@@ -190,9 +190,9 @@ def _how(reading: Reading, missing: Missing, y: Any, up: Any, down: Any, directi
     given = tuple(own is not None for own in (y, up, down, direction))
     if given not in ((True, False, False, False), (True, False, False, True), (False, True, True, False)):
         raise ValueError("expected y, or y and direction, or up and down")
-    return asked(
+    question = asked(
         regressors=1,
-        response=y is not None,
+        response=True,
         eps=0,
         lower=False,
         upper=False,
@@ -203,6 +203,8 @@ def _how(reading: Reading, missing: Missing, y: Any, up: Any, down: Any, directi
         missing=missing,
         eps_column=False,
     )
+    # Two directions take the place of y.
+    return {**question, "response": y is not None}
 
 
 def _answer(
