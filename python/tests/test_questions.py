@@ -363,7 +363,7 @@ def test_limits_are_named_and_raised(tmp_path: Path) -> None:
         boundfit.fit_file(long, "x", "y", 1)
     assert boundfit.fit_file(long, "x", "y", 1, limits={"digits": 20_000}, eui=False).kind == "polygon"
     with pytest.raises(ValueError, match=r'limits=\{"rows": \.\.\.\} raises it'):
-        boundfit.fit_file(long, "x", "y", 1, limits={"rows": 1, "digits": 20_000}).status()
+        boundfit.fit_file(long, "x", "y", 1, limits={"rows": 1, "digits": 20_000}).range()
 
 
 def test_what_is_wrong_is_told() -> None:
