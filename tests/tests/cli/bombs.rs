@@ -56,7 +56,7 @@ fn packed_text_is_refused_once_it_is_a_hundred_times_its_size() {
 /// As many blank lines as may be cost no memory, wherever they stand.
 #[test]
 fn blank_lines_are_not_held() {
-    let few = Cost { data: 40 << 20, ..FEW_SECONDS };
+    let few = Cost { data: 40 << 20, ..LIMITS };
     let blank_lines = repeated_by_zstandard(b'\n', 400);
     let empty = "bomb: the file is empty (expected at least one row of numbers)\n";
     refused(&blank_lines, FIT, empty, few);

@@ -25,8 +25,10 @@ fn certain(found: &Value) -> Vec<[Option<&str>; 2]> {
     intervals.iter().map(|own| ["lower", "upper"].map(|end| own[end]["exact"].as_str())).collect()
 }
 
-/// The name, the value now, the worst one and the best x of each goal.
-fn goals(found: &Value) -> Vec<(&str, Option<&str>, Option<&str>, Vec<&str>)> {
+/// The name, the value now, the worst one and the best x of a goal.
+type Goal<'a> = (&'a str, Option<&'a str>, Option<&'a str>, Vec<&'a str>);
+
+fn goals(found: &Value) -> Vec<Goal<'_>> {
     let all = found["goals"].as_array().unwrap();
     all.iter()
         .map(|goal| {

@@ -10,7 +10,7 @@ use boundfit_report::{Origin, Style};
 
 use super::proof_file;
 use crate::CommandResult;
-use crate::arguments::{DataArguments, ReplaceArguments, TableArguments};
+use crate::arguments::{DataArguments, OutputArguments, ReplaceArguments, TableArguments, TableFormat};
 use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::output::{self, Guard, Output, Stop};
@@ -69,6 +69,16 @@ pub(super) struct Job<'a> {
 type Beside<'a> = Option<(Vec<u8>, &'a str)>;
 
 impl<'a> Job<'a> {
+    /// A job as the options about its output say.
+    pub(super) fn of(
+        data: &'a dyn Given,
+        output: &'a OutputArguments<TableFormat>,
+        proof: Option<&'a str>,
+    ) -> Result<Self, Failure> {
+        let form = output.format()?.into();
+        Ok(Self { data, form, style: output.style(), output: output.file.output.as_deref(), proof })
+    }
+
     /// What is not to be written over, once it is known that the answer may be written where it is to go.
     pub(super) fn guard(&self, replace: &ReplaceArguments, beside: &[&str]) -> Result<Guard, Failure> {
         let guard = replace.guard([self.data.path()].into_iter().chain(beside.iter().copied()));

@@ -19,15 +19,8 @@ use crate::progress::while_working;
 
 /// Reads the calibration and writes its linearity, and its picture if one is asked for.
 pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
-    let form = arguments.output.format()?.into();
     check_proof(arguments)?;
-    let job = Job {
-        data: arguments,
-        form,
-        style: arguments.output.style(),
-        output: arguments.output.file.output.as_deref(),
-        proof: arguments.proof.as_deref(),
-    };
+    let job = Job::of(arguments, &arguments.output, arguments.proof.as_deref())?;
     let mut guard = job.guard(&arguments.output.file.replace, &[])?;
     let figure = figure(arguments)?;
     check_look(arguments, figure.map(|(_, format)| format))?;

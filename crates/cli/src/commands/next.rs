@@ -7,13 +7,7 @@ use crate::arguments::NextArguments;
 /// Reads the data, finds where the next reading helps and writes.
 pub(crate) fn run(arguments: &NextArguments) -> CommandResult {
     arguments.threads.set()?;
-    let job = Job {
-        data: &arguments.data,
-        form: arguments.output.format()?.into(),
-        style: arguments.output.style(),
-        output: arguments.output.file.output.as_deref(),
-        proof: None,
-    };
+    let job = Job::of(&arguments.data, &arguments.output, None)?;
     let mut guard = job.guard(&arguments.output.file.replace, &[])?;
     job.run(&arguments.question()?, &mut guard)
 }

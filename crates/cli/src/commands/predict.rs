@@ -10,17 +10,10 @@ use crate::exit::Failure;
 /// Reads the data, fits, and writes what is predicted.
 pub(crate) fn run(arguments: &PredictArguments) -> CommandResult {
     arguments.threads.set()?;
-    let format = arguments.output.format()?;
     let question = arguments.question();
     let files = files(&question);
-    check_usage(arguments, format, &question, &files)?;
-    let job = Job {
-        data: &arguments.data,
-        form: format.into(),
-        style: arguments.output.style(),
-        output: arguments.output.file.output.as_deref(),
-        proof: arguments.proof.as_deref(),
-    };
+    check_usage(arguments, arguments.output.format()?, &question, &files)?;
+    let job = Job::of(&arguments.data, &arguments.output, arguments.proof.as_deref())?;
     let mut guard = job.guard(&arguments.output.file.replace, &files)?;
     job.run(&question, &mut guard)
 }

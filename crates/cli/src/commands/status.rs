@@ -8,15 +8,8 @@ use crate::exit::Failure;
 /// Finds the set, judges every reading by it and writes.
 pub(crate) fn run(arguments: &StatusArguments) -> CommandResult {
     arguments.threads.set()?;
-    let format = arguments.output.format()?;
-    check_usage(arguments, format)?;
-    let job = Job {
-        data: &arguments.data,
-        form: format.into(),
-        style: arguments.output.style(),
-        output: arguments.output.file.output.as_deref(),
-        proof: arguments.proof.as_deref(),
-    };
+    check_usage(arguments, arguments.output.format()?)?;
+    let job = Job::of(&arguments.data, &arguments.output, arguments.proof.as_deref())?;
     let beside: Vec<&str> = arguments.new.as_deref().into_iter().collect();
     let mut guard = job.guard(&arguments.output.file.replace, &beside)?;
     job.run(&arguments.question(), &mut guard)
