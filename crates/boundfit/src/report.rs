@@ -11,17 +11,17 @@
 //! ```
 
 pub use boundfit_report::{
-    Document, EndRounding, InverseLine, LONGEST_FRACTION, NewReadings, NoOutliersProof, Origin,
-    OutliersReport, RangeReport, StatusCsv, StatusReport, Style, WindowReport, brief_document, fit_csv,
-    fit_document, fit_json, fit_script, guarantee_document, h_representation, linearity_csv,
-    linearity_document, linearity_json, outliers_csv, outliers_document, outliers_json, range_csv,
-    range_document, range_json, region_script, region_wkt, status_document, sweep_document, v_representation,
-    vertices_csv, x_error_csv, x_error_document, x_error_json, x_error_wkt,
+    Document, EndRounding, InverseLine, LONGEST_FRACTION, NewReadings, Origin, OutliersReport, RangeReport,
+    StatusCsv, StatusReport, Style, WindowReport, brief_document, fit_csv, fit_document, fit_json,
+    fit_script, guarantee_document, h_representation, linearity_csv, linearity_document, linearity_json,
+    outliers_csv, outliers_document, outliers_json, range_csv, range_document, range_json, region_script,
+    region_wkt, status_document, sweep_document, v_representation, vertices_csv, x_error_csv,
+    x_error_document, x_error_json, x_error_wkt,
 };
 #[cfg(feature = "files")]
 pub use boundfit_report::{
-    linearity_proof, outliers_proof, polygon_document, polygon_json, proof_json, range_proof, status_proof,
-    x_error_proof,
+    NoOutliersProof, linearity_proof, outliers_proof, polygon_document, polygon_json, proof_json,
+    range_proof, status_proof, x_error_proof,
 };
 // Python's and the browser's glue write their documents from smaller parts; nobody else is promised these.
 #[doc(hidden)]

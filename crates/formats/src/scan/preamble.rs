@@ -96,10 +96,23 @@ impl Lines<'_> {
     fn pass(&mut self) {
         let Some((_, behind)) = self.reader.line_at(self.at) else { return };
         let passed = self.reader.pending().get(self.at..behind).unwrap_or_default();
-        // A line ends at its first line feed: blank lines are many, and none is searched a second time.
+        // A line ends at its first line feed.
         self.line_feeds += u64::from(passed.ends_with(b"\n"));
         self.lines += 1;
-        self.at = behind;
+        self.pass_until(behind);
+    }
+
+    /// Passes over the empty lines that the reader holds, all at once: a file may have many millions.
+    fn pass_empty(&mut self) {
+        let held = self.reader.pending().get(self.at..).unwrap_or_default();
+        let empty = held.iter().take_while(|&&byte| byte == b'\n').count();
+        self.line_feeds += empty as u64;
+        self.lines += empty as u64;
+        self.pass_until(self.at + empty);
+    }
+
+    fn pass_until(&mut self, at: usize) {
+        self.at = at;
         if self.at > PASSED_AT_ONCE {
             self.end();
         }
@@ -165,7 +178,12 @@ impl Preamble {
         let mut has_comments = has_comments;
         while let Some(line) = lines.next() {
             match line.first() {
-                _ if is_blank(line, asked) => comment = None,
+                _ if is_blank(line, asked) => {
+                    comment = None;
+                    lines.pass();
+                    lines.pass_empty();
+                    continue;
+                }
                 Some(&first) if is_mark(first) => {
                     let line = line.to_vec();
                     if !has_comments && is_header(&line, asked, lines, is_mark) {
