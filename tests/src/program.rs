@@ -21,10 +21,14 @@ pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("tests/ has a parent").to_owned()
 }
 
-/// The program's file. Cargo builds it along with the tests of this package, beside the folder with their programs.
+/// The program's file: the one that `BOUNDFIT_PROGRAM` names, or that which Cargo builds along with the tests of this package, beside
+/// the folder with their programs.
 pub fn binary() -> &'static Path {
     static BINARY: OnceLock<PathBuf> = OnceLock::new();
     BINARY.get_or_init(|| {
+        if let Some(named) = std::env::var_os("BOUNDFIT_PROGRAM") {
+            return named.into();
+        }
         let own = std::env::current_exe().expect("a running test has a file");
         let folder = own.ancestors().nth(2).expect("tests are built two folders deep");
         folder.join(format!("boundfit-for-tests{}", std::env::consts::EXE_SUFFIX))
