@@ -6,8 +6,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use boundfit_estimation::{
-    ActiveBounds, BoundName, Columns, Condition, EpsilonColumn, ErrorBound, Fit, Keep, LineForm, Measurement,
-    Measurements, Model, ParameterBound, Problem, ReducedTable, fit,
+    ActiveBounds, BoundName, Columns, Condition, EpsilonColumn, ErrorBound, Fit, Keep, LeastSquares,
+    LineForm, Measurement, Measurements, Model, NoEui, ParameterBound, Problem, ReducedTable, fit,
 };
 use boundfit_exact::{Column, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Progress, ScanOptions, Source, TableOptions};
@@ -214,7 +214,7 @@ fn a_scan_gives_the_fit_of_all_readings_for_any_parts_and_threads() {
         assert_eq!(essence(&in_memory, &|row| row), expected, "case {case_number}: {:?}", case.rows);
         assert_eq!(in_memory.1.eui(), whole.1.eui(), "case {case_number}: {:?}", case.rows);
         for (chunk_bytes, pool) in [1, 7, 4096].into_iter().zip(&pools) {
-            // The x in memory, the file read a second time, and those x in memory that may matter.
+            // All x in memory; none, and the file read a second time; those of the first rows until they are too many.
             for most_bytes in [None, Some(0), Some(40)] {
                 let keep = Keep { most_rows: 0, eui: true, most_bytes };
                 let reduced = case.fitted(pool.install(|| case.scanned(&path, chunk_bytes, keep)));
@@ -271,26 +271,26 @@ fn of_long_tables_too_only_the_rows_that_touch_a_hull_count() {
     }
 }
 
-/// Of x in no order only those are kept that lie where the EUI may need them: it is known of a stream that is read once.
+/// A stream cannot be read again: its EUI is known as long as all x fit into the memory allowed for them, at four bytes each.
 #[test]
-fn the_eui_of_a_stream_beyond_the_memory_allowed_for_it() {
+fn the_eui_of_a_stream_beyond_the_memory_allowed_for_it_is_not_known() {
     let mut rng = seeded(55);
     let rows = TableKind::Noise.rows(&mut rng, 30_000);
     let case = Case { rows, reading: Reading::Decimal, epsilon: Rational::one(), conditions: Vec::new() };
     let whole = case.whole();
-    let streamed = |text: String, most_bytes| {
+    let streamed = |most_bytes| {
         let keep = Keep { most_rows: 0, eui: true, most_bytes: Some(most_bytes) };
-        let source = Source::new("stream", std::io::Cursor::new(text.into_bytes()));
+        let source = Source::new("stream", std::io::Cursor::new(text(&case.rows).into_bytes()));
         let options = options(Reading::Decimal, 5000);
         let measurements = Measurements::scan(source, &columns(&case.epsilon), &[], &options, keep).unwrap();
-        case.fitted(measurements).1.eui().cloned()
+        let fit = case.fitted(measurements).1;
+        let Some(LeastSquares { eui, .. }) = fit.least_squares.ok() else { panic!("30,000 different x") };
+        eui
     };
-    assert_eq!(streamed(text(&case.rows), 60_000), whole.1.eui().cloned());
-    // In ascending order they lie elsewhere.
-    let mut ordered = case.rows.clone();
-    ordered.sort_by(|one, other| one[0].parse::<f64>().unwrap().total_cmp(&other[0].parse().unwrap()));
-    assert_eq!(streamed(text(&ordered), 60_000), None);
-    assert_eq!(streamed(text(&case.rows), 0), None);
+    assert_eq!(streamed(120_000).ok().as_ref(), whole.1.eui());
+    for most_bytes in [119_999, 60_000, 0] {
+        assert_eq!(streamed(most_bytes), Err(NoEui::TooManyOnce));
+    }
 }
 
 /// Replaces a file when all of it has been read once: the next part is read before one is reported.

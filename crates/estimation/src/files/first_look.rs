@@ -10,14 +10,11 @@ use boundfit_formats::{
 
 use super::agreement::KeptRows;
 use super::columns::Columns;
-use super::kept_columns::{KeptColumns, KeptNumbers, KeptPart};
+use super::kept_columns::{KeptColumns, KeptPart};
 use crate::line_form::LineForm;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
-use crate::moments::Sums;
-use crate::summary::{
-    Brackets, FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, Scale, SharedBrackets, SharedSieve,
-};
+use crate::summary::{FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, Scale, SharedSieve};
 use crate::sums::column_totals;
 use crate::ties::Ties;
 
@@ -42,7 +39,6 @@ pub(super) struct FirstLook<'a> {
     pub(super) bounds: FixedBounds<'a>,
     /// True if numbers are kept for further looks.
     keeps_numbers: bool,
-    brackets: SharedBrackets,
     /// The limits of what is kept, where all readings are.
     held: Option<Arc<HeldRows>>,
 }
@@ -65,7 +61,7 @@ struct Digest {
     batch: Batch,
     unbounded: Option<usize>,
     part: Part,
-    kept: Option<KeptNumbers>,
+    kept: Option<KeptPart>,
     kept_rows: Option<KeptRows>,
 }
 
@@ -113,20 +109,18 @@ impl<'a> FirstLook<'a> {
         // Others are kept only as long as they are few.
         let held = (most_rows == usize::MAX).then(|| HeldRows::limiting(&mut options));
         let keeps_numbers = keep.eui && !keeps_all;
-        let (selectors, brackets) = (columns.selectors(), SharedBrackets::default());
         let look = FirstLook {
             name,
             path,
             columns,
             options,
-            selectors,
+            selectors: columns.selectors(),
             reductions,
             keep,
             most_rows,
             sieve,
             bounds,
             keeps_numbers,
-            brackets,
             held,
         };
         Ok((look, source))
@@ -169,12 +163,6 @@ impl<'a> FirstLook<'a> {
         let memory = self.options.table.sizes.memory.limit() / 2;
         self.keep.most_bytes.unwrap_or(usual.min(usize::try_from(memory).unwrap_or(usize::MAX)))
     }
-
-    /// Returns where the thresholds of the EUI will lie, by the sums so far; all threads use it from now on.
-    fn guess(&self, sums: Sums) -> Option<Arc<Brackets>> {
-        let form = &self.columns.form;
-        Some(self.brackets.set(Brackets::of_form(form, &sums.counted_from(&form.x_origin))?))
-    }
 }
 
 impl Digest {
@@ -189,13 +177,8 @@ impl Digest {
         } else {
             Part::Nothing
         };
-        let kept = look.keeps_numbers.then(|| match look.brackets.get() {
-            Some(brackets) => KeptNumbers::Narrowed(brackets.narrow(&columns[0])),
-            None => {
-                let wanted = if is_open { &columns[..1] } else { columns };
-                KeptNumbers::Part(KeptPart::new(wanted, batch.rows.clone()))
-            }
-        });
+        let wanted = if is_open { &columns[..1] } else { columns };
+        let kept = look.keeps_numbers.then(|| KeptPart::new(wanted, batch.rows.clone()));
         let unbounded = look.columns.first_unbounded(&batch);
         Digest { batch, unbounded, part, kept, kept_rows: None }
     }
@@ -234,10 +217,7 @@ impl Collected {
                 self.totals.iter_mut().zip(totals).for_each(|(total, part)| *total = &*total + part);
             }
         }
-        if let Some(kept) = kept {
-            let is_open = look.bounds.meaning.is_open();
-            self.kept.push(kept, || is_open.then(|| look.guess(self.open.sums.clone().total())).flatten());
-        }
+        kept.into_iter().for_each(|part| self.kept.push(part));
     }
 
     /// All readings, where all are kept.

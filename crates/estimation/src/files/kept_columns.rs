@@ -1,34 +1,18 @@
 //! Columns of all readings in little memory, for further looks at them.
 
 use boundfit_exact::{Column, Rational, Scaled, Unit};
-use boundfit_formats::{RowNumbers, threads};
+use boundfit_formats::RowNumbers;
 
-use std::sync::Arc;
-
-use crate::summary::{Brackets, Narrowed, Spread, Thresholds};
+use crate::summary::{Spread, Thresholds};
 
 /// All numbers of some columns seen so far, at four bytes each where those of a part lie within 32 bits of each other, until
-/// they would take more memory than allowed; from then on those x that may matter, or none.
+/// they would take more memory than allowed; from then on none.
 #[derive(Debug)]
 pub(super) struct KeptColumns {
-    kept: Kept,
+    /// `None` once there were too many.
+    parts: Option<Vec<KeptPart>>,
     bytes: usize,
     most_bytes: usize,
-}
-
-#[derive(Debug)]
-enum Kept {
-    Parts(Vec<KeptPart>),
-    Narrowed(Arc<Brackets>, Narrowed),
-    Nothing,
-}
-
-/// What is kept of some rows.
-pub(super) enum KeptNumbers {
-    /// All of it.
-    Part(KeptPart),
-    /// Those x that may matter.
-    Narrowed(Narrowed),
 }
 
 /// Consecutive rows.
@@ -117,11 +101,6 @@ impl KeptPart {
         self.columns.iter().map(StoredColumn::bytes).sum()
     }
 
-    /// Returns what is kept of the first column within brackets.
-    fn narrowed(&self, brackets: &Brackets) -> Narrowed {
-        self.columns.first().map(|x| brackets.narrow(&x.column())).unwrap_or_default()
-    }
-
     /// The columns as they were read.
     pub(super) fn columns(&self) -> Vec<Column> {
         self.columns.iter().map(StoredColumn::column).collect()
@@ -130,66 +109,28 @@ impl KeptPart {
 
 impl KeptColumns {
     pub(super) fn new(most_bytes: usize) -> Self {
-        KeptColumns { kept: Kept::Parts(Vec::new()), bytes: 0, most_bytes }
+        KeptColumns { parts: Some(Vec::new()), bytes: 0, most_bytes }
     }
 
-    /// Keeps some more rows. When that becomes too much, `guess` tells which x of all rows may matter, if anything does.
-    pub(super) fn push(&mut self, rows: KeptNumbers, guess: impl FnOnce() -> Option<Arc<Brackets>>) {
-        match (&mut self.kept, rows) {
-            (Kept::Parts(parts), KeptNumbers::Part(part)) => {
-                self.bytes = self.bytes.saturating_add(part.bytes());
-                let is_first = parts.is_empty();
-                parts.push(part);
-                if self.bytes > self.most_bytes {
-                    let parts = std::mem::take(parts);
-                    self.kept = Kept::Nothing;
-                    // A single part is no ground for a guess.
-                    if let Some(brackets) = (!is_first).then(guess).flatten() {
-                        self.narrow(parts, brackets);
-                    }
-                }
-            }
-            (Kept::Narrowed(brackets, _), KeptNumbers::Part(part)) => {
-                let narrowed = part.narrowed(brackets);
-                self.add(narrowed);
-            }
-            (Kept::Narrowed(..), KeptNumbers::Narrowed(narrowed)) => self.add(narrowed),
-            (Kept::Nothing, _) | (Kept::Parts(_), KeptNumbers::Narrowed(_)) => {}
-        }
-    }
-
-    /// Keeps of these parts only what lies within brackets.
-    fn narrow(&mut self, parts: Vec<KeptPart>, brackets: Arc<Brackets>) {
-        let narrowed = threads::map(parts, |part: KeptPart| part.narrowed(&brackets));
-        self.bytes = 0;
-        self.kept = Kept::Narrowed(brackets, Narrowed::default());
-        narrowed.into_iter().for_each(|narrowed| self.add(narrowed));
-    }
-
-    fn add(&mut self, narrowed: Narrowed) {
-        self.bytes = self.bytes.saturating_add(narrowed.kept().iter().map(bytes_of).sum());
-        match &mut self.kept {
-            Kept::Narrowed(_, all) if self.bytes <= self.most_bytes => all.merge(narrowed),
-            kept => *kept = Kept::Nothing,
+    /// Keeps some more rows, or from now on none.
+    pub(super) fn push(&mut self, part: KeptPart) {
+        let Some(parts) = &mut self.parts else { return };
+        self.bytes = self.bytes.saturating_add(part.bytes());
+        if self.bytes > self.most_bytes {
+            self.parts = None;
+        } else {
+            parts.push(part);
         }
     }
 
     /// Every part; `None` unless all were kept, and where none was.
     pub(super) fn parts(&self) -> Option<&[KeptPart]> {
-        match &self.kept {
-            Kept::Parts(parts) if !parts.is_empty() => Some(parts),
-            _ => None,
-        }
+        self.parts.as_deref().filter(|parts| !parts.is_empty())
     }
 
-    /// Returns what of the first columns lies above each threshold; `None` unless enough was kept.
+    /// Returns what of the first columns lies above each threshold; `None` unless all numbers were kept.
     pub(super) fn spread(&self, thresholds: &Thresholds) -> Option<Spread> {
-        let parts = match &self.kept {
-            Kept::Parts(parts) => parts,
-            Kept::Narrowed(brackets, narrowed) => return narrowed.spread(brackets, thresholds),
-            Kept::Nothing => return None,
-        };
-        let spreads = parts.iter().filter_map(|part| part.columns.first());
+        let spreads = self.parts.as_ref()?.iter().filter_map(|part| part.columns.first());
         let spreads = spreads.map(|x| x.spread(thresholds));
         Some(spreads.fold(Spread::default(), |total, part| total.merged(&part)))
     }

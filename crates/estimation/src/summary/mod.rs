@@ -5,8 +5,6 @@
 //! those of parts. The EUI needs a second look, when the sums are known, and so does the least factor on bounds that are fixed.
 
 #[cfg(feature = "files")]
-mod brackets;
-#[cfg(feature = "files")]
 mod fixed;
 #[cfg(feature = "files")]
 mod halves;
@@ -27,8 +25,6 @@ use std::collections::BTreeMap;
 
 use boundfit_exact::{Column, Rational, Sum};
 
-#[cfg(feature = "files")]
-pub(crate) use brackets::{Brackets, Narrowed, SharedBrackets};
 #[cfg(feature = "files")]
 pub(crate) use fixed::{FixedBounds, FixedPart, FixedSummary, FixedSupport};
 pub use in_memory::ColumnsError;
@@ -56,9 +52,8 @@ pub struct Keep {
     /// True if what takes a second look is wanted of more readings than that: the EUI and, unless the model is a line under
     /// a uniform error bound, ε_min.
     pub eui: bool,
-    /// How many bytes of numbers are kept for that. When left out: 48 MiB of a file, 512 MiB of standard input. Of more x of a
-    /// line under a uniform error bound those are kept that lie where the EUI will need them, by the readings so far; where that
-    /// is no good guess, as with x in ascending order, and for all else, a file is read again, which standard input cannot be.
+    /// The most bytes of numbers that are kept for that. Default: 48 MiB of a file, 512 MiB of standard input. A file with more
+    /// is read again. Of standard input with more, which cannot be read again, the results are unknown.
     pub most_bytes: Option<usize>,
 }
 

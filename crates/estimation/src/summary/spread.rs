@@ -35,17 +35,6 @@ impl Thresholds {
         Thresholds { values: [first, second, Rational::zero()].map(|value| value + &form.x_origin) }
     }
 
-    /// These values of x.
-    #[cfg(feature = "files")]
-    pub(super) fn new(values: [Rational; 3]) -> Self {
-        Thresholds { values }
-    }
-
-    #[cfg(feature = "files")]
-    pub(super) fn values(&self) -> &[Rational; 3] {
-        &self.values
-    }
-
     /// Returns what a column of x has above each. Exact. Cost: linear; on machine integers where they fit.
     pub(crate) fn of_column(&self, x: &Column) -> Spread {
         match x {
@@ -104,14 +93,11 @@ impl Thresholds {
 
     /// The largest number of units that is not above each threshold, cut to 128 bits.
     pub(crate) fn in_units(&self, unit: Unit) -> [i128; 3] {
-        self.values.each_ref().map(|threshold| Thresholds::floor_in_units(threshold, unit))
-    }
-
-    /// The largest number of units that is not above a number, cut to 128 bits.
-    pub(super) fn floor_in_units(number: &Rational, unit: Unit) -> i128 {
-        let Some(count) = number.checked_div(&unit.value()) else { return 0 };
-        let (floor, _) = count.numerator().div_rem_floor(&count.denominator());
-        floor.to_i128().unwrap_or(if floor.is_negative() { i128::MIN } else { i128::MAX })
+        self.values.each_ref().map(|threshold| {
+            let Some(count) = threshold.checked_div(&unit.value()) else { return 0 };
+            let (floor, _) = count.numerator().div_rem_floor(&count.denominator());
+            floor.to_i128().unwrap_or(if floor.is_negative() { i128::MIN } else { i128::MAX })
+        })
     }
 }
 
@@ -128,23 +114,6 @@ impl Spread {
             Above { count: one.count + other.count, x: &one.x + &other.x }
         };
         Spread { above: [0, 1, 2].map(both) }
-    }
-
-    /// This of some x, with that of the others that lie above other thresholds, of which these x have that much above them; it
-    /// stays as it is where nothing else lies above. Exact.
-    #[cfg(feature = "files")]
-    pub(super) fn with(&self, others: &Self, of_these: &Self, are_all: [bool; 3]) -> Self {
-        let total = |axis: usize| {
-            let [own, others, of_these] = [self, others, of_these].map(|spread| &spread.above[axis]);
-            match are_all[axis] {
-                true => own.clone(),
-                false => Above {
-                    count: own.count + others.count - of_these.count,
-                    x: &own.x + &others.x - &of_these.x,
-                },
-            }
-        };
-        Spread { above: [0, 1, 2].map(total) }
     }
 
     #[cfg(feature = "files")]
