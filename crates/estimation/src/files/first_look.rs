@@ -18,8 +18,8 @@ use crate::summary::{FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, Sc
 use crate::sums::column_totals;
 use crate::ties::Ties;
 
-/// Bytes of numbers kept from a file before it is rather read again: twelve million x at four bytes each.
-const MOST_BYTES_OF_FILE: usize = 48 << 20;
+/// Bytes of numbers kept from a file before it is rather read again: 25 million x at four bytes each.
+const MOST_BYTES_OF_FILE: usize = 96 << 20;
 /// Bytes of numbers kept from standard input, which cannot be read again: 134 million x at four bytes each.
 const MOST_BYTES_OF_STREAM: usize = 512 << 20;
 
