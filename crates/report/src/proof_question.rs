@@ -118,12 +118,6 @@ impl ProofQuestion {
         let response = columns.iter().map(|(column, times)| (*column, times.to_string())).collect();
         ProofQuestion { model: [x1, x2, (0, "0".to_owned()), epsilon], response, ..self }
     }
-
-    /// With other conditions, numbered from 1; of `boundfit/proof/2` a scope may name those that hold.
-    #[must_use]
-    pub fn with_conditions<'a>(self, conditions: impl IntoIterator<Item = &'a Condition>) -> Self {
-        ProofQuestion { conditions: conditions.into_iter().map(condition_json).collect(), ..self }
-    }
 }
 
 /// a1, a2 and b, and the sign of an equation.

@@ -1,7 +1,7 @@
 //! What a proof `boundfit/proof/2` states: claims about sets that rows of the data leave, each of which can be checked by
 //! itself (docs/proof.md).
 
-use boundfit_estimation::{BoundName, Minimax, ParameterBound};
+use boundfit_estimation::{BoundName, Minimax};
 use boundfit_exact::Rational;
 use boundfit_geometry::{BoundProof, Multiplier, Polyhedron, Support, UnboundedProof};
 use boundfit_questions::{BoxBound, Side};
@@ -208,14 +208,6 @@ impl FormEnd {
             Support::Empty(_) => None,
             Support::Unbounded(proof) => Some(FormEnd::beyond(proof)),
             Support::Bounded { proof, .. } => Some(FormEnd::at(proof, name)),
-        }
-    }
-
-    /// The end of a parameter's range.
-    pub fn of_parameter(bound: &ParameterBound, name: &impl Fn(usize) -> BoxBound) -> Self {
-        match bound {
-            ParameterBound::Unbounded(proof) => FormEnd::beyond(proof),
-            ParameterBound::Bounded { proof, .. } => FormEnd::at(proof, name),
         }
     }
 
