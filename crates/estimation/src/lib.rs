@@ -57,7 +57,6 @@ mod minimax;
 mod moments;
 mod one_parameter;
 mod problem;
-#[cfg(feature = "files")]
 mod products;
 mod reduction;
 mod scanner;

@@ -1,12 +1,8 @@
 //! What the numbers of a row mean: the model, and where the error bounds come from.
 
-#[cfg(feature = "files")]
-use boundfit_exact::Column;
 use boundfit_exact::{Foreign, Rational};
 
 use crate::law::Law;
-#[cfg(feature = "files")]
-use crate::law::range_of_y;
 use crate::line_form::LineForm;
 use crate::measurement::{Bounds, Measurement};
 
@@ -50,20 +46,6 @@ impl<C> ErrorBound<C> {
         match self {
             ErrorBound::Uniform(epsilon) => Some(epsilon),
             ErrorBound::Column(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => None,
-        }
-    }
-
-    /// The same bound with other words for its columns, the lower one first.
-    #[cfg(feature = "files")]
-    pub(crate) fn with_columns<D>(&self, mut column: impl FnMut(&C) -> D) -> ErrorBound<D> {
-        match self {
-            ErrorBound::Uniform(epsilon) => ErrorBound::Uniform(epsilon.clone()),
-            ErrorBound::Column(own) => ErrorBound::Column(column(own)),
-            ErrorBound::Interval { lower, upper } => {
-                let lower = lower.as_ref().map(&mut column);
-                ErrorBound::Interval { lower, upper: upper.as_ref().map(column) }
-            }
-            ErrorBound::Law(law) => ErrorBound::Law(law.clone()),
         }
     }
 
@@ -115,51 +97,6 @@ impl Meaning {
         if matches!(self.model, Model::Line { .. }) { 1 } else { 2 }
     }
 
-    /// Returns whether every reading is given by y and an ε that is a number or a column.
-    #[cfg(feature = "files")]
-    pub(crate) fn is_around_y(&self) -> bool {
-        match self.error_bound {
-            ErrorBound::Uniform(_) | ErrorBound::Column(_) => true,
-            ErrorBound::Interval { .. } | ErrorBound::Law(_) => false,
-        }
-    }
-
-    /// Returns whether a summary of a line serves every error bound, since all have the same one.
-    #[cfg(feature = "files")]
-    pub(crate) fn is_open(&self) -> bool {
-        self.regressors() == 1 && self.error_bound.is_uniform()
-    }
-
-    /// Returns whether the bounds of each reading are known before all readings are.
-    #[cfg(feature = "files")]
-    pub(crate) fn are_bounds_known(&self) -> bool {
-        let law = match &self.error_bound {
-            ErrorBound::Law(law) => Some(law),
-            _ => self.uniform_law.as_ref(),
-        };
-        law.is_none_or(|law| !law.needs_range())
-    }
-
-    /// The reading in a row of columns, counted from 0, with this number in the file.
-    #[cfg(feature = "files")]
-    pub(crate) fn of_columns(&self, columns: &[Column], position: usize, row: usize) -> Measurement {
-        self.measurement(row, columns.iter().map(|column| column.get(position)))
-    }
-
-    /// Returns whether a reading in columns has two bounds, whose distance a factor may multiply.
-    #[cfg(feature = "files")]
-    pub(crate) fn have_widths(&self, columns: &[Column]) -> bool {
-        let count = columns.first().map_or(0, Column::len);
-        match &self.error_bound {
-            ErrorBound::Interval { lower: Some(_), upper: Some(_) } => {
-                let [.., lower, _, upper] = columns else { return false };
-                (0..count).any(|row| !lower.get(row).is_zero() && !upper.get(row).is_zero())
-            }
-            ErrorBound::Interval { .. } => false,
-            _ => count > 0,
-        }
-    }
-
     /// The reading with these numbers: the regressors that are columns, the response, and the error bound if it is a
     /// column.
     pub(crate) fn measurement(&self, row: usize, mut numbers: impl Iterator<Item = Rational>) -> Measurement {
@@ -194,20 +131,5 @@ impl Meaning {
         let [first, second] = regressor;
         let first = if matches!(self.model, Model::Line { .. }) { self.form.counted(first) } else { first };
         Measurement { row, regressor: [first, second], bounds }
-    }
-
-    /// Adds to the bounds of readings what a law takes from all of them, when they are known: all, or of a uniform law those
-    /// that support a hull.
-    #[cfg(feature = "files")]
-    pub(crate) fn settle(&mut self, rows: &mut Vec<Measurement>) {
-        if let ErrorBound::Law(law) = &self.error_bound {
-            let range = range_of_y(rows);
-            law.widen(rows, &range);
-        }
-        if let Some(law) = &self.uniform_law {
-            let epsilon = law.uniform_bound(&range_of_y(rows));
-            *rows = std::mem::take(rows).into_iter().map(|row| row.within(epsilon.clone())).collect();
-            self.error_bound = ErrorBound::Uniform(epsilon);
-        }
     }
 }

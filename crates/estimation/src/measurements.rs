@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use boundfit_exact::{Foreign, Rational};
 #[cfg(feature = "files")]
-use boundfit_formats::{RowNumbers, TableNotes, TextLayout};
+use boundfit_formats::{TableNotes, TextLayout};
 use boundfit_geometry::Tally;
 
 use crate::law::{Law, range_of_y};
@@ -131,24 +131,6 @@ impl Measurements {
         }
         let (meaning, origin) = (self.meaning.clone(), self.origin.clone());
         Measurements { meaning, readings: Readings::All(fitted), others, origin }
-    }
-
-    /// These readings of a table whose rows have these numbers, in its order, in the place of 1, 2, 3 and so on; what was asked for is
-    /// said of them too. `None` unless there are as many numbers as rows, and every reading is in memory.
-    #[cfg(feature = "files")]
-    #[must_use]
-    pub fn numbered(mut self, numbers: &RowNumbers, asked: Selection) -> Option<Self> {
-        let Readings::All(rows) = &mut self.readings else { return None };
-        if numbers.len() != self.origin.rows_total {
-            return None;
-        }
-        for row in rows.iter_mut().chain(&mut self.others) {
-            row.row = numbers.get(row.row - 1);
-        }
-        let cells = std::mem::take(&mut self.origin.cells);
-        self.origin.cells = cells.into_iter().map(|(row, cells)| (numbers.get(row - 1), cells)).collect();
-        self.origin.selection = asked;
-        Some(self)
     }
 
     /// The model.
@@ -424,12 +406,6 @@ impl Measurements {
         self.origin.rows_missing
     }
 
-    /// Returns what the table was taken for; `None` unless the readings come from text or a sheet.
-    #[cfg(feature = "files")]
-    pub fn table(&self) -> Option<&TableNotes> {
-        self.origin.table.as_ref()
-    }
-
     /// The texts of the cells of a row, fitted or not, as they are written in the file: regressors, response and, where they are
     /// columns, error bounds. `None` unless the table was read with
     /// [`TableOptions::keep_cells`](boundfit_formats::TableOptions::keep_cells) and is text.
@@ -450,13 +426,6 @@ impl Measurements {
                 [self.unit(0).filter(|unit| self.unit(1) == Some(unit)), self.unit(2)]
             }
         }
-    }
-
-    /// Returns where in the file the numbers stand: regressors, response and, with one per row, error bound; `None` unless the
-    /// readings come from delimited text that has a row for each of them.
-    #[cfg(feature = "files")]
-    pub fn layout(&self) -> Option<&TextLayout> {
-        self.origin.layout.as_ref()
     }
 
     /// SHA-256 of the file's bytes in hexadecimal, when the readings come from a file.

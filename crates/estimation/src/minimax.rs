@@ -11,12 +11,8 @@ use crate::fps::{conditions_by_name, growing_half_planes};
 use crate::hulls::{Extremes, Gap, HullMinimum};
 use crate::least_growth::{GrowingInequality, LeastGrowth, least_growth};
 use crate::meaning::ErrorBound;
-#[cfg(feature = "files")]
-use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::measurements::Measurements;
-#[cfg(feature = "files")]
-use crate::summary::Scale;
 
 /// The least error bound that some θ meets, and such a θ: the minimax (Chebyshev, projection) estimate.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -99,29 +95,6 @@ impl Minimax {
         }
     }
 
-    /// The least factor on the bounds of some readings, and what it makes of them; `None` when none leaves anything. Exact.
-    #[cfg(feature = "files")]
-    pub(crate) fn least_scale(
-        rows: &[Measurement],
-        meaning: &Meaning,
-        conditions: &[Condition],
-    ) -> Option<Scale> {
-        let is_uniform = meaning.error_bound.is_uniform();
-        match least_growth(&Growing::of_rows(rows.iter(), is_uniform).with(conditions).inequalities) {
-            LeastGrowth::From { t, .. } if is_uniform => Some(Scale::Within(t)),
-            LeastGrowth::From { t, .. } => Some(Scale::Times(t)),
-            LeastGrowth::Never => None,
-        }
-    }
-
-    /// Returns whether the bounds of these readings at a scale leave something. Exact.
-    #[cfg(feature = "files")]
-    pub(crate) fn is_enough(rows: &[Measurement], scale: &Scale, conditions: &[Condition]) -> bool {
-        let bounds = rows.iter().flat_map(|row| scale.half_planes(row));
-        let system: System = bounds.chain(conditions_by_name(conditions).map(|(_, own)| own)).collect();
-        !envelope::intersect(&system).is_empty()
-    }
-
     /// The least factor on the error bounds of the readings that leaves something; `None` when none does, which is so where
     /// the bound is 0 and too small. Exact.
     pub fn least_factor(&self, error_bound: &ErrorBound) -> Option<Rational> {
@@ -157,9 +130,9 @@ impl Minimax {
 }
 
 /// The half-planes of readings and conditions as functions of the error bound.
-struct Growing {
+pub(crate) struct Growing {
     names: Vec<BoundName>,
-    inequalities: Vec<GrowingInequality>,
+    pub(crate) inequalities: Vec<GrowingInequality>,
 }
 
 impl Growing {
@@ -169,7 +142,7 @@ impl Growing {
         Some(Growing::of_rows(rows.iter(), measurements.error_bound().is_uniform()).with(conditions))
     }
 
-    fn with(mut self, conditions: &[Condition]) -> Self {
+    pub(crate) fn with(mut self, conditions: &[Condition]) -> Self {
         for (name, at_zero) in conditions_by_name(conditions) {
             self.names.push(name);
             self.inequalities.push(GrowingInequality { at_zero, growth: Rational::zero() });
@@ -178,7 +151,7 @@ impl Growing {
     }
 
     /// Under a uniform bound the factor is the bound itself, so that every reading grows by 1.
-    fn of_rows<'a>(rows: impl Iterator<Item = &'a Measurement>, is_uniform: bool) -> Self {
+    pub(crate) fn of_rows<'a>(rows: impl Iterator<Item = &'a Measurement>, is_uniform: bool) -> Self {
         let (names, mut inequalities): (_, Vec<GrowingInequality>) =
             rows.flat_map(growing_half_planes).unzip();
         if is_uniform {

@@ -34,16 +34,8 @@ pub(crate) struct Solution<N> {
 
 impl<N> Sums<N> {
     /// Sums in the order of the fields.
-    #[cfg(feature = "files")]
     pub(crate) fn new(count: usize, [uu, uv, vv, uy, vy]: [N; 5]) -> Self {
         Sums { count, uu, uv, vv, uy, vy }
-    }
-
-    /// The sums in the order of the fields.
-    #[cfg(feature = "files")]
-    pub(crate) fn parts(&self) -> [&N; 5] {
-        let Sums { uu, uv, vv, uy, vy, .. } = self;
-        [uu, uv, vv, uy, vy]
     }
 
     /// The sums as numbers of another type.

@@ -7,27 +7,34 @@ use boundfit_exact::{
 use crate::moments::{SUM_BITS, bits, widest};
 
 /// Σ left·right over columns of equal length. Exact. Cost: linear, on machine integers but for numbers that only fractions hold.
-pub(crate) fn product_sum(left: &Column, right: &Column) -> Rational {
+pub(crate) fn product_sum(left: &Column, right: &Column) -> Sum {
     let of_counts = |sum: Integer, units: [Unit; 2]| {
         let mut total = Sum::default();
         total.add_units(sum, &units);
-        total.total()
+        total
     };
     match (left, right) {
         (Column::Narrow(x), Column::Narrow(y)) => of_counts(narrow(x, y), [x.unit(), y.unit()]),
         (Column::Narrow(x), Column::Wide(y)) => of_counts(wide(x, y), [x.unit(), y.unit()]),
         (Column::Wide(x), Column::Narrow(y)) => of_counts(wide(x, y), [x.unit(), y.unit()]),
         (Column::Wide(x), Column::Wide(y)) => of_counts(wide(x, y), [x.unit(), y.unit()]),
-        (Column::Doubles(x), Column::Doubles(y)) => doubles(x, y),
+        (Column::Doubles(x), Column::Doubles(y)) => sum_of(doubles(x, y)),
         _ => match (left.long(), right.long()) {
             (Some(x), Some(y)) => of_counts(long(&x, &y), [x.unit(), y.unit()]),
             _ => {
                 let mut sum = Sum::default();
                 (0..left.len()).for_each(|row| sum.add_product(&left.get(row), &right.get(row)));
-                sum.total()
+                sum
             }
         },
     }
+}
+
+/// A sum that so far comes to this.
+pub(crate) fn sum_of(total: Rational) -> Sum {
+    let mut sum = Sum::default();
+    sum.add(&total);
+    sum
 }
 
 fn narrow(x: &Scaled<i64>, y: &Scaled<i64>) -> Integer {
@@ -87,7 +94,7 @@ mod tests {
         for left in &columns {
             for right in &columns {
                 let expected: Rational = (0..5).map(|row| left.get(row) * right.get(row)).sum();
-                assert_eq!(product_sum(left, right), expected, "{left:?} {right:?}");
+                assert_eq!(product_sum(left, right).total(), expected, "{left:?} {right:?}");
             }
         }
     }

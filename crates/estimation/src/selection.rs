@@ -3,8 +3,6 @@
 use std::fmt;
 
 use boundfit_exact::Foreign;
-#[cfg(feature = "files")]
-use boundfit_formats::{Fractions, RowRange, TableOptions};
 
 /// Which rows of a file were asked for; by default all of them.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -22,20 +20,6 @@ impl Selection {
     pub fn is_all(&self) -> bool {
         *self == Selection::default()
     }
-
-    /// The rows that these options ask for.
-    #[cfg(feature = "files")]
-    pub fn of(options: &TableOptions) -> Self {
-        let ranges = |ranges: &[RowRange]| {
-            let ranges: Vec<String> = ranges.iter().map(RowRange::to_string).collect();
-            (!ranges.is_empty()).then(|| ranges.join(","))
-        };
-        Selection {
-            rows: ranges(options.rows.named()),
-            without: ranges(options.rows.without()),
-            conditions: options.conditions.iter().map(|condition| condition.text().clone()).collect(),
-        }
-    }
 }
 
 /// A column in which cells are fractions such as `3/4`.
@@ -47,22 +31,6 @@ pub struct FractionCells {
     pub cells: usize,
     /// The first of them.
     pub first: Foreign,
-}
-
-#[cfg(feature = "files")]
-impl FractionCells {
-    /// Of columns with these names; of those that are read in several ways only once.
-    pub fn of(names: &[Foreign], fractions: &[Fractions]) -> Vec<Self> {
-        let mut found: Vec<FractionCells> = Vec::new();
-        for (column, Fractions { cells, first }) in names.iter().zip(fractions) {
-            if let Some(first) = first
-                && !found.iter().any(|other| other.column == *column)
-            {
-                found.push(FractionCells { column: column.clone(), cells: *cells, first: first.clone() });
-            }
-        }
-        found
-    }
 }
 
 /// Within a sentence: `rows 1..22,24..50, without 31, where temperature >= 20`.

@@ -10,12 +10,14 @@ use boundfit_formats::{
 
 use super::agreement::KeptRows;
 use super::columns::Columns;
+use super::fixed::{FixedBounds, FixedPart, FixedSummary};
 use super::kept_columns::{KeptColumns, KeptPart};
+use super::scale::Scale;
+use super::sums::column_totals;
 use crate::line_form::LineForm;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
-use crate::summary::{FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, Scale, SharedSieve};
-use crate::sums::column_totals;
+use crate::summary::{Keep, LineSummary, SharedSieve};
 use crate::ties::Ties;
 
 /// Bytes of numbers kept from a file before it is rather read again: 25 million x at four bytes each.

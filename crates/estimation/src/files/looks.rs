@@ -6,17 +6,19 @@ use boundfit_formats::{
 };
 use boundfit_geometry::{Region, System, envelope};
 
+use super::fixed::{FixedBounds, FixedSupport};
 use super::kept_columns::{KeptColumns, KeptPart};
+use super::reach::{SignedSums, Weights, merged_or_reason};
+use super::scale::Scale;
+use super::sums::column_totals;
+use super::vertices::AtVertices;
 use crate::condition::Condition;
 use crate::fps::{conditions_by_name, half_planes};
 use crate::least_squares::LeastSquares;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
-use crate::minimax::Minimax;
 use crate::moments::Sums;
 use crate::reduction::{NoEui, Reach};
-use crate::summary::{AtVertices, FixedBounds, FixedSupport, Scale, SignedSums, Weights, merged_or_reason};
-use crate::sums::column_totals;
 use crate::ties::Ties;
 
 /// Where readings can be seen again.
@@ -149,10 +151,10 @@ impl Looks<'_> {
     ) -> Result<Vec<Measurement>, InputError> {
         let mut known = some.to_vec();
         loop {
-            let Some(scale) = Minimax::least_scale(&known, meaning, conditions) else { return Ok(known) };
+            let Some(scale) = Scale::least(&known, meaning, conditions) else { return Ok(known) };
             let bounds = FixedBounds::new(meaning, &scale, 1).telling_vertices_as_one().knowing(&known);
             let (touching, _) = self.touching(&bounds)?;
-            if Minimax::is_enough(&touching, &scale, conditions) {
+            if scale.is_enough(&touching, conditions) {
                 return Ok(touching);
             }
             known.extend(touching);

@@ -5,6 +5,7 @@ use boundfit_formats::{InputError, Reductions, RowNumbers, ScanOptions, Scanned,
 
 use super::columns::Columns;
 use super::first_look::{Collected, FirstLook};
+use super::fixed::{FixedBounds, FixedSummary};
 use super::looks::Looks;
 use super::outline::Outline;
 use super::stated::{Stated, asked_by_fit, counts_of, refuse_late};
@@ -16,7 +17,7 @@ use crate::measurements::{Measurements, Origin, Readings};
 use crate::moments::Sums;
 use crate::reduction::{DecidingMinimax, NoEui, NoMinimax, Reach, Reduction};
 use crate::selection::{FractionCells, Selection};
-use crate::summary::{FixedBounds, FixedSummary, Keep, Spread, Thresholds};
+use crate::summary::{Keep, Spread, Thresholds};
 use crate::ties::Ties;
 
 impl Measurements {

@@ -4,40 +4,20 @@
 //! fixed any model is decided by the readings that touch an envelope. Least squares needs six sums. All of these follow from
 //! those of parts. The EUI needs a second look, when the sums are known, and so does the least factor on bounds that are fixed.
 
-#[cfg(feature = "files")]
-mod fixed;
-#[cfg(feature = "files")]
-mod halves;
 mod in_memory;
-#[cfg(feature = "files")]
-mod reach;
-#[cfg(feature = "files")]
-mod rounded;
-#[cfg(feature = "files")]
-mod scale;
 mod sieve;
 mod spread;
 mod support;
-#[cfg(feature = "files")]
-mod vertices;
 
 use std::collections::BTreeMap;
 
 use boundfit_exact::{Column, Rational, Sum};
 
-#[cfg(feature = "files")]
-pub(crate) use fixed::{FixedBounds, FixedPart, FixedSummary, FixedSupport};
 pub use in_memory::ColumnsError;
-#[cfg(feature = "files")]
-pub(crate) use reach::{SignedSums, Weights, merged_or_reason};
-#[cfg(feature = "files")]
-pub(crate) use scale::Scale;
 pub(crate) use sieve::SharedSieve;
 #[cfg(feature = "files")]
 pub(crate) use spread::Spread;
 pub(crate) use spread::Thresholds;
-#[cfg(feature = "files")]
-pub(crate) use vertices::AtVertices;
 
 use crate::measurement::Measurement;
 use crate::moments::Sums;

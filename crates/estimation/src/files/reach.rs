@@ -9,7 +9,7 @@ use crate::meaning::Meaning;
 use crate::moments::Sums;
 use crate::products::product_sum;
 use crate::reduction::{NoEui, Reach};
-use crate::sums::column_total;
+use crate::sums::column_sum;
 
 /// A_jk times the determinant of ΦᵀΦ is p·φ_k1 + q·φ_k2, with (p, q) a row of the adjugate; then φ_k1 itself.
 #[derive(Debug, Clone)]
@@ -175,8 +175,8 @@ impl<'a> Phi<'a> {
 
     /// Σ u·m and Σ v·m. Exact.
     fn products(&self, factors: &Column) -> [Rational; 2] {
-        let of_v = self.v.map_or_else(|| column_total(factors), |v| product_sum(v, factors));
-        [product_sum(self.u, factors), of_v]
+        let of_v = self.v.map_or_else(|| column_sum(factors), |v| product_sum(v, factors));
+        [product_sum(self.u, factors), of_v].map(|sum| sum.total())
     }
 
     /// Σ ±u and Σ ±v. Exact.
@@ -185,7 +185,7 @@ impl<'a> Phi<'a> {
             let negative = is_negative.iter().filter(|is_negative| **is_negative).count();
             Rational::from(is_negative.len()) - Rational::from(2 * negative)
         };
-        let of_v = self.v.map_or_else(of_ones, |v| column_total(&v.negated_where(is_negative)));
-        [column_total(&self.u.negated_where(is_negative)), of_v]
+        let of_v = self.v.map_or_else(of_ones, |v| column_sum(&v.negated_where(is_negative)).total());
+        [column_sum(&self.u.negated_where(is_negative)).total(), of_v]
     }
 }

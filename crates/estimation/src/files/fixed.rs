@@ -129,7 +129,6 @@ impl<'a> FixedBounds<'a> {
     }
 
     /// Lets the sieve start with what some of the readings say at this scale.
-    #[cfg(feature = "files")]
     pub(crate) fn knowing(self, some: &[Measurement]) -> Self {
         /// So many that no part is more than twice as many: what is known is better than what a part says.
         const MANY: usize = usize::MAX / 2;
@@ -265,7 +264,6 @@ impl<'a> FixedBounds<'a> {
     }
 
     /// Of the readings in columns the first with the least slack at a point, with that slack. Exact. Cost: linear.
-    #[cfg(feature = "files")]
     pub(crate) fn tightest(
         &self,
         columns: &[Column],
@@ -285,7 +283,6 @@ impl<'a> FixedBounds<'a> {
     }
 
     /// The row of the reading that stands for another one, if one of those that are kept does.
-    #[cfg(feature = "files")]
     pub(crate) fn speaker(&self, kept: &[Measurement], other: &Measurement) -> Option<usize> {
         if self.at_vertices == AtVertices::Each {
             return None;

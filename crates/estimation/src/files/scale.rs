@@ -1,9 +1,14 @@
 //! The bounds of readings at a factor.
 
 use boundfit_exact::Rational;
-use boundfit_geometry::{Constraint, Inequality};
+use boundfit_geometry::{Constraint, Inequality, System, envelope};
 
+use crate::condition::Condition;
+use crate::fps::conditions_by_name;
+use crate::least_growth::{LeastGrowth, least_growth};
+use crate::meaning::Meaning;
 use crate::measurement::Measurement;
+use crate::minimax::Growing;
 
 /// Which bounds of readings are meant.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -17,6 +22,23 @@ pub(crate) enum Scale {
 }
 
 impl Scale {
+    /// The least factor on the bounds of some readings, and what it makes of them; `None` when none leaves anything. Exact.
+    pub(super) fn least(rows: &[Measurement], meaning: &Meaning, conditions: &[Condition]) -> Option<Self> {
+        let is_uniform = meaning.error_bound.is_uniform();
+        match least_growth(&Growing::of_rows(rows.iter(), is_uniform).with(conditions).inequalities) {
+            LeastGrowth::From { t, .. } if is_uniform => Some(Scale::Within(t)),
+            LeastGrowth::From { t, .. } => Some(Scale::Times(t)),
+            LeastGrowth::Never => None,
+        }
+    }
+
+    /// Returns whether the bounds of these readings at this scale leave something. Exact.
+    pub(super) fn is_enough(&self, rows: &[Measurement], conditions: &[Condition]) -> bool {
+        let bounds = rows.iter().flat_map(|row| self.half_planes(row));
+        let system: System = bounds.chain(conditions_by_name(conditions).map(|(_, own)| own)).collect();
+        !envelope::intersect(&system).is_empty()
+    }
+
     /// The lower and the upper bound of a reading. Exact.
     pub(crate) fn bounds(&self, reading: &Measurement) -> [Option<Rational>; 2] {
         let stated = || [reading.lower(), reading.upper()];
