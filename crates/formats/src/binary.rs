@@ -1,9 +1,10 @@
-//! What is not text, told by its first bytes: tables that are read, and all else with what can be done about it.
+//! Recognizes input that is not text by its first bytes: tables that boundfit reads, and other files with
+//! advice on how to get their numbers.
 
 use crate::error::{InputError, InputErrorKind, STANDARD_INPUT};
 use crate::mat::kind;
 
-/// How many bytes at the start of a file tell its format.
+/// The number of bytes at the start of a file that tell its format.
 pub(crate) const START: u64 = kind::START as u64;
 
 /// A format of tables in binary.
@@ -71,14 +72,15 @@ impl BinaryFormat {
     }
 }
 
-/// How to save a sheet.
+/// Advice on saving a sheet.
 const AS_SHEET: &str = "save it as .xlsx or CSV";
-/// How to save a data frame of R.
+/// Advice on saving a data frame of R.
 const FROM_R: &str = "in R, save the data frame in it as CSV: write.csv(DATA, 'FILE.csv', row.names = FALSE)";
-/// What can be done about a picture.
+/// Advice for a picture.
 const NO_NUMBERS: &str = "a picture has no table; give the numbers behind it as CSV";
 
-/// What files begin with that are not read, what they are, and how their numbers can be had.
+/// First bytes of files that boundfit does not read, the names of their formats, and advice on getting their
+/// numbers.
 const FOREIGN: [(&[u8], &str, &str); 37] = [
     (b"%PDF-", "a PDF document", "copy its table into a spreadsheet and save that as .xlsx or CSV"),
     (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "a file of Microsoft Office before 2007, such as .xls", AS_SHEET),
@@ -132,11 +134,11 @@ const FOREIGN: [(&[u8], &str, &str); 37] = [
     (b"CDF\x02", "a NetCDF file", FROM_NETCDF),
 ];
 
-/// How the table in a pickle is saved.
+/// Advice on saving the table in a pickle.
 const FROM_PICKLE: &str = "save its table as CSV: pandas.read_pickle('FILE').to_csv('FILE.csv', index=False)";
-/// How the table in a Stata file is saved.
+/// Advice on saving the table in a Stata file.
 const FROM_STATA: &str = "save it as CSV: export delimited using FILE.csv in Stata, pandas.read_stata('FILE').to_csv('FILE.csv', index=False) in Python";
-/// How the table in a NetCDF file is saved.
+/// Advice on saving the table in a NetCDF file.
 const FROM_NETCDF: &str =
     "save it as CSV: xarray.open_dataset('FILE').to_dataframe().to_csv('FILE.csv') in Python";
 
@@ -176,11 +178,11 @@ pub(crate) fn refuse_document(file: &str, start: &[u8]) -> Result<(), InputError
     Err(InputError::of_file(file, InputErrorKind::BinaryTable { format, instead }))
 }
 
-/// How many bytes tell a document.
+/// The number of bytes that tell a document.
 pub(crate) const DOCUMENT_START: usize = 4096;
-/// What reads the rows of a text that begins otherwise.
+/// Advice for a text whose first lines do not belong to its table.
 const PASS_OVER_LINES: &str = "its numbers are read without its first lines and without a header (skip lines, header no), with columns by number";
-/// How to save a sheet that is open anyway.
+/// Advice on saving a sheet that is open anyway.
 const AS_SHEET_OR_ODS: &str = "save it as .ods, .xlsx or CSV";
 
 /// Refuses what is not text where text is read.
@@ -200,7 +202,7 @@ pub(crate) fn refuse_binary(file: &str, start: &[u8]) -> Result<(), InputError> 
         };
         return refused(format.name(), instead);
     }
-    // What is a word of text too must go on as no text does.
+    // A start that is also a word of text decides only if bytes follow that no text has.
     let has_control =
         start.iter().take(START as usize).any(|byte| *byte < b' ' && !b"\t\n\r\x0b\x0c".contains(byte));
     let is_word = |magic: &[u8]| magic.is_ascii() && magic.iter().all(|byte| byte.is_ascii_alphanumeric());

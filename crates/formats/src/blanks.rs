@@ -1,6 +1,6 @@
 //! Records whose cells are separated by runs of blanks and tabs.
 
-/// Where in a record the last byte was.
+/// The place within a record of the last byte.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum State {
     #[default]
@@ -11,8 +11,8 @@ enum State {
     AfterQuote,
 }
 
-/// Takes records apart, out of pieces of any size. Blanks at both ends of a line mean nothing; a cell that starts with a
-/// quote goes on to the next one, and may hold blanks, line ends and, doubled, quotes.
+/// Takes records apart, out of pieces of any size. Blanks at both ends of a line mean nothing. A cell that
+/// starts with a quote ends at the next quote, and may hold blanks, line ends and doubled quotes.
 #[derive(Debug, Default)]
 pub(crate) struct BlankReader {
     state: State,

@@ -4,7 +4,7 @@ use std::fmt;
 
 use boundfit_exact::Foreign;
 
-/// Which block of a file with several is read.
+/// The block to read from a file with several blocks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum AskedBlock {
     /// All rows, as if there were one.
@@ -16,7 +16,7 @@ pub enum AskedBlock {
 }
 
 impl AskedBlock {
-    /// What `all`, a number from 1 or a name asks for; 0 is no number of a block.
+    /// Reads `all`, a number from 1 or a name; 0 is no number of a block.
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim();
         match text.parse() {
@@ -44,9 +44,9 @@ impl fmt::Display for AskedBlock {
 pub struct Block {
     /// The comment before it.
     pub name: Option<Foreign>,
-    /// Its first and its last line.
+    /// The block's first and last line.
     pub lines: [u64; 2],
-    /// How many of them have a number.
+    /// The number of its rows that have a number.
     pub rows: usize,
 }
 

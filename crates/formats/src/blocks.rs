@@ -9,23 +9,23 @@ use crate::error::{InputError, InputErrorKind};
 use crate::notes::BlockNote;
 use crate::start::{cells_between_blanks, delimiter_of};
 
-/// As many bytes of a comment as a name has.
+/// The most bytes of a comment that serve as a name.
 const LONGEST_NAME: usize = 100;
 
-/// As many comments between two rows are looked at.
+/// The most comments between two rows that are looked at.
 const MOST_COMMENTS: u64 = 1000;
 
-/// As many blocks as a message lists.
+/// The most blocks that a message lists.
 const MOST_LISTED: usize = 10;
 
-/// As many names are kept to see whether one stands for several blocks.
+/// The most names that are kept to see if a name stands for several blocks.
 const MOST_NAMES: usize = 10_000;
 
 /// The text between two rows.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Gap {
     pub(crate) blank_lines: u64,
-    /// How many comments there are.
+    /// The number of comments.
     pub(crate) comments: u64,
     /// The last one that is no row that was taken out.
     pub(crate) title: Option<Foreign>,
@@ -40,7 +40,7 @@ impl Gap {
     /// Adds a comment, in a table with so many columns.
     pub(crate) fn add_comment(&mut self, line: &[u8], delimiter: u8, width: usize) {
         self.comments += 1;
-        // Of very many the last one is none that anybody chooses a block by.
+        // Nobody chooses a block by the last one of very many comments.
         if self.comments > MOST_COMMENTS {
             return;
         }
@@ -98,7 +98,7 @@ pub(crate) struct Blocks {
     complete: Vec<Block>,
     /// The names of the first many.
     names: Vec<Foreign>,
-    /// How many are complete, listed or not.
+    /// The number of complete blocks, listed or not.
     count: usize,
     current: Option<Block>,
     gap: Gap,
@@ -216,7 +216,7 @@ impl Blocks {
         }
     }
 
-    /// How many blocks there are, the one under way included.
+    /// Returns the number of blocks, with the one that is being read.
     pub(crate) fn total(&self) -> usize {
         self.count + usize::from(self.current.is_some())
     }
@@ -226,7 +226,7 @@ impl Blocks {
         Blocks { line, gap: Gap::default(), ..self }
     }
 
-    /// How many blocks have this name.
+    /// Returns the number of blocks with this name.
     pub(crate) fn named(&self, name: &Foreign) -> usize {
         self.names.iter().filter(|own| *own == name).count()
     }

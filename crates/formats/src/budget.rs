@@ -6,9 +6,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use crate::error::InputErrorKind;
 use crate::memory_use::MemoryUse;
 
-/// A budget of bytes of memory. Readers ask for memory before they take it and give it back when they drop what they took; who holds
-/// rows asks for these too and gives them back when all are read ([`HeldRows`](crate::HeldRows)). Clones share one budget, so that
-/// all that is read at a time has one limit.
+/// A budget of bytes of memory. Readers ask for memory before they take it and give it back when they drop
+/// it. A caller that holds rows asks for their memory too, and gives it back when all rows are read
+/// ([`HeldRows`](crate::HeldRows)). Clones share one budget, so that all that is read at a time has one
+/// limit.
 ///
 /// ```
 /// use boundfit_formats::{ColumnSelector, MemoryBudget, SizeLimits, Source, TableOptions, read_table};
@@ -36,12 +37,12 @@ impl MemoryBudget {
         MemoryBudget { limit, held: Arc::default() }
     }
 
-    /// How many bytes may be held.
+    /// Returns the most bytes that may be held.
     pub fn limit(&self) -> u64 {
         self.limit
     }
 
-    /// How many bytes are held.
+    /// Returns the number of bytes that are held.
     pub fn held(&self) -> u64 {
         self.held.load(Ordering::Relaxed)
     }

@@ -10,7 +10,7 @@ use crate::error::InputErrorKind;
 use crate::roles::instead_of_number;
 use crate::table::TableOptions;
 
-/// How the cells of one column become numbers.
+/// The reader that makes numbers of the cells of one column.
 #[derive(Clone, Copy)]
 pub(crate) struct CellReader<'a> {
     pub(crate) selector: &'a ColumnSelector,
@@ -18,11 +18,12 @@ pub(crate) struct CellReader<'a> {
     pub(crate) meter: &'a WorkMeter,
 }
 
-/// Which cell cannot be used, and why.
+/// The index of a cell that cannot be used, and the reason.
 pub(crate) type BadIndex = (usize, InputErrorKind);
 
 impl CellReader<'_> {
-    /// So many units of a power of ten each; under the binary64 reading the doubles that are nearest to them.
+    /// Returns these multiples of a power of ten; under the binary64 reading the doubles that are nearest to
+    /// them.
     pub(crate) fn counts(&self, counts: impl Iterator<Item = i128> + Clone, exponent: i32) -> Column {
         if self.options.reading == Reading::Binary64 {
             return Column::Doubles(counts.map(|count| nearest(count, exponent)).collect());

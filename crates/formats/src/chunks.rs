@@ -14,14 +14,15 @@ use crate::limits::LONGEST_LINE;
 use crate::memory_use::MemoryUse;
 use crate::start::{FirstLine, refuse_other, without_mark};
 
-/// How much is read beyond the size of a chunk, to find the end of its last line without another call.
+/// The number of bytes read beyond the size of a chunk, to find the end of its last line without another
+/// call.
 const BEYOND: usize = 4096;
 
 /// Some consecutive bytes, in a buffer that is used again.
 #[derive(Default)]
 pub(crate) struct Chunk {
     buffer: Vec<u8>,
-    /// Where in the buffer the bytes start and end.
+    /// The places in the buffer where the bytes start and end.
     start: usize,
     end: usize,
 }
@@ -91,7 +92,7 @@ impl ChunkReader {
         while added > 0 && !search.is_in(&self.pending, added) && !search.is_far_away() {
             added = self.read_on();
         }
-        // What fails after the line is not about the line.
+        // An error behind the first line has nothing to do with the line.
         if !FirstLine::default().is_in(&self.pending, self.pending.len())
             && let Some(problem) = self.failure()
         {
@@ -103,13 +104,13 @@ impl ChunkReader {
         Ok(())
     }
 
-    /// How the bytes of the text are encoded, as far as they were read.
+    /// Returns the encoding of the text, as far as the text was read.
     pub(crate) fn encoding(&self) -> Encoding {
         self.text.encoding()
     }
 
-    /// Where the line ends that starts so many bytes into what was not handed out: before its line end, and behind it. Reads
-    /// on as far as needed; `None` when nothing is there.
+    /// Returns the two ends of the line that starts at this place of the pending bytes: before its line end,
+    /// and behind it. Reads on as far as needed; `None` when nothing is there.
     pub(crate) fn line_at(&mut self, start: usize) -> Option<(usize, usize)> {
         let mut searched = start;
         loop {
@@ -232,7 +233,7 @@ impl ChunkReader {
         matches!(self.state, State::Failed(_))
     }
 
-    /// Why the bytes stopped, unless at their end.
+    /// Returns the reason why the bytes stopped before their end.
     pub(crate) fn failure(&mut self) -> Option<InputErrorKind> {
         match std::mem::replace(&mut self.state, State::End) {
             State::Failed(problem) => Some(problem),
@@ -248,7 +249,7 @@ impl ChunkReader {
         self.spare.extend(chunks);
     }
 
-    /// How many bytes were read.
+    /// Returns the number of bytes that were read.
     pub(crate) fn total(&self) -> u64 {
         self.text.total()
     }
@@ -303,7 +304,7 @@ impl ChunkReader {
     }
 }
 
-/// Where the first line beyond the limit reaches it, when so many bytes of the first line came before.
+/// Returns the place where the first line passes the limit, given the number of its bytes that came before.
 fn end_of_longest(bytes: &[u8], before: usize, limit: usize) -> Option<usize> {
     let mut line_start = 0;
     let mut before = before;

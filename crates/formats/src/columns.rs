@@ -1,4 +1,4 @@
-//! Which columns of a table are meant: names in a header, or numbers.
+//! Selects columns of a table: by names in a header, or by numbers.
 
 use boundfit_exact::Foreign;
 
@@ -7,12 +7,13 @@ use crate::error::{InputError, InputErrorKind, Place};
 /// The values that a column takes from its cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Role {
-    /// Their numbers.
+    /// The column's numbers.
     #[default]
     Number,
-    /// Their numbers, which must be at least 0.
+    /// The column's numbers, which must be at least 0.
     NonNegative,
-    /// Their numbers, and 0 where there is none: [`Role::Presence`] of the same column tells the two apart.
+    /// The column's numbers, and 0 where there is none: [`Role::Presence`] of the same column tells the two
+    /// apart.
     Optional,
     /// 1 where there is a number, 0 where there is none.
     Presence,
@@ -27,17 +28,17 @@ impl Role {
     }
 }
 
-/// How a column is asked for.
+/// A column that is asked for, by name or by number.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ColumnSelector {
     text: Foreign,
-    /// Where the column is when there is no header, from 1.
+    /// The column's number when there is no header, from 1.
     position: Option<usize>,
     role: Role,
 }
 
 impl ColumnSelector {
-    /// A header name, or a number from 1. What stands in quotes is a name, also where it looks like a number.
+    /// A header name, or a number from 1. A text in quotes is a name, even if it looks like a number.
     ///
     /// ```
     /// use boundfit_formats::ColumnSelector;
@@ -80,7 +81,7 @@ impl ColumnSelector {
         ColumnSelector { role: Role::Optional, ..self }
     }
 
-    /// Where this column has numbers; see [`Role::Presence`].
+    /// Asks for the rows in which this column has numbers; see [`Role::Presence`].
     pub fn presence(self) -> Self {
         ColumnSelector { role: Role::Presence, ..self }
     }
@@ -115,7 +116,7 @@ impl ColumnSelector {
         self.position.is_none()
     }
 
-    /// Where the column is when there is no header.
+    /// Returns the column's place when there is no header.
     pub(crate) fn position(&self) -> Option<usize> {
         self.position
     }
@@ -129,13 +130,14 @@ impl ColumnSelector {
 /// States whether the first row names the columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Header {
-    /// It does when a column is asked for by name, when the cells asked for look like names, or when a cell that is a word or empty
-    /// stands above numbers. Where every cell is a number it does not.
+    /// Decides by the cells. The first record is a header if a column is asked for by name, if the cells
+    /// asked for look like names, or if a word or an empty cell stands above numbers. Where every cell is a
+    /// number it does not.
     #[default]
     Auto,
-    /// It does.
+    /// The first record is a header.
     Present,
-    /// It does not.
+    /// The first record is not a header.
     Absent,
 }
 
@@ -156,14 +158,14 @@ impl Header {
 /// A column of a table.
 #[derive(Debug, Clone)]
 pub(crate) struct ColumnPlace {
-    /// Its number, from 1.
+    /// The column's number, from 1.
     pub(crate) position: usize,
-    /// Its name, when there is a header.
+    /// The column's name, when there is a header.
     pub(crate) name: Option<Foreign>,
 }
 
 impl ColumnPlace {
-    /// What to call the column: `col1` and so on where it has no name.
+    /// Returns the column's name, or `col1` and so on where it has none.
     pub(crate) fn title(&self) -> Foreign {
         let given = self.name.clone().filter(|name| !name.raw().is_empty());
         given.unwrap_or_else(|| format!("col{}", self.position).into())
@@ -205,7 +207,7 @@ pub(crate) fn decode(cell: &[u8]) -> Result<&str, InputErrorKind> {
     std::str::from_utf8(cell).map_err(|_| InputErrorKind::NotUtf8 { position: readable(cell), unit: "cell" })
 }
 
-/// How many characters come before the first byte that belongs to none.
+/// Returns the number of characters before the first byte that belongs to none.
 pub(crate) fn readable(bytes: &[u8]) -> usize {
     bytes.utf8_chunks().next().map_or(0, |chunk| chunk.valid().chars().count())
 }

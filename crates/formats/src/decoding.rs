@@ -10,16 +10,17 @@ use sha2::{Digest, Sha256};
 use crate::dialect::Encoding;
 use crate::hash::hexadecimal;
 
-/// How many bytes are decoded at a time.
+/// The number of bytes decoded at a time.
 const BUFFER: usize = 1 << 16;
 
-/// How many bytes tell an encoding before anything is decoded.
+/// The number of bytes that tell an encoding before anything is decoded.
 const START: usize = 128;
 
 /// The longest character of UTF-8.
 const LONGEST_CHARACTER: usize = 4;
 
-/// What the bytes 0x80 to 0x9f are in Windows-1252; the five that it leaves open are the control characters of their number.
+/// The characters of the bytes 0x80 to 0x9f in Windows-1252; the five that it leaves open are the control
+/// characters of their number.
 const WINDOWS_1252: [char; 32] = [
     '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}',
     '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
@@ -46,18 +47,19 @@ impl Read for RawBytes {
 /// The known facts about the bytes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Coding {
-    /// They were ASCII so far.
+    /// ASCII so far.
     Open,
     Known(Encoding),
 }
 
-/// Shows a text as UTF-8. What is no character becomes U+FFFD, but for bytes that are no UTF-8 in a text that is: these stay as they are.
+/// Shows a text as UTF-8. Bytes that are no character become U+FFFD. In a text that is otherwise UTF-8 they
+/// stay as they are.
 pub(crate) struct TextReader {
     raw: RawBytes,
     coding: Coding,
     /// Bytes that were read but neither decoded nor handed out.
     held: Vec<u8>,
-    /// What reading failed with behind them.
+    /// The error of reading behind the bytes.
     failure: Option<io::Error>,
     /// Text that was decoded but not handed out.
     text: Vec<u8>,
@@ -103,7 +105,7 @@ impl TextReader {
         &self.held
     }
 
-    /// How the bytes are encoded, as far as they were read.
+    /// Returns the encoding of the bytes, as far as they were read.
     pub(crate) fn encoding(&self) -> Encoding {
         match self.coding {
             Coding::Open => Encoding::Utf8,
@@ -111,7 +113,7 @@ impl TextReader {
         }
     }
 
-    /// How many bytes were read.
+    /// Returns the number of bytes that were read.
     pub(crate) fn total(&self) -> u64 {
         self.raw.total
     }
@@ -184,7 +186,7 @@ impl TextReader {
     fn decode(&mut self, encoding: Encoding) -> io::Result<bool> {
         let mut bytes = std::mem::take(&mut self.held);
         let mut is_at_end = false;
-        // What is held may be the start of a character.
+        // The pending bytes may be the start of a character.
         if bytes.len() < LONGEST_CHARACTER {
             let before = bytes.len();
             bytes.resize(before + BUFFER, 0);
@@ -241,7 +243,7 @@ fn utf16_of(start: &[u8]) -> Option<Encoding> {
     }
 }
 
-/// What bytes say, as UTF-8, and those at their end that begin a character.
+/// Returns bytes as UTF-8, and the bytes at their end that begin a character.
 fn decoded(bytes: &[u8], encoding: Encoding, is_at_end: bool) -> (Vec<u8>, Vec<u8>) {
     let by_byte = |character: &dyn Fn(u8) -> char| -> (Vec<u8>, Vec<u8>) {
         (bytes.iter().map(|&byte| character(byte)).collect::<String>().into_bytes(), Vec::new())
@@ -304,7 +306,7 @@ mod tests {
         }
     }
 
-    /// What bytes say that come so many at a time, and how they turn out to be encoded.
+    /// Decodes bytes that come in pieces of this size, and returns the text and its encoding.
     fn read(bytes: &[u8], size: usize, asked: Option<Encoding>) -> (String, Encoding) {
         let mut reader = TextReader::new(Box::new(Slow(Cursor::new(bytes.to_vec()), size)), false);
         reader.begin(asked);

@@ -1,19 +1,20 @@
-//! How a text table is written.
+//! Describes the dialect of a text table.
 
 use boundfit_exact::{DecimalMark, Limits, Notation, Rational, Reading, Thousands, is_missing, trim_number};
 
 /// The delimiter that stands for runs of blanks and tabs.
 pub const BLANKS: u8 = b' ';
 
-/// What may separate cells, with the names used on the command line.
+/// The bytes that may separate cells, with the names used on the command line.
 pub const DELIMITERS: [(&str, u8); 5] =
     [("comma", b','), ("semicolon", b';'), ("tab", b'\t'), ("space", BLANKS), ("pipe", b'|')];
 
-/// Which lines are comments.
+/// The mark that begins a comment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CommentMark {
-    /// Those that start with `#` or `%`, where that does not take anything away from the table: before its header, in a table
-    /// that such lines precede or whose columns blanks separate, and where their cells are not as many as those of a row.
+    /// Lines that start with `#` or `%`, where leaving them out takes nothing away from the table. That holds
+    /// before its header, in a table that such lines precede, in a table whose columns blanks separate, and
+    /// where their cells are not as many as the cells of a row.
     #[default]
     Auto,
     /// None.
@@ -23,7 +24,7 @@ pub enum CommentMark {
 }
 
 impl CommentMark {
-    /// What `auto`, `none` or a mark asks for; a letter, a digit or a blank is no mark.
+    /// Reads `auto`, `none` or a mark; a letter, a digit or a blank is no mark.
     pub fn parse(text: &str) -> Option<Self> {
         match (text, text.as_bytes()) {
             ("auto", _) => Some(CommentMark::Auto),
@@ -37,10 +38,10 @@ impl CommentMark {
 /// The treatment of rows that have no number in a cell that is asked for, but nothing or a word for a missing value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Missing {
-    /// They are an error.
+    /// Missing values are an error.
     #[default]
     Refuse,
-    /// They are left out. They keep their row numbers.
+    /// Rows with missing values are left out. They keep their row numbers.
     Skip,
 }
 
@@ -57,7 +58,7 @@ impl Missing {
     }
 }
 
-/// What else says that a value is missing, beside the words that always do.
+/// Words that mark a missing value, beside the built-in ones.
 ///
 /// ```
 /// use boundfit_formats::MissingWords;
@@ -69,7 +70,7 @@ impl Missing {
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct MissingWords {
     texts: Vec<String>,
-    /// Those of them that are numbers: however one is written in a cell, it is no reading.
+    /// The words that are numbers: a cell with such a number, in any notation, is no reading.
     numbers: Vec<Rational>,
 }
 
@@ -172,10 +173,10 @@ impl Encoding {
     }
 }
 
-/// How a text table is written, as far as that is known before it is read.
+/// The dialect of a text table, as far as it is known before the table is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct AskedDialect {
-    /// How the bytes are encoded; found out when `None`: UTF-8, UTF-16, or else Windows-1252.
+    /// The encoding of the bytes. With `None` it is detected: UTF-8, UTF-16, or else Windows-1252.
     pub encoding: Option<Encoding>,
     /// The separator of cells, [`BLANKS`] for runs of blanks and tabs; found out from the first lines when `None`.
     pub delimiter: Option<u8>,
@@ -183,26 +184,26 @@ pub struct AskedDialect {
     pub decimal: Option<DecimalMark>,
     /// The text between groups of three digits, if anything.
     pub thousands: Option<Thousands>,
-    /// Which lines are comments.
+    /// The mark that begins a comment.
     pub comment: CommentMark,
-    /// How many lines come before the table.
+    /// The number of lines before the table.
     pub skip_lines: u64,
     /// `true` if the row after the header has units.
     pub units_row: bool,
 }
 
-/// How a text table turned out to be written.
+/// The dialect in which a text table is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Dialect {
     /// The separator of cells, [`BLANKS`] for runs of blanks and tabs.
     pub delimiter: u8,
-    /// How numbers are written.
+    /// The notation of numbers.
     pub notation: Notation,
-    /// With which bytes a line starts that is a comment wherever it stands.
+    /// The bytes that begin a comment anywhere in the table.
     pub comment: Option<[u8; 2]>,
-    /// How many lines come before the table.
+    /// The number of lines before the table.
     pub skip_lines: u64,
-    /// How many records that are no comments come before the first data row: a header, units.
+    /// The number of records before the first data row that are no comments: a header, units.
     pub records_before: usize,
     /// The bytes of the text.
     pub encoding: Encoding,

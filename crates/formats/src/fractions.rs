@@ -3,10 +3,10 @@
 use boundfit_exact::{Foreign, is_missing};
 use memchr::memchr;
 
-/// How many cells of a column are fractions such as `3/4`.
+/// The number of cells of a column that are fractions such as `3/4`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Fractions {
-    /// How many.
+    /// The number of fractions.
     pub cells: usize,
     /// The first of them.
     pub first: Option<Foreign>,

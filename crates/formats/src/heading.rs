@@ -1,4 +1,4 @@
-//! Whether the first record of a table names its columns, and which column is meant by what is asked for.
+//! Decides if the first record of a table names its columns, and finds the columns that are asked for.
 
 use boundfit_exact::english::split_unit;
 use boundfit_exact::{Foreign, is_missing};
@@ -23,9 +23,9 @@ pub(crate) struct Heading {
 /// The question about a table that tells whether its first record is a header.
 #[derive(Clone, Copy)]
 pub(crate) struct AskedColumns<'a> {
-    /// Those that numbers are wanted from.
+    /// The columns whose numbers are wanted.
     pub(crate) columns: &'a [ColumnSelector],
-    /// Those that something else is wanted from.
+    /// The columns that are wanted for another purpose.
     pub(crate) others: &'a [&'a ColumnSelector],
 }
 
@@ -129,7 +129,7 @@ impl Heading {
         })
     }
 
-    /// Where the column asked for is.
+    /// Returns the place of the column that is asked for.
     pub(crate) fn find(&self, file: &str, column: &ColumnSelector) -> Result<ColumnPlace, InputError> {
         let fail = |problem| InputError::of_line(file, self.line, problem);
         let wanted = column.text().clone();

@@ -1,11 +1,11 @@
 //! Files in: tables, workbooks, variables, half-planes, with the place of every error.
 //!
-//! [`Source`] opens a file or standard input; [`read_table`] reads the numeric columns that are asked for from
-//! delimited text in many dialects ([`AskedDialect`]), and [`scan`] does so in batches, for files of any size;
-//! both read MATLAB's `.mat` files too. [`read_half_planes`] reads half-planes from such a table or from an H- or
-//! V-representation of cdd and lrs. Every number is read exactly
-//! as [`boundfit_exact::Reading`] says. Every error is an [`InputError`], which names the file, the line, the column, the
-//! text found there and what would be accepted.
+//! [`Source`] opens a file or standard input. [`read_table`] reads the numeric columns that are asked for
+//! from delimited text in many dialects ([`AskedDialect`]). [`scan`] does so in batches, for files of any
+//! size; both functions also read MATLAB's `.mat` files. [`read_half_planes`] reads half-planes from such a
+//! table or from an H- or V-representation of cdd and lrs. Every number is read exactly as
+//! [`boundfit_exact::Reading`] says. Every error is an [`InputError`], which names the file, the line, the
+//! column, the text found there and what would be accepted.
 //!
 //! | step | modules |
 //! |---|---|

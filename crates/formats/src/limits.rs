@@ -6,8 +6,8 @@ use crate::budget::MemoryBudget;
 use crate::error::InputErrorKind;
 use crate::packing::most_unpacked;
 
-/// The most that one file may ask for, beside what one of its numbers may ([`boundfit_exact::Limits`]). What passes a limit
-/// is refused before memory is taken for it.
+/// The most that one file may ask for, beside what one of its numbers may ([`boundfit_exact::Limits`]). Input
+/// that passes a limit is refused before memory is taken for it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SizeLimits {
     /// Bytes of one line, and of one row where quotes make it go over several lines.
@@ -20,9 +20,10 @@ pub struct SizeLimits {
     pub elements: usize,
     /// Bytes that a compressed file may unpack to.
     pub unpacked: u64,
-    /// How many times its size a packed file may unpack to, beyond 67,108,864 bytes: a compressed one, a variable of a
-    /// `.mat` file, a workbook, and the numbers of 8 bytes that columns of a Parquet or Arrow file stand for. Beyond 8,388,608 bytes
-    /// no more than that is held of what a Zstandard file unpacks to so that later bytes can repeat it.
+    /// The factor of its size up to which a packed file may unpack, beyond 67,108,864 bytes. A packed file is
+    /// a compressed one, a variable of a `.mat` file or a workbook. Numbers of 8 bytes that columns of a
+    /// Parquet or Arrow file stand for count too. Beyond 8,388,608 bytes no more than that is held of what a
+    /// Zstandard file unpacks to so that later bytes can repeat it.
     pub ratio: u64,
     /// Bytes that a workbook may have, unpack to, and have as the text of one sheet.
     pub workbook: u64,
@@ -30,7 +31,7 @@ pub struct SizeLimits {
     pub work: u64,
     /// Bytes of a text that is held in memory whole: half-planes, a linear program.
     pub text: u64,
-    /// How deep arrays and objects of a JSON file may be nested.
+    /// The most levels of nested arrays and objects in a JSON file.
     pub nesting: usize,
     /// Bytes of memory that may be held: by readers, of what they cannot hand out at once, and of rows, with what is made of each
     /// ([`HeldRows`](crate::HeldRows)). Clones of these limits share one budget.

@@ -9,13 +9,13 @@ use crate::dialect::{BLANKS, Dialect, Encoding};
 pub struct TableNotes {
     /// The line that names the columns.
     pub header: HeaderNote,
-    /// How the text is written; of a sheet the delimiter and the encoding mean nothing.
+    /// The dialect of the text; for a sheet the delimiter and the encoding mean nothing.
     pub dialect: Dialect,
     /// `true` if the table is a sheet of a workbook, whose rows are then the lines.
     pub is_sheet: bool,
     /// `true` if the table is records of JSON, whose keys are the names; then the delimiter means nothing.
     pub is_records: bool,
-    /// Of a file with several blocks, the one that was read.
+    /// The block that was read, for a file with several blocks.
     pub block: Option<BlockNote>,
     /// Skipped lines, and rows that differ from the first one.
     pub skipped: Skipped,
@@ -39,11 +39,11 @@ pub struct HeaderNote {
 /// A block of a file that has several.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BlockNote {
-    /// Its number, from 1; `None` where all of them were read.
+    /// The block's number, from 1; `None` where all blocks were read.
     pub number: Option<usize>,
-    /// Its name: the comment before it.
+    /// The block's name: the comment before it.
     pub name: Option<Foreign>,
-    /// How many blocks there are.
+    /// The number of blocks.
     pub total: usize,
 }
 
@@ -71,8 +71,8 @@ impl Skipped {
 }
 
 impl TableNotes {
-    /// What is not plain about the table, in words: nothing where the first line has the names, and commas, semicolons or tabs
-    /// separate numbers with points.
+    /// Returns words for the unusual properties of the table. The usual table has names in its first line,
+    /// numbers with points, and commas, semicolons or tabs between them.
     pub fn words(&self) -> Option<String> {
         let words: Vec<String> = [self.header_words(), self.block_words()]
             .into_iter()
@@ -126,7 +126,7 @@ impl TableNotes {
         found.into_iter().flatten().collect()
     }
 
-    /// What is unusual about how the text is written.
+    /// Returns words for the unusual properties of the text's dialect.
     fn written_words(&self) -> Vec<String> {
         let Dialect { delimiter, notation, encoding, .. } = self.dialect;
         let (separator, is_usual) = match delimiter {

@@ -1,4 +1,4 @@
-//! Which reader reads an input: the only place where formats are told apart.
+//! Chooses the reader of an input: the only place where formats are told apart.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
@@ -22,13 +22,14 @@ use crate::table::{Table, TableOptions, TableRow};
 #[cfg(feature = "spreadsheets")]
 use crate::workbook::scan_workbook;
 
-/// Reads the columns asked for and hands their rows out in batches: of comma-, semicolon- or tab-separated text, with or
-/// without a header, quotes, a byte order mark, CRLF or blank lines, which are not rows; of MATLAB files, whose numbers
-/// are those that are stored; with the feature `arrow`, of Parquet and Arrow IPC files too. Only cells of wanted rows and
-/// columns need be numbers.
+/// Reads the columns asked for and hands their rows out in batches. Text is separated by commas, semicolons
+/// or tabs, with or without a header, quotes, a byte order mark, CRLF or blank lines, which are not rows.
+/// MATLAB files have stored numbers; with the feature `arrow`, it reads Parquet and Arrow IPC files too. Only
+/// cells of wanted rows and columns need be numbers.
 ///
-/// `work` is called for each batch of wanted rows, on the threads of the current rayon pool, in any order; `take` with what it made of them, on the calling thread and
-/// in the order of the file. A file of one batch needs no pool.
+/// The function calls `work` for each batch of wanted rows, on the threads of the current rayon pool, in any
+/// order. It calls `take` with the results of `work`, on the calling thread and in the order of the file. A
+/// file of one batch needs no pool.
 ///
 /// ```
 /// use boundfit_formats::{ColumnSelector, ScanOptions, Source, scan};
@@ -43,8 +44,8 @@ use crate::workbook::scan_workbook;
 /// # Ok::<(), boundfit_formats::InputError>(())
 /// ```
 ///
-/// Which rows make a batch follows from the file and [`ScanOptions::chunk_bytes`] alone. Exact. Cost: one pass; memory
-/// for a few batches per thread, whatever the size of the file.
+/// The file and [`ScanOptions::chunk_bytes`] alone decide which rows make a batch. Exact. Cost: one pass;
+/// memory for a few batches per thread, whatever the size of the file.
 ///
 /// # Errors
 /// The first thing wrong, with its place; by then batches before it may have been handed out.
@@ -122,7 +123,7 @@ fn scan_content<T: Send>(
 #[derive(Default)]
 struct Wanted {
     count: usize,
-    /// Which ones, if that is asked for.
+    /// The numbers of the rows, if they are asked for.
     rows: RowNumbers,
     fractions: Vec<Fractions>,
 }
@@ -149,15 +150,15 @@ pub struct HeldRows {
     /// The most bytes that were held of the budget when it did not suffice.
     beyond: AtomicU64,
     row_cost: u64,
-    /// How many rows have been met, and how many of them are held.
+    /// The number of rows met so far, and the number of these that are held.
     met: AtomicUsize,
     rows: AtomicUsize,
     is_stopped: AtomicBool,
     progress: Option<Arc<dyn Progress>>,
 }
 
-/// About how many bytes a batch stands for where few rows are taken: a batch of usual size has thousands with the texts of their cells,
-/// and some batches are read at a time.
+/// The approximate number of bytes of a batch where few rows are taken. A batch of usual size has thousands
+/// of rows with the texts of their cells, and some batches are read at a time.
 const CHUNK_OF_FEW_ROWS: usize = 1 << 13;
 
 /// Bytes that a row takes at least: its number, and two of its own.
@@ -186,12 +187,12 @@ impl HeldRows {
         self.add_counted(rows, rows, 0);
     }
 
-    /// So many more rows have been met, of which so many are held, and so many bytes beside these.
+    /// Adds rows that were met, rows among these that are held, and bytes held beside the rows.
     pub fn add_counted(&self, met: usize, held: usize, bytes: usize) {
         self.add_bytes(met, held, (held as u64).saturating_mul(self.row_cost).saturating_add(bytes as u64));
     }
 
-    /// So many more rows have been met, of which so many are held, in so many bytes.
+    /// Adds rows that were met, rows among these that are held, and the bytes of the held rows.
     pub fn add_bytes(&self, met: usize, held: usize, bytes: u64) {
         self.met.fetch_add(met, Ordering::Relaxed);
         self.rows.fetch_add(held, Ordering::Relaxed);

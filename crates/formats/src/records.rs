@@ -1,7 +1,7 @@
 //! Records of delimited text, out of pieces of bytes of any size.
 //!
-//! `csv_core` knows the rules of quotes, delimiters and line ends; lines, lengths and buffers are kept here, since
-//! messages name the line on which a record starts, and no record may grow without bound.
+//! `csv_core` knows the rules of quotes, delimiters and line ends. This module keeps lines, lengths and
+//! buffers, since messages name the line on which a record starts, and no record may grow without bound.
 
 use csv_core::{ReadRecordResult, Reader, ReaderBuilder};
 use memchr::{memchr2, memchr2_iter};
@@ -12,7 +12,7 @@ use crate::dialect::BLANKS;
 use crate::error::{InputError, InputErrorKind};
 use crate::limits::SizeLimits;
 
-/// What spreadsheets write into cells that have no value.
+/// The words that spreadsheets write into cells without a value.
 const SHEET_ERRORS: [&[u8]; 7] = [b"#N/A", b"#DIV/0!", b"#NUM!", b"#VALUE!", b"#REF!", b"#NAME?", b"#NULL!"];
 
 /// The reader of records.
@@ -20,7 +20,7 @@ const SHEET_ERRORS: [&[u8]; 7] = [b"#N/A", b"#DIV/0!", b"#NUM!", b"#VALUE!", b"#
 pub(crate) struct Syntax {
     /// The separator of cells; [`BLANKS`] for runs of blanks and tabs.
     pub(crate) delimiter: u8,
-    /// With which bytes a line starts that is passed over where a record could start.
+    /// The bytes that begin a line to pass over, where a record could start.
     pub(crate) comment: Option<[u8; 2]>,
 }
 
@@ -46,15 +46,15 @@ pub(crate) struct Record {
     /// The cells one behind the other, and room for more of them.
     bytes: Vec<u8>,
     bytes_used: usize,
-    /// Where the cells end, and room for more of them.
+    /// The ends of the cells, with room for more.
     ends: Vec<usize>,
     cells: usize,
-    /// How many cells are kept: each takes memory, and may be nothing but a comma.
+    /// The most cells to keep: each takes memory, and may be nothing but a comma.
     most_cells: usize,
 }
 
 impl Record {
-    /// How many cells there are.
+    /// Returns the number of cells.
     pub(crate) fn len(&self) -> usize {
         self.cells
     }
@@ -192,7 +192,7 @@ pub(crate) struct Records<'a> {
     record_line: u64,
     record_bytes: usize,
     longest_record: usize,
-    /// How many cells rows have; 0 where that is not known.
+    /// The number of cells of a row; 0 where that is not known.
     width: usize,
     /// The text between the last record and the one before, and behind the last one.
     gap: Gap,
@@ -276,7 +276,7 @@ impl<'a> Records<'a> {
 
     /// Returns whether the record is one blank cell in quotes: it is passed over as a blank line is, but it parts no blocks.
     fn has_blank_cell(&self) -> bool {
-        // What is more than the cell and its line end are quotes.
+        // Bytes beyond the cell and its line end are quotes.
         self.record.cells == 1 && self.record_bytes > self.record.bytes_used + 1
     }
 

@@ -37,7 +37,7 @@ impl RowRange {
     }
 }
 
-/// As on the command line: `5`, `14..36`, `10..`.
+/// Writes the range as on the command line: `5`, `14..36`, `10..`.
 impl fmt::Display for RowRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.last {

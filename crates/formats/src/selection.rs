@@ -1,4 +1,4 @@
-//! Which data rows are wanted: by number, and by what stands in them.
+//! Selects data rows: by number, and by the values in them.
 
 use std::ops::Range;
 
@@ -72,7 +72,7 @@ impl RowSet {
         })
     }
 
-    /// Those of the rows from `start` to before `end` that are wanted.
+    /// Returns the wanted rows among the rows from `start` to before `end`.
     pub(crate) fn among(&self, start: usize, end: usize) -> Vec<Range<usize>> {
         let Some(wanted) = &self.wanted else { return ranges_of(std::iter::once(start..end)) };
         ranges_of(wanted.iter().map(|range| range.start.max(start)..range.end.min(end)))
@@ -116,7 +116,7 @@ fn united(ranges: &[RowRange]) -> Vec<Range<usize>> {
     united
 }
 
-/// Between ascending ranges with gaps, from `start` to before `end`.
+/// Returns the gaps between ascending ranges, from `start` to before `end`.
 pub(crate) fn between(ranges: &[Range<usize>], start: usize, end: usize) -> Vec<Range<usize>> {
     let starts = [start].into_iter().chain(ranges.iter().map(|range| range.end));
     let ends = ranges.iter().map(|range| range.start).chain([end]);
@@ -159,7 +159,7 @@ pub struct RowNumbers {
 struct Run {
     /// The position of the first, from 0.
     index: usize,
-    /// Its number.
+    /// The row's number.
     row: usize,
 }
 
@@ -172,7 +172,7 @@ impl FromIterator<Range<usize>> for RowNumbers {
 }
 
 impl RowNumbers {
-    /// How many there are.
+    /// Returns the number of rows.
     pub fn len(&self) -> usize {
         self.count
     }
@@ -238,7 +238,7 @@ impl RowNumbers {
     }
 }
 
-/// How a number is compared.
+/// A comparison of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Comparison {
     Less,
@@ -279,7 +279,7 @@ pub struct RowCondition {
     text: Foreign,
 }
 
-/// Why a text is no condition on rows.
+/// A reason why a text is no condition on rows.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ParseRowConditionError {
     /// Nothing is compared.
@@ -294,7 +294,7 @@ pub enum ParseRowConditionError {
     /// The text after the comparison, which is no number.
     #[error("{text:?}: {}: {error}", if .error.kind.is_limit() { "refused" } else { "not a number" })]
     NotANumber {
-        /// What stands there.
+        /// The text that stands there.
         text: Foreign,
         /// The problem with it.
         error: ParseNumberError,
@@ -302,8 +302,9 @@ pub enum ParseRowConditionError {
 }
 
 impl RowCondition {
-    /// Reads a condition such as `temperature >= 20` or `3 != 0`: a column by its name, in quotes if it has a comparison in
-    /// it, or by its number; one of `<`, `<=`, `=`, `!=`, `>=`, `>`; a number, which is read as those of the column.
+    /// Reads a condition such as `temperature >= 20` or `3 != 0`. The column stands by its number or its
+    /// name, in quotes if the name has a comparison in it. Then comes one of `<`, `<=`, `=`, `!=`, `>=`, `>`,
+    /// and a number, which is read like the column's.
     ///
     /// # Errors
     /// When the text is not of this form.

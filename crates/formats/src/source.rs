@@ -23,17 +23,17 @@ use crate::unpack::{Packed, Unpacked};
 pub struct Source {
     name: Foreign,
     content: Content,
-    /// Of a compressed input, whose content is what it unpacks to.
+    /// The packing of a compressed input, whose content is the unpacked bytes.
     packed: Option<Packed>,
-    /// How many bytes there are, where that is known.
+    /// The number of bytes, where it is known.
     length: Option<u64>,
     is_file: bool,
     is_reduction: bool,
-    /// What it can be opened from once more, if it is no file.
+    /// The means to open the input once more, if it is no file.
     held: Option<Again>,
 }
 
-/// From what an input can be opened once more.
+/// The means to open an input once more.
 #[derive(Clone)]
 pub struct Again(Held);
 
@@ -82,7 +82,7 @@ pub(crate) enum Content {
 }
 
 impl Content {
-    /// What begins like this and goes on with these bytes, its beginning among them.
+    /// Returns an input with this start and these bytes, which include the start.
     fn of(start: &[u8], bytes: Box<dyn Read>) -> Self {
         match BinaryFormat::of(start) {
             Some(BinaryFormat::Matlab) => Content::Matlab(bytes),
@@ -113,8 +113,8 @@ impl Content {
 }
 
 impl Source {
-    /// Opens a file, or standard input for `-`. Of a file that grows while it is read, what was there when it was opened
-    /// is seen. What is compressed by gzip or Zstandard is unpacked as it is read.
+    /// Opens a file, or standard input for `-`. A file that grows while it is read has the content that it
+    /// had when it was opened. Input compressed by gzip or Zstandard is unpacked as it is read.
     ///
     /// # Errors
     /// When the file cannot be opened or is a directory.
@@ -145,12 +145,13 @@ impl Source {
             Some(length) => Source::new(path, file.take(length)),
             None => Source::new(path, file),
         };
-        // How much a compressed file unpacks to is not known.
+        // The unpacked size of a compressed file is not known.
         let length = length.filter(|_| source.packed.is_none());
         Ok(Source { length, is_file, ..source })
     }
 
-    /// A stream of bytes with a name for messages. What is compressed by gzip or Zstandard is unpacked as it is read.
+    /// A stream of bytes with a name for messages. Input compressed by gzip or Zstandard is unpacked as it is
+    /// read.
     pub fn new(name: impl Into<Foreign>, bytes: impl Read + 'static) -> Self {
         let (start, bytes) = peeked(Box::new(bytes));
         let (packed, start, bytes) = match Packed::unpacked(&start, bytes) {
@@ -173,8 +174,9 @@ impl Source {
         Source { held, ..Source::new(name, Cursor::new(bytes)) }
     }
 
-    /// Record batches of Arrow with a name for messages, in the order in which they are handed out: of a reader of Parquet or of
-    /// Arrow's streams, or of batches in memory. They are read once, and read as those of a file are.
+    /// Makes an input of record batches of Arrow in the given order, with a name for messages. The batches
+    /// come from a reader of Parquet or of Arrow's streams, or from memory. They are read once, and read as
+    /// those of a file are.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -236,7 +238,7 @@ impl Source {
         &self.name
     }
 
-    /// How many bytes a file has; `None` where that is not known before it is read.
+    /// Returns the number of bytes of a file; `None` where that is not known before it is read.
     pub fn length(&self) -> Option<u64> {
         self.length
     }
@@ -246,12 +248,14 @@ impl Source {
         self.is_file.then_some(self.name.raw())
     }
 
-    /// From what the same can be opened once more; `None` of what is read once, as standard input and pipes are.
+    /// Returns the means to open the same input once more; `None` for input that is read once, as standard
+    /// input and pipes are.
     pub fn again(&self) -> Option<Again> {
         self.path().map(|path| Again(Held::File(path.to_owned()))).or_else(|| self.held.clone())
     }
 
-    /// Whether this is a reduction, or several of them: see [`open_reduction`](crate::open_reduction).
+    /// Returns true if this is a reduction, or several of them: see
+    /// [`open_reduction`](crate::open_reduction).
     pub fn is_reduction(&self) -> bool {
         self.is_reduction
     }

@@ -7,13 +7,13 @@ use crate::reduction::record::REDUCTION_MARK;
 
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// How many bytes of blank lines are read ahead of the first one that is not blank.
+/// The most bytes of blank lines that are read ahead of the first line that is not blank.
 const MOST_BEFORE: usize = 1 << 16;
 
 /// Looks for the first line that is not blank in a start that grows.
 #[derive(Default)]
 pub(crate) struct FirstLine {
-    /// How many bytes of the start are known to come before it.
+    /// The number of bytes of the start that are known to come before it.
     before: usize,
 }
 
@@ -54,8 +54,8 @@ pub(crate) fn delimiter_of(line: &[u8]) -> Option<u8> {
     [b';', b'\t', b',', b'|'].into_iter().find(|delimiter| outside.contains(delimiter))
 }
 
-/// Returns whether blanks separate the cells of a table whose first two lines are these, which nothing else separates: then both have as
-/// many cells, or the second one a cell more (the names of rows, which need no name).
+/// Returns true if blanks, and nothing else, separate the cells of a table with these first two lines. Both
+/// lines then have as many cells, or the second has a cell more (the names of rows, which need no name).
 pub(crate) fn are_blanks(first: &[u8], second: Option<&[u8]>) -> bool {
     let cells = cells_between_blanks(first);
     let is_next = |second: &[u8]| {
@@ -75,7 +75,7 @@ fn outside_quotes(line: &[u8]) -> Vec<u8> {
     line.iter().filter(is_outside).copied().collect()
 }
 
-/// How many cells a line has if blanks separate them.
+/// Returns the number of cells of a line if blanks separate them.
 pub(crate) fn cells_between_blanks(line: &[u8]) -> usize {
     let mut record = Count(0);
     let mut reader = BlankReader::default();

@@ -11,10 +11,10 @@ use crate::limits::SizeLimits;
 use crate::notes::TableNotes;
 use crate::selection::{RowCondition, RowSet};
 
-/// Where in delimited text the numbers asked for stand.
+/// The place in delimited text of the numbers asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TextLayout {
-    /// How the text is written.
+    /// The dialect of the text.
     pub dialect: Dialect,
     /// The numbers of the columns asked for, from 1, in the order asked.
     pub columns: Vec<usize>,
@@ -28,20 +28,20 @@ impl TextLayout {
     }
 }
 
-/// How a table is to be read.
+/// The options of a table.
 #[derive(Debug, Clone, Default)]
 pub struct TableOptions {
     /// Says whether there is a header.
     pub header: Header,
     /// The sheet of a workbook, by its name or its number from 1; the first one when `None`.
     pub sheet: Option<String>,
-    /// How a text is written.
+    /// The dialect of a text.
     pub dialect: AskedDialect,
-    /// Which block of a file with several of them; such a file is refused when `None`.
+    /// The block to read from a file with several blocks; such a file is refused when `None`.
     pub block: Option<AskedBlock>,
     /// The treatment of rows that lack a number.
     pub missing: Missing,
-    /// What else says that a value is missing, in text and workbooks.
+    /// Further words for missing values, in text and workbooks.
     pub missing_as: MissingWords,
     /// The rows that may be wanted.
     pub rows: RowSet,
@@ -51,7 +51,7 @@ pub struct TableOptions {
     pub keep_others: bool,
     /// `true` if the texts of the cells are kept too, where the table is text.
     pub keep_cells: bool,
-    /// How numbers are read.
+    /// The reading of numbers.
     pub reading: Reading,
     /// Limits on one number.
     pub limits: Limits,
@@ -60,7 +60,7 @@ pub struct TableOptions {
     /// Bytes of memory that a row takes where rows are held, with all that is made of it, as far as the caller knows; counted
     /// against [`SizeLimits::memory`].
     pub row_cost: usize,
-    /// How many wanted rows may be held: one more is refused as soon as it is met.
+    /// The most wanted rows that may be held: one more is refused as soon as it is met.
     pub most_wanted: Option<usize>,
 }
 
@@ -78,8 +78,8 @@ pub struct TableRow {
     pub row: usize,
     /// The numbers of the columns asked for, in the order asked.
     pub numbers: Vec<Rational>,
-    /// With [`TableOptions::keep_cells`], the texts of the cells that are asked for their numbers, as they are written but for
-    /// grouped digits; empty where a value is missing.
+    /// The texts of the cells whose numbers are asked for, as written but for grouped digits, and empty where
+    /// a value is missing; only with [`TableOptions::keep_cells`].
     pub cells: Vec<String>,
 }
 
@@ -88,23 +88,23 @@ pub struct TableRow {
 pub struct Table {
     /// The names of the columns asked for; `col1` and so on where there is none.
     pub names: Vec<Foreign>,
-    /// How many cells of each column asked for are fractions; empty where numbers are stored.
+    /// The number of fractions among the cells of each column asked for; empty where numbers are stored.
     pub fractions: Vec<Fractions>,
     /// The names of all columns, asked for or not; none without a header.
     pub header: Vec<Foreign>,
     /// The rows wanted.
     pub rows: Vec<TableRow>,
-    /// With `keep_others`, the rows that are not wanted but hold numbers.
+    /// The rows that are not wanted but hold numbers, with `keep_others`.
     pub others: Vec<TableRow>,
-    /// How many data rows the file has.
+    /// The number of data rows of the file.
     pub rows_total: usize,
-    /// How many wanted rows were left out since they lack a number.
+    /// The number of wanted rows that were left out since they lack a number.
     pub rows_missing: usize,
     /// The units of the columns asked for, where the table states them.
     pub units: Vec<Option<Foreign>>,
     /// First and last of the rows wanted that follow each other without a gap.
     pub ranges: Vec<[usize; 2]>,
-    /// Where the numbers stand; `None` unless the table is delimited text.
+    /// The place of the numbers; `None` unless the table is delimited text.
     pub layout: Option<TextLayout>,
     /// The detected format of the table; `None` unless it is text or a sheet.
     pub table: Option<TableNotes>,

@@ -4,7 +4,7 @@
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-/// How many threads there are in the current pool.
+/// Returns the number of threads in the current pool.
 #[cfg(feature = "parallel")]
 pub(crate) fn count() -> usize {
     rayon::current_num_threads().max(1)

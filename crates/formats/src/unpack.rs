@@ -18,7 +18,7 @@ use crate::limits::SizeLimits;
 use crate::memory_use::MemoryUse;
 use crate::packing::{ANY_WINDOW, UnpackError, most_unpacked};
 
-/// How an input is compressed.
+/// The compression of an input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Packing {
     Gzip,
@@ -59,22 +59,22 @@ pub(crate) struct Unpacked {
 pub(crate) struct Packed(Rc<RefCell<State>>);
 
 struct State {
-    /// Of the bytes as they are in the file.
+    /// The hash of the bytes as they are in the file.
     hash: Sha256,
     /// `true` if these could not be read, so that an error is not the compression's.
     has_failed: bool,
     /// The most bytes that they may unpack to.
     limit: u64,
-    /// How many times its size that may be.
+    /// The factor of its size up to which it may unpack.
     ratio: u64,
-    /// How many bytes of the file were read.
+    /// The number of bytes of the file that were read.
     bytes: u64,
-    /// What unpacking takes, once there is a limit.
+    /// The memory that unpacking takes, once there is a limit.
     memory: Option<HeldMemory>,
 }
 
 impl Packed {
-    /// What a compressed input unpacks to, if it starts like one.
+    /// Unpacks an input, if it starts like a compressed one.
     pub(crate) fn unpacked(start: &[u8], bytes: Box<dyn Read>) -> Result<Unpacked, Box<dyn Read>> {
         let Some(packing) = Packing::of(start) else { return Err(bytes) };
         let state = State {
@@ -112,7 +112,7 @@ impl Packed {
         if bytes > ANY_WINDOW.max(state.bytes.saturating_mul(state.ratio)) {
             return Err(io::Error::other(UnpackError::HoldsTooMuch { ratio: state.ratio }));
         }
-        // What the library takes beside them.
+        // The library takes some bytes beside them.
         let bytes = bytes + 2 * BLOCK;
         let asked = state.memory.as_ref().map_or(Ok(()), |own| own.ask_for_all(bytes, MemoryUse::Unpacking));
         match asked {
@@ -152,7 +152,7 @@ impl Read for Tap {
     }
 }
 
-/// What comes out of the decoder, up to the limit, with its errors named.
+/// The output of the decoder, up to the limit, with its errors named.
 struct Unpacker {
     decoder: Box<dyn Read>,
     packed: Packed,
@@ -220,14 +220,15 @@ const BLOCKS_OF_START: usize = 8;
 /// window is filled.
 fn start_of_frames(mut bytes: BufReader<Tap>) -> (Vec<u8>, impl BufRead) {
     let mut noting = Noting { bytes: &mut bytes, noted: Vec::new() };
-    // What is damaged is said by who reads it.
+    // The reader reports damaged bytes.
     let start = start_of_frame(&mut noting).unwrap_or_default();
     let noted = noting.noted;
     (start, Cursor::new(noted).chain(bytes))
 }
 
-/// The first bytes of the first frame that is not to be passed over. The decoder is shown the frame with the smallest window: nothing
-/// is taken out of it before the last of these blocks, so that they can repeat whatever they unpacked to.
+/// The first bytes of the first frame that is not to be passed over. The decoder is shown the frame with the
+/// smallest window. Nothing is taken out of it before the last of these blocks, so the blocks can repeat
+/// anything that they unpacked to.
 fn start_of_frame(bytes: &mut Noting<'_, impl Read>) -> Option<Vec<u8>> {
     let mut decoder = FrameDecoder::new();
     let header = header_of_frame(bytes)?;
@@ -276,7 +277,8 @@ fn header_of_frame(bytes: &mut impl Read) -> Option<Vec<u8>> {
     }
 }
 
-/// How many bytes before the current one a frame may repeat, by its header (RFC 8878, 3.1.1.1.2); nothing where it is all of them.
+/// Returns the number of bytes before the current one that a frame may repeat, by its header (RFC 8878,
+/// 3.1.1.1.2); `None` where the frame may repeat all bytes.
 fn window_of(header: &[u8]) -> Option<u64> {
     let (descriptor, window) = (header.get(4)?, header.get(5)?);
     let is_single = descriptor & 0x20 != 0;

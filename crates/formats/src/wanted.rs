@@ -1,4 +1,4 @@
-//! Which columns of a table are wanted whose names are no line of a text.
+//! Selects columns of a table whose names are no line of a text.
 
 use boundfit_exact::{Foreign, WorkMeter};
 
@@ -27,7 +27,7 @@ pub(crate) struct WantedColumns<'a, C = ColumnPlace> {
     pub(crate) places: Vec<C>,
     pub(crate) key: Option<C>,
     pub(crate) identity: Option<C>,
-    /// What must hold for rows to be wanted, and where the columns are that it is about.
+    /// The conditions that wanted rows satisfy, and the places of their columns.
     pub(crate) conditions: Vec<(C, &'a RowCondition)>,
     /// The work on the numbers that were read as text.
     pub(crate) meter: WorkMeter,

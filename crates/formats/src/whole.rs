@@ -7,7 +7,7 @@ use crate::source::Source;
 use crate::unpack::Packed;
 use boundfit_exact::Foreign;
 
-/// How many bytes are read at a time.
+/// The number of bytes read at a time.
 const CHUNK_BYTES: usize = 1 << 16;
 
 /// A file of text, unpacked if it was compressed, in UTF-8 if it was UTF-16.

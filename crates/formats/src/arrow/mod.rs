@@ -29,23 +29,25 @@ use numbers::{fractions, missing, numbers};
 use open::{batches, column_names, guarded, plain, rows_at_a_time, unreadable};
 use texts::{BadCell, keys, lines, text};
 
-/// How many parts of a record batch are decoded at a time.
+/// The number of parts of a record batch that are decoded at a time.
 const PARTS_PER_THREAD: usize = 16;
 
 /// The memory of a number, whatever it takes in the file.
 const BYTES_PER_NUMBER: u64 = 8;
 
-/// Reads a Parquet file or an Arrow IPC file or stream like [`scan`](crate::scan) reads text: the same numbers, rows and
-/// batches in order as from a CSV of the same table. The names of the columns are those of the schema.
+/// Reads a Parquet file or an Arrow IPC file or stream, as [`scan`](crate::scan) reads text. Numbers, rows
+/// and the order of batches are the same as from a CSV of the same table. The names of the columns are those
+/// of the schema.
 ///
-/// Integers and decimals are exact. A float stands, under [`Reading::Decimal`](boundfit_exact::Reading::Decimal), for the
-/// shortest decimal that reads back as the same float of its width, which is what a CSV of it shows (0.1 is 1/10); under
-/// [`Reading::Binary64`](boundfit_exact::Reading::Binary64) for itself. With [`ScanOptions::keep_text`], the rows are written
-/// as CSV of the columns asked for, which reads back as the same numbers. Text is read as numbers, dictionaries as their
-/// values. Only cells of wanted rows and columns need be numbers.
+/// Integers and decimals are exact. Under [`Reading::Decimal`](boundfit_exact::Reading::Decimal) a float
+/// stands for the shortest decimal that reads back as the same float of its width. A CSV of the float shows
+/// this decimal (0.1 is 1/10). Under [`Reading::Binary64`](boundfit_exact::Reading::Binary64) a float stands
+/// for itself. With [`ScanOptions::keep_text`], the rows are written as CSV of the columns asked for, which
+/// reads back as the same numbers. Text is read as numbers, dictionaries as their values. Only cells of
+/// wanted rows and columns need be numbers.
 ///
-/// Cost: one pass over the wanted columns, and one over the bytes where they are hashed; memory for some batches per
-/// thread, and for one record batch or the pages of a row group of the wanted columns.
+/// Cost: one pass over the wanted columns, and one over the bytes where they are hashed. Memory: some batches
+/// per thread, and one record batch or the pages of a row group of the wanted columns.
 ///
 /// # Errors
 /// The first thing wrong, with the row and column.

@@ -37,7 +37,7 @@ pub(super) fn numbers(
     }
 }
 
-/// Which cells have no number; `None` where all have one.
+/// Returns a mark for each cell, `true` where the cell has no number; `None` where all cells have one.
 pub(super) fn missing(array: &ArrayRef) -> Option<Vec<bool>> {
     if !may_lack_numbers(array) {
         return None;

@@ -17,14 +17,14 @@ use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use crate::binary::BinaryFormat;
 use crate::error::InputErrorKind;
 
-/// The most rows that are decoded at a time: few enough that what is made of them stays in the cache, and that the allocator
-/// hands the same memory out again; with eight times as many, 17 digits take a fifth longer.
+/// The most rows that are decoded at a time. They are few enough to stay in the cache, and the allocator
+/// hands the same memory out again. With eight times as many rows, 17 digits take a fifth longer.
 const BATCH_ROWS: usize = 1 << 13;
 
 /// The most rows of text: a page may have one long text that all of them are.
 const BATCH_ROWS_OF_TEXT: usize = 1 << 10;
 
-/// How many rows of columns of these types are decoded at a time.
+/// Returns the number of rows of columns of these types that are decoded at a time.
 pub(super) fn rows_at_a_time<'a>(mut types: impl Iterator<Item = &'a DataType>) -> usize {
     if types.all(DataType::is_primitive) { BATCH_ROWS } else { BATCH_ROWS_OF_TEXT }
 }

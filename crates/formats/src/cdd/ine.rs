@@ -2,9 +2,9 @@
 //! Guide*, "File Formats"): an H-representation with a row `b -a1 -a2` for `b - a1·θ1 - a2·θ2 ≥ 0`, or, after a line
 //! `V-representation`, generators as in [`super::ext`].
 //!
-//! Numbers are read exactly, whatever the word `integer`, `rational` or `real` says: cdd and lrs take fractions under
-//! `integer` too. Rows on lines `linearity` (or the older `equality`) are equations. Of the options, those that only ask for
-//! other output are passed over; those that mean another set are refused.
+//! Numbers are read exactly, whatever the word `integer`, `rational` or `real` says: cdd and lrs take
+//! fractions under `integer` too. Rows on lines `linearity` (or the older `equality`) are equations. Options
+//! that only ask for other output are passed over; options that mean another set are refused.
 
 use boundfit_exact::{Rational, WorkMeter};
 use boundfit_geometry::{Inequality, System};
@@ -36,7 +36,7 @@ struct Parser<'a> {
     file: &'a str,
     lines: Vec<(u64, &'a str)>,
     options: &'a TableOptions,
-    /// What the lines take, and the rows.
+    /// The memory of the lines and the rows.
     memory: HeldMemory,
 }
 
@@ -80,7 +80,7 @@ impl<'a> Parser<'a> {
         let last = |name: &str| head.iter().rposition(|(line, text)| is_line(*line, text, name));
         let (named_h, named_v) = (last("H-representation"), last("V-representation"));
         let is_v = named_v > named_h;
-        // What stands before such a line is the name of the set, in any words.
+        // Any words before such a line are the name of the set.
         let options = named_v.max(named_h).and_then(|at| head.get(at..)).unwrap_or(head);
         self.refuse_other_sets(options, is_v)?;
 

@@ -4,7 +4,7 @@ use boundfit_exact::Rational;
 
 use crate::error::{InputError, InputErrorKind, Place};
 
-/// What lrs writes for the number of rows, which it does not know yet.
+/// The mark that lrs writes in place of a number of rows that it does not know yet.
 const UNKNOWN_ROWS: &str = "*****";
 
 /// A word of the file with its line and column, from 1.
@@ -17,9 +17,9 @@ pub(super) struct Token<'a> {
 
 /// A row of the matrix.
 pub(super) struct MatrixRow<'a> {
-    /// Its first word, for messages.
+    /// The row's first word, for messages.
     pub(super) start: Token<'a>,
-    /// Its three numbers.
+    /// The row's three numbers.
     pub(super) numbers: [Rational; 3],
     /// `true` if it is on a `linearity` line.
     pub(super) is_linear: bool,

@@ -15,7 +15,7 @@ use crate::row_range::RowRange;
 use super::names::{advice, are_no_names};
 use super::ways::{Setting, Way};
 
-/// As many names as a message lists.
+/// The most names that a message lists.
 const MOST_NAMES: usize = 10;
 
 /// The problem with an input file.
@@ -77,9 +77,9 @@ pub enum InputErrorKind {
     WholeMatrix {
         /// The variable.
         variable: Foreign,
-        /// Its rows.
+        /// The number of rows of the variable.
         rows: u64,
-        /// Its columns.
+        /// The number of columns of the variable.
         columns: u64,
     },
     /// Columns of a MATLAB file or in memory that do not make a table.
@@ -95,7 +95,7 @@ pub enum InputErrorKind {
     TooManyElements {
         /// The variable.
         variable: Foreign,
-        /// How many elements it announces.
+        /// The number of elements that it announces.
         elements: u64,
         /// The most that are read.
         limit: usize,
@@ -109,7 +109,7 @@ pub enum InputErrorKind {
     /// A packed file that unpacks to more than the limit for its size.
     #[error("refused: it unpacks to more than {ANY_FILE} bytes and {ratio} times its size (the limit)")]
     UnpacksTooFar {
-        /// How many times its size it may unpack to.
+        /// The factor of its size up to which a file may unpack.
         ratio: u64,
     },
     /// A packed file of which more has to be held to unpack it than the limit for its size.
@@ -117,7 +117,7 @@ pub enum InputErrorKind {
         "refused: unpacking it takes more than {ANY_WINDOW} bytes of memory and {ratio} times its size (the limit)"
     )]
     HoldsTooMuch {
-        /// How many times its size may be held.
+        /// The factor of its size that may be held.
         ratio: u64,
     },
     /// A text that would be held in memory, beyond the limit.
@@ -164,7 +164,7 @@ pub enum InputErrorKind {
     /// A directory was named.
     #[error("is a directory")]
     IsDirectory,
-    /// There is nothing in the file.
+    /// An empty file.
     #[error("the file is empty")]
     Empty,
     /// The file ends after its header.
@@ -176,7 +176,7 @@ pub enum InputErrorKind {
     /// A cell or line is not valid UTF-8.
     #[error("invalid UTF-8 at character {} of the {unit}", position + 1)]
     NotUtf8 {
-        /// How many characters of the unit come before.
+        /// The number of characters of the unit before this one.
         position: usize,
         /// `cell` or `line`.
         unit: &'static str,
@@ -202,7 +202,7 @@ pub enum InputErrorKind {
         /// The most columns that are read.
         limit: usize,
     },
-    /// What could not be read since quotes hold all that follows.
+    /// Input that could not be read since an open quote takes in all that follows.
     #[error("a quote that opens in this row is never closed")]
     OpenQuote,
     /// A row with more or fewer cells than the first one.
@@ -226,7 +226,7 @@ pub enum InputErrorKind {
     /// Rows behind a comment or two blank lines, where no block is chosen.
     #[error("the file has {total} blocks of rows: {}", listed(.blocks, *.total))]
     SeveralBlocks {
-        /// How many.
+        /// The number of all.
         total: usize,
         /// The first of them.
         blocks: Vec<Block>,
@@ -236,7 +236,7 @@ pub enum InputErrorKind {
     UnknownBlock {
         /// The block asked for.
         wanted: AskedBlock,
-        /// How many there are.
+        /// The number of all.
         total: usize,
         /// The first of them.
         blocks: Vec<Block>,
@@ -246,7 +246,7 @@ pub enum InputErrorKind {
     AmbiguousBlock {
         /// The name.
         name: Foreign,
-        /// How many blocks have it.
+        /// The number of blocks with this name.
         count: usize,
     },
     /// Another block begins: what the readers of rows say to each other.
@@ -261,12 +261,12 @@ pub enum InputErrorKind {
     /// A column that is asked for twice.
     #[error("the same column is asked for as {first:?} and as {second:?}")]
     SameColumn {
-        /// As what first.
+        /// The first meaning.
         first: Foreign,
-        /// As what then.
+        /// The second meaning.
         second: Foreign,
     },
-    /// What is the name of a column and the number of another one.
+    /// A text that is the name of one column and the number of another.
     #[error("{wanted:?} is the name of column {named} and the number of another one")]
     NameOrNumber {
         /// The column asked for.
@@ -281,7 +281,7 @@ pub enum InputErrorKind {
         wanted: Foreign,
         /// The names in the header; none without one.
         available: Vec<Foreign>,
-        /// How many columns there are, when a number may be given instead of a name.
+        /// The number of columns, when a number may be given instead of a name.
         numbers: Option<usize>,
     },
     /// A column that a table of one column does not have, when nothing was found that separates columns.
@@ -332,7 +332,7 @@ pub enum InputErrorKind {
     /// A row that lacks a number.
     #[error("the value is missing{}", others_missing(*.rows, *.is_complete))]
     Missing {
-        /// How many rows lack a number that is asked for.
+        /// The number of rows without a number that is asked for.
         rows: usize,
         /// `true` if the whole file was looked at.
         is_complete: bool,
@@ -340,7 +340,7 @@ pub enum InputErrorKind {
     /// All wanted rows lack a number.
     #[error("the value is missing, and no row that is asked for has all its values ({rows} without)")]
     AllMissing {
-        /// How many rows lack a number.
+        /// The number of rows without a number.
         rows: usize,
     },
     /// Blanks between groups of digits in a table whose columns blanks separate.
@@ -403,14 +403,14 @@ pub enum InputErrorKind {
         /// The most rows that are read.
         limit: usize,
     },
-    /// What is held takes more memory than the budget has ([`MemoryBudget`](crate::MemoryBudget)).
+    /// Input that takes more memory than the budget has ([`MemoryBudget`](crate::MemoryBudget)).
     #[error("{what} {needed} of memory, more than {limit} (the limit)", needed = size_text(*.needed), limit = size_text(*.limit))]
     TooMuchMemory {
         /// The memory that was requested last.
         what: MemoryUse,
-        /// How many bytes all that is held takes at least.
+        /// The number of bytes that all input held takes at least.
         needed: u64,
-        /// How many may be held.
+        /// The most bytes that may be held.
         limit: u64,
     },
     /// More wanted rows than the caller takes.
@@ -646,7 +646,7 @@ fn named(rows: RowRange) -> String {
     if is_one { format!("row {rows} was") } else { format!("rows {rows} were") }
 }
 
-/// What would make a row a wanted one.
+/// Returns words for the conditions that a wanted row satisfies.
 fn wanted_by(conditions: &[Foreign]) -> String {
     match conditions {
         [] => "is left".to_owned(),
@@ -657,7 +657,7 @@ fn wanted_by(conditions: &[Foreign]) -> String {
     }
 }
 
-/// How many other rows lack a value.
+/// Returns words for the other rows without a value.
 fn others_missing(rows: usize, is_complete: bool) -> String {
     let up_to_there = if is_complete { "" } else { " at least" };
     match rows.saturating_sub(1) {

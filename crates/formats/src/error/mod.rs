@@ -15,7 +15,7 @@ pub use ways::{Setting, Way};
 /// The name of the input `-` in messages.
 pub(crate) const STANDARD_INPUT: &str = "standard input";
 
-/// Where in a file something is wrong. The parts that make no sense for a problem are `None`.
+/// The place of an error in a file. The parts that make no sense for a problem are `None`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Place {
     /// The sheet of a workbook, whose rows are then the lines.
@@ -36,7 +36,7 @@ pub struct Place {
 pub struct InputError {
     /// The file, as it was named.
     pub file: Foreign,
-    /// Where in the file.
+    /// The place in the file.
     pub place: Box<Place>,
     /// The problem there.
     #[source]

@@ -1,9 +1,9 @@
-//! What a column that is not there may have been meant for.
+//! Suggests columns in place of one that is not there.
 
 use boundfit_exact::{Foreign, Limits, Reading};
 use strsim::osa_distance;
 
-/// Behind the message that there is no such column: what to do.
+/// Returns the advice behind the message that there is no such column.
 pub(super) fn advice(wanted: &Foreign, available: &[Foreign], numbers: Option<usize>) -> String {
     match (nearest(wanted.raw(), available), numbers) {
         (Some(name), _) => format!("; did you mean {name:?}?"),
@@ -20,8 +20,8 @@ pub(super) fn are_no_names(available: &[Foreign]) -> bool {
     !available.is_empty() && available.iter().all(is_number)
 }
 
-/// The name that differs from the wanted one in upper and lower case, by what follows its first words (`r` and `r (Mpc)`),
-/// or in a third of its letters at most: of each kind the first, of the last kind the nearest.
+/// Returns the first name that differs from the wanted one only in upper and lower case. Otherwise it returns the first
+/// with more behind the wanted words (`r` and `r (Mpc)`), or else the nearest with at most a third of the letters different.
 fn nearest<'a>(wanted: &str, available: &'a [Foreign]) -> Option<&'a Foreign> {
     let lower = wanted.to_lowercase();
     let begins = |name: &str| {

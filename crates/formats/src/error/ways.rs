@@ -50,7 +50,7 @@ impl Setting {
 pub struct Way {
     /// The setting.
     pub setting: Setting,
-    /// To what; empty for what is only switched on.
+    /// The value that the option gets; empty for a switch.
     pub value: &'static str,
     /// The effect: `reads any byte`.
     pub effect: &'static str,

@@ -8,7 +8,8 @@ use crate::notes::TableNotes;
 /// 10⁶ points. What callers make of half-planes, [`TableOptions::row_cost`] says.
 pub(crate) const OF_A_HALF_PLANE: usize = 800;
 
-/// Which row of the file an inequality of the system comes from; for a V-representation, its number among those computed.
+/// The origin of an inequality of the system: a row of the file. For a V-representation, its number among the
+/// computed inequalities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RowOrigin {
     /// The row, from 1.
@@ -22,9 +23,9 @@ pub struct RowOrigin {
 pub struct HalfPlaneFile {
     /// The inequalities; an equation gives two. For a V-representation, a minimal set of them.
     pub system: System,
-    /// Where each inequality of the system comes from.
+    /// The origin of each inequality of the system.
     pub origins: Vec<RowOrigin>,
-    /// How many rows the file has.
+    /// The number of rows of the file.
     pub rows: usize,
     /// SHA-256 of the file's bytes, in hexadecimal.
     pub sha256: String,
@@ -39,7 +40,7 @@ pub struct HalfPlaneFile {
 pub struct GeneratorRows {
     /// The meaning of each row, in order; after them the origin, when there are rows but none is a point.
     pub generators: Generators,
-    /// For each inequality of the system, the rows, from 1, of the points that span the set's part of its boundary
+    /// The rows, from 1, of the points that span the set's part of the boundary of each inequality
     /// ([`Generators::spanning`]).
     pub spanning: Vec<Vec<usize>>,
 }

@@ -1,8 +1,8 @@
 //! Records in JSON as tables: an array of objects, objects one after the other (NDJSON), or an array of arrays.
 //!
-//! The keys name the columns, and what stands behind them are cells as those of a text: a number is what is written, so that 0.1 is 1/10,
-//! `null` and a key that a record lacks are missing, a text is a cell. Records are read some at a time, whatever the size of the file.
-//! Which columns there are, the first part of the file tells.
+//! The keys name the columns, and the values are cells as in a text. A number is exactly the text written, so
+//! 0.1 is 1/10. A missing value is `null` or a key that a record lacks; a text is a cell. Records are read
+//! some at a time, whatever the size of the file. The first part of the file tells which columns there are.
 
 mod rows;
 mod tokens;
@@ -94,7 +94,7 @@ pub(crate) fn scan_json<T: Send>(
     Ok(Scanned { header: names, bytes, sha256, table: Some(table), ..scanned })
 }
 
-/// What there is to say of records in this encoding.
+/// Returns notes on records in this encoding.
 fn notes(encoding: Encoding, missing: Missing) -> TableNotes {
     TableNotes {
         header: HeaderNote::default(),

@@ -15,12 +15,12 @@ use crate::memory_use::MemoryUse;
 /// allocator adds. Measured as the largest memory of a process that read an array of 2·10⁶ empty texts.
 const OF_A_CELL: usize = 144;
 
-/// Where the records stand.
+/// The place of the records.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Form {
     /// Nothing was read.
     Start,
-    /// In an array, the first one to come or not.
+    /// Records in an array; the flag tells if the first one is still to come.
     Array {
         is_first: bool,
     },
@@ -46,7 +46,7 @@ pub(super) struct JsonRows<'a, R> {
     /// `true` if columns may be added.
     is_open: bool,
     most_columns: usize,
-    /// What the records take that were read together.
+    /// The memory of the records that were read together.
     memory: HeldMemory,
 }
 

@@ -5,13 +5,13 @@ use std::io::{self, Read};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::limits::SizeLimits;
 
-/// How many bytes are read at a time.
+/// The number of bytes read at a time.
 const BUFFER: usize = 1 << 16;
 
-/// How many bytes of what cannot be read a message shows.
+/// The number of bytes of unreadable text that a message shows.
 const SHOWN: usize = 20;
 
-/// What an object or array is called where a number belongs.
+/// Names for an object or array where a number belongs.
 pub(super) const NESTED: [&str; 2] = ["{...}", "[...]"];
 
 /// JSON on its way.
@@ -21,7 +21,7 @@ pub(super) struct Tokens<'a, R> {
     buffer: Vec<u8>,
     at: usize,
     line: u64,
-    /// How many bytes were passed over, and how many of the record are held.
+    /// The number of bytes passed over, and the number of bytes of the record that are held.
     passed: u64,
     held: usize,
     sizes: &'a SizeLimits,
@@ -41,7 +41,7 @@ impl<'a, R: Read> Tokens<'a, R> {
         self.line
     }
 
-    /// How many bytes were passed over.
+    /// Returns the number of bytes that were passed over.
     pub(super) fn passed(&self) -> u64 {
         self.passed
     }

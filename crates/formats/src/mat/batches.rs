@@ -53,7 +53,7 @@ pub(crate) fn scan_mat<T: Send>(
     let progress = options.progress.as_deref();
     refuse_twice(name, columns)?;
     let found = MatColumns::read(file, &selectors, &options.table.sizes, options.hash, progress);
-    // What is asked for is given back behind the last batch.
+    // The columns are given back behind the last batch.
     let MatColumns { columns: found, rows, sha256, bytes, memory: _memory } = found.map_err(fail)?;
     check_rows(name, rows, options)?;
     let mut found = found.into_iter();
@@ -74,7 +74,7 @@ pub(crate) fn scan_mat<T: Send>(
 
 /// The numbers of variables, from one of them on.
 struct Variables {
-    /// Whether rows are written as text, which must read back as the same doubles.
+    /// `true` if rows are written as text, which must read back as the same doubles.
     keep_text: bool,
 }
 

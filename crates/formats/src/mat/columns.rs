@@ -17,18 +17,18 @@ use crate::scan::Progress;
 /// The name of such files in reports.
 const FORMAT: &str = "a MATLAB file";
 
-/// How else the tables of HDF5 files are had.
+/// Advice on getting tables of HDF5 files.
 const FROM_HDF5: &str = "save its table as CSV: in Python pandas.read_hdf('FILE').to_csv('FILE.csv'), in Octave save -text FILE NAME";
 
 /// Columns of one length out of a file.
 pub(super) struct MatColumns {
-    /// Those asked for, in that order.
+    /// The columns asked for, in that order.
     pub(super) columns: Vec<MatColumn>,
-    /// How many numbers each has.
+    /// The number of numbers that each column has.
     pub(super) rows: usize,
     /// SHA-256 of the file's bytes, in hexadecimal, if it was wanted.
     pub(super) sha256: Option<String>,
-    /// How many bytes the file has.
+    /// The number of bytes of the file.
     pub(super) bytes: u64,
     /// The memory of the numbers.
     pub(super) memory: HeldMemory,
@@ -68,7 +68,7 @@ impl MatColumns {
     }
 }
 
-/// How the variables of a file are written.
+/// The layout of a file's variables.
 enum Layout {
     /// Version 4, each variable in an order of bytes of its own.
     V4,

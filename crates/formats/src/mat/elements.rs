@@ -15,11 +15,11 @@ const ALIGNMENT: u64 = 8;
 /// The problem with the bytes of a file.
 #[derive(Debug)]
 pub(super) enum Damage {
-    /// They stop too soon, or cannot be read or inflated.
+    /// The bytes stop too soon, or cannot be read or inflated.
     Io(io::Error),
-    /// They contradict the format.
+    /// The bytes contradict the format.
     Format(String),
-    /// They are sound, but more than may be asked for.
+    /// The bytes are sound, but ask for more than is allowed.
     Refused(InputErrorKind),
 }
 
@@ -40,9 +40,9 @@ impl From<io::Error> for Damage {
 pub(super) struct Tag {
     /// The type of what follows.
     pub(super) kind: u32,
-    /// How many bytes of it there are.
+    /// The number of bytes of the element.
     pub(super) bytes: u64,
-    /// Where they stand in the tag itself.
+    /// The bytes that stand in the tag itself.
     packed: Option<[u8; 4]>,
 }
 
@@ -50,7 +50,7 @@ pub(super) struct Tag {
 pub(super) struct Elements<R> {
     inner: R,
     order: ByteOrder,
-    /// How many bytes have been read.
+    /// The number of bytes read so far.
     position: u64,
 }
 

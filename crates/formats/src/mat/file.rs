@@ -21,7 +21,7 @@ impl<'a> MatFile<'a> {
         MatFile { inner: BufReader::new(file), hash: hash.then(Sha256::new), progress, position: 0 }
     }
 
-    /// How many bytes have been read.
+    /// Returns the number of bytes read so far.
     pub(super) fn position(&self) -> u64 {
         self.position
     }

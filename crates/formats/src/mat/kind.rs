@@ -1,9 +1,9 @@
-//! Which of MATLAB's formats a file is in, by its first bytes.
+//! Tells by its first bytes which of MATLAB's formats a file has.
 
-/// How many bytes tell.
+/// The number of bytes that tell the format.
 pub(crate) const START: usize = 128;
 
-/// What HDF5 files begin with.
+/// The first bytes of HDF5 files.
 const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
 
 /// MATLAB's formats.

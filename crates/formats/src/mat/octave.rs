@@ -1,5 +1,5 @@
-//! What Octave's `save -text` writes: variables one after the other, each with lines that say its name, type and size, and its numbers
-//! as text, row by row.
+//! Reads the output of Octave's `save -text`: one variable after the other. Lines with its name, type and
+//! size precede its numbers, which are text, row by row.
 //!
 //! Source: Octave, `libinterp/corefcn/ls-oct-text.cc` and the `save_ascii` of each type.
 
@@ -69,7 +69,7 @@ struct Text<'a, R> {
     /// The number of the last line, and what stands on it.
     line: u64,
     last: String,
-    /// How many bytes were read.
+    /// The number of bytes read.
     read: u64,
     sizes: &'a SizeLimits,
 }
@@ -94,7 +94,7 @@ impl<R: BufRead> Text<'_, R> {
         if self.next()? { Ok(()) } else { Err(Damage::Io(io::ErrorKind::UnexpectedEof.into())) }
     }
 
-    /// What the last line says of this word, as `# rows: 3` says 3 of `rows`.
+    /// Returns the value that the last line has for this word, as `# rows: 3` has 3 for `rows`.
     fn said(&self, word: &str) -> Option<&str> {
         let text = self.last.strip_prefix(['#', '%'])?.trim_start();
         Some(text.strip_prefix(word)?.strip_prefix(':')?.trim())
@@ -110,7 +110,7 @@ impl<R: BufRead> Text<'_, R> {
         Ok(None)
     }
 
-    /// What the next line must say of a word.
+    /// Reads the value that the next line must have for a word.
     fn value(&mut self, word: &str) -> Result<String, Damage> {
         self.must()?;
         match self.said(word) {

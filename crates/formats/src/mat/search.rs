@@ -1,4 +1,4 @@
-//! What is looked for among the variables of a file, and what was found.
+//! Searches the variables of a file for columns, and keeps the columns that it found.
 
 use std::io::{self, Read};
 use std::sync::Arc;
@@ -32,7 +32,7 @@ pub(super) struct MatColumn {
 struct Found {
     variable: Variable,
     numbers: Option<Arc<Numbers>>,
-    /// How many columns there are before it.
+    /// The number of columns before it.
     before: u64,
     /// The names of the fields of a struct.
     fields: Vec<String>,
@@ -43,7 +43,7 @@ impl Found {
         (self.before + 1..=self.before + self.variable.content.columns()).contains(&number)
     }
 
-    /// What is no matrix of numbers, with its article.
+    /// Returns a name, with its article, for a variable that is no matrix of numbers.
     fn what(&self) -> String {
         match &self.variable.content {
             Content::Other(what) => what.clone(),
@@ -67,7 +67,7 @@ impl Found {
     }
 }
 
-/// Which column is meant by a selector.
+/// The column that a selector means.
 pub(super) struct Wanted<'a> {
     text: &'a str,
     /// `M` and 2 of `M(:,2)`.
@@ -101,9 +101,10 @@ pub(super) struct Search<'a> {
     wanted: &'a [Wanted<'a>],
     sizes: &'a SizeLimits,
     all: Vec<Found>,
-    /// How many columns there are so far.
+    /// The number of columns so far.
     before: u64,
-    /// How many bytes of variables there were in the file so far, and how many of numbers are held of those.
+    /// The number of bytes of variables in the file so far, and the number of bytes of their numbers that are
+    /// held.
     packed: u64,
     held: u64,
     /// The memory of these numbers.
@@ -223,7 +224,7 @@ impl<'a> Search<'a> {
             }
         }
         let is_wanted = self.admit(&mut found, |count, memory| Numbers::read(elements, count, memory))?;
-        // What is left of the variable is inflated for its checksum, and is at most padding.
+        // The rest of the variable is at most padding; it is inflated for its checksum.
         if is_wanted && elements.tag()?.is_some() {
             return Err(Damage::format(format!("{:?} goes on behind its numbers", found.variable.name)));
         }
@@ -347,7 +348,7 @@ fn column(found: &Found, number: u64) -> Result<MatColumn, InputErrorKind> {
             let start = whole((number - 1).saturating_mul(rows));
             Ok(MatColumn { place, numbers: numbers.clone(), start, rows })
         }
-        // What is asked for has been read.
+        // All columns that are asked for have been read.
         None => Err(InputErrorKind::Changed),
     }
 }

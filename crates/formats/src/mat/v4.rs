@@ -13,7 +13,8 @@ use super::variable::{Content, LONGEST_NAME, Variable};
 /// The words in front of the name: the type, rows, columns, whether complex, the length of the name.
 const WORDS: usize = 5;
 
-/// How numbers are stored, by the tens of the type: their bytes, and the element type of version 5 that is the same.
+/// The types of stored numbers, by the tens of the type: their bytes, and the element type of version 5 that
+/// is the same.
 const STORED: [(u64, u32); 6] = [(8, 9), (4, 7), (4, 5), (2, 3), (2, 4), (1, 2)];
 
 /// Reads the next variable; `false` at the end of the file.

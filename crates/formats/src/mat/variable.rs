@@ -1,4 +1,4 @@
-//! What a variable says about itself before its numbers.
+//! Reads a variable's own description, which stands before its numbers.
 
 use std::io::Read;
 
@@ -36,7 +36,7 @@ pub(super) enum Content {
 }
 
 impl Content {
-    /// How many columns of a table this is: a vector is one, whichever way it lies.
+    /// Returns the number of columns of a table that the variable makes: a vector is one, lying or standing.
     pub(super) fn columns(&self) -> u64 {
         match self {
             Content::Numbers { rows: 1, .. } => 1,
@@ -45,7 +45,7 @@ impl Content {
         }
     }
 
-    /// How many rows these columns have.
+    /// Returns the number of rows of these columns.
     pub(super) fn rows(&self) -> u64 {
         match self {
             Content::Numbers { rows: 1, columns } => *columns,
@@ -121,7 +121,7 @@ fn part<R: Read>(elements: &mut Elements<R>, kind: u32, most: u64, what: &str) -
     elements.short(tag, most, what)
 }
 
-/// What a class that is not one of numbers is called, with its article.
+/// Returns the name, with its article, of a class that is not one of numbers.
 fn name_of(class: u32) -> Option<&'static str> {
     Some(match class {
         1 => "a cell array",

@@ -69,9 +69,10 @@ impl MemoryTable {
         self.names.iter().zip(&self.columns)
     }
 
-    /// The table as CSV with a header, UTF-8 with a line feed behind each line: under the reading that it is written for it reads
-    /// back as the same numbers, in the same rows. What is missing is NaN, or an empty cell where the table has a text. Numbers of
-    /// [`MemoryNumbers::Exact`] are fractions, of which the binary64 reading would take the nearest doubles.
+    /// Returns the table as CSV with a header, UTF-8 with a line feed behind each line. Read under the
+    /// reading that it is written for, it gives the same numbers in the same rows. A missing value is NaN, or
+    /// an empty cell where the table has a text. Numbers of [`MemoryNumbers::Exact`] are fractions, of which
+    /// the binary64 reading would take the nearest doubles.
     ///
     /// ```
     /// use boundfit_exact::Reading;

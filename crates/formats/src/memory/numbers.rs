@@ -20,7 +20,7 @@ pub(crate) struct BadNumber {
 }
 
 impl MemoryNumbers {
-    /// How many cells there are.
+    /// Returns the number of cells.
     pub fn len(&self) -> usize {
         match self {
             MemoryNumbers::Doubles(doubles) => doubles.len(),

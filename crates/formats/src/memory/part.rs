@@ -17,10 +17,10 @@ use crate::wanted::{Placed, WantedColumns};
 
 /// The cells of columns, by the index of their row from 0.
 pub(crate) trait Cells<C>: Sync {
-    /// Whether a cell of a column may have no number.
+    /// Returns true if a cell of a column may have no number.
     fn has_missing(&self, column: &C) -> bool;
 
-    /// Whether this cell has no number.
+    /// Returns true if this cell has no number.
     fn is_missing(&self, column: &C, index: usize) -> bool;
 
     /// A cell as a CSV would show it.
@@ -31,7 +31,7 @@ pub(crate) trait Cells<C>: Sync {
         self.text(column, index, reading).into()
     }
 
-    /// What a column takes from the cells in a range.
+    /// Reads the values that a column takes from the cells in a range.
     fn column(&self, column: &C, range: Range<usize>, reader: CellReader) -> Result<Column, BadNumber>;
 }
 
@@ -39,7 +39,7 @@ pub(crate) trait Cells<C>: Sync {
 pub(crate) struct Part<'a, T, C = ColumnPlace> {
     pub(crate) table: &'a T,
     pub(crate) wanted: &'a WantedColumns<'a, C>,
-    /// How many rows of the table come before.
+    /// The number of rows of the table before this part.
     pub(crate) before: usize,
     /// The lines on which the rows begin, in a table that has lines.
     pub(crate) lines: &'a [u64],
@@ -108,7 +108,7 @@ impl<T: Cells<C>, C: Placed + Sync> Part<'_, T, C> {
         Ok(())
     }
 
-    /// Where a row of the table, counted from 1, stands here.
+    /// Returns the place here of a row of the table, counted from 1.
     fn index(&self, row: usize) -> usize {
         row - 1 - self.before
     }
@@ -117,8 +117,8 @@ impl<T: Cells<C>, C: Placed + Sync> Part<'_, T, C> {
         self.table.text(column, self.index(row), self.wanted.options.table.reading)
     }
 
-    /// Of so many rows, those that are asked for and whose numbers satisfy the conditions as far as they are there, and those of them that lack
-    /// no number.
+    /// Returns the asked rows whose numbers, as far as they have some, satisfy the conditions, and the ones
+    /// among them that lack no number.
     fn with_values(&self, rows: usize, lacking: &mut Lacking) -> Result<[Vec<Range<usize>>; 2], InputError> {
         let rows = self.wanted.options.table.rows.among(self.before + 1, self.before + rows + 1);
         let needed: Vec<&C> = self.wanted.needed().filter(|column| self.table.has_missing(column)).collect();
@@ -153,7 +153,7 @@ impl<T: Cells<C>, C: Placed + Sync> Part<'_, T, C> {
         Ok([satisfying, wanted].map(|rows| rows.ranges().map(|[first, last]| first..last + 1).collect()))
     }
 
-    /// What a column takes from the rows of a range, counted from 1.
+    /// Reads the values that a column takes from the rows of a range, counted from 1.
     fn numbers(
         &self,
         column: &C,

@@ -21,7 +21,7 @@ pub enum ReductionError {
     /// Something that cannot be true of any readings beside the rows that follow.
     #[error("the reduction contradicts itself: {what} (was it edited? make it again from the table)")]
     Contradiction {
-        /// What it says, and what shows that it is not so.
+        /// The statement of the reduction, and the evidence against it.
         what: &'static str,
     },
     /// More or fewer lines than announced.
@@ -48,9 +48,9 @@ pub enum ReductionError {
     CountsTooMany {
         /// The line in front.
         line: u64,
-        /// How many readings there were.
+        /// The number of readings.
         rows: usize,
-        /// How many the rows stand for.
+        /// The number of readings that the rows stand for.
         counted: u64,
     },
     /// Rows of several lines in reductions of which only some count readings.
@@ -76,7 +76,7 @@ pub enum ReductionError {
     NotAsked {
         /// The meaning, as the sentence begins.
         what: &'static str,
-        /// What the reduction says, ready to be printed.
+        /// The value that the reduction has, ready to be printed.
         has: String,
         /// The request, ready to be printed.
         asked: String,

@@ -1,8 +1,10 @@
 //! Tables of the few readings that stand for many, with what is known about all of them in front.
 //!
-//! A reduction is a line `# boundfit/reduced/1 {…}`, of another model `# boundfit/reduced/2 {…}`, the header of the table if it has
-//! one, and the readings that were kept, as they were written; in formats 3 and 4 each behind how many readings it stands for. Several of them one after the other are a reduction of all their readings:
-//! `cat` is the union. The reader shows such a text as one table whose lines keep their numbers.
+//! A reduction is a line `# boundfit/reduced/1 {…}`, or `# boundfit/reduced/2 {…}` for another model, then
+//! the header of the table if it has one, then the kept readings as they were written. In formats 3 and 4
+//! each reading stands behind the number of readings that it stands for. Several of them one after the other
+//! are a reduction of all their readings: `cat` is the union. The reader shows such a text as one table whose
+//! lines keep their numbers.
 
 pub(crate) mod error;
 mod model;

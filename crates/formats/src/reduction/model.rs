@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::error::ReductionError;
 
-/// What was reduced: the columns, and under which bounds the rows that are kept decide.
+/// The model of a reduction: the columns, and the bounds under which the rows that are kept decide.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReducedModel {
     /// The name of the column of x, or of both regressors.
@@ -16,23 +16,23 @@ pub struct ReducedModel {
     pub bounds: ReducedBounds,
 }
 
-/// Under which bounds the rows that are kept decide.
+/// The bounds under which the rows that are kept decide.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ReducedBounds {
     /// One for all readings of a line, whatever it is.
     #[serde(skip)]
     Any,
-    /// Of a line any multiple of those in a column of this name.
+    /// Any multiple of the bounds in a column of this name, for a line.
     #[serde(skip)]
     Multiples(Foreign),
     /// This one for all readings, as `p/q` or `n`.
     Uniform(Foreign),
-    /// Those in a column of this name.
+    /// The bounds in a column of this name.
     Column(Foreign),
-    /// Those of a law, in the only way in which [`AskedReduction`] writes it.
+    /// The bounds of a law, in the only way in which [`AskedReduction`] writes it.
     Law(Foreign),
-    /// Those between the columns of these names, of which one may be left out.
+    /// Intervals between the columns of these names, of which one may be left out.
     Interval {
         /// The column of lower bounds.
         lower: Option<Foreign>,
@@ -89,7 +89,7 @@ impl ReducedModel {
         Ok(())
     }
 
-    /// What makes reductions of two models parts of different wholes.
+    /// Returns the difference that makes reductions of two models parts of different wholes.
     pub(super) fn difference(&self, other: &Self) -> Option<&'static str> {
         if self.regressors.len() != other.regressors.len() {
             return Some("the number of regressors");
@@ -108,7 +108,7 @@ impl ReducedBounds {
     /// Returns whether rows that decide under these bounds decide under others.
     fn serve(&self, asked: &Self) -> bool {
         match (self, asked) {
-            // What decides among readings of each bound decides among all of them, too.
+            // Rows that decide among readings of each bound decide among all of them, too.
             (ReducedBounds::Any | ReducedBounds::Multiples(_), ReducedBounds::Uniform(_)) => true,
             (ReducedBounds::Multiples(_), ReducedBounds::Any) => true,
             (ReducedBounds::Multiples(own), ReducedBounds::Column(asked)) => own == asked,

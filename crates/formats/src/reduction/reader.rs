@@ -19,7 +19,8 @@ pub struct Reductions(Arc<Mutex<Seen>>);
 #[derive(Debug, Default)]
 struct Seen {
     records: Vec<ReductionRecord>,
-    /// How many rows there are, and of those that do not stand for one reading their place among all and for how many.
+    /// The number of rows, and for each row that does not stand for one reading its place among all rows and
+    /// its count.
     rows: usize,
     counts: Vec<(usize, u64)>,
 }
@@ -40,7 +41,7 @@ impl Reductions {
         self.0.lock().map(|seen| seen.records.clone()).unwrap_or_default()
     }
 
-    /// How many readings each of so many rows stands for, in order; `None` where no reduction says so.
+    /// Returns the number of readings that each row stands for, in order; `None` where no reduction says so.
     ///
     /// # Errors
     /// When it is not known which row is which.
@@ -59,8 +60,8 @@ impl Reductions {
         Ok(Some(counts))
     }
 
-    /// Of rows with these numbers, counted from 1, those that stand for more than one reading: their position among these and how
-    /// many readings beside themselves. Rows that have not been read stand for themselves.
+    /// Returns, for the rows with these numbers (from 1) that stand for more than one reading, their position
+    /// and the number of further readings. Rows that have not been read stand for themselves.
     pub fn beside_themselves(&self, rows: impl Iterator<Item = usize>) -> Vec<(usize, u64)> {
         let Ok(seen) = self.0.lock() else { return Vec::new() };
         let count = |row: usize| {
@@ -111,10 +112,11 @@ struct ReductionReader<R> {
     reductions: Reductions,
     header: Option<Vec<u8>>,
     line: u64,
-    /// Where the current reduction began, and the rows of it so far.
+    /// The place where the current reduction began, and the rows of it so far.
     begun: u64,
     found: usize,
-    /// How many readings the rows of the current reduction stand for so far; `None` where they do not say so.
+    /// The number of readings that the rows of the current reduction stand for so far; `None` where they do
+    /// not say so.
     counted: Option<u64>,
     awaits_header: bool,
     out: Vec<u8>,
@@ -123,8 +125,8 @@ struct ReductionReader<R> {
 }
 
 impl<R: Read> ReductionReader<R> {
-    /// A reader of a text that begins with [`REDUCTION_MARK`]. What reads from it is to refuse lines with more bytes than
-    /// `longest_line`; here longer ones are only kept from being held in memory whole.
+    /// A reader of a text that begins with [`REDUCTION_MARK`]. The reader of its lines refuses lines with
+    /// more bytes than `longest_line`; this reader only avoids holding them whole in memory.
     fn new(inner: R, longest_line: usize) -> Self {
         ReductionReader {
             inner: BufReader::new(inner),

@@ -6,15 +6,15 @@ use serde::{Deserialize, Serialize};
 use super::error::ReductionError;
 use super::model::{AskedReduction, ReducedBounds, ReducedModel};
 
-/// How the line in front begins, before the number of the format.
+/// The beginning of the line in front, before the number of the format.
 pub const REDUCTION_MARK: &str = "# boundfit/reduced/";
 
 /// The line in front of a reduction.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReductionRecord {
-    /// How many readings there were.
+    /// The number of readings.
     pub rows: usize,
-    /// How many lines of them follow.
+    /// The number of lines that follow.
     pub kept: usize,
     /// `true` if each of these lines begins with how many readings it stands for.
     pub counted: bool,
@@ -132,7 +132,7 @@ impl ReductionRecord {
         }
     }
 
-    /// What makes two reductions parts of different wholes.
+    /// Returns the difference that makes two reductions parts of different wholes.
     pub(super) fn difference(&self, other: &Self) -> Option<&'static str> {
         let differences = [
             (self.reading != other.reading, "the reading of numbers"),

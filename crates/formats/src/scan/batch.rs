@@ -19,7 +19,7 @@ pub struct Pieces<B> {
 }
 
 impl<B> Pieces<B> {
-    /// How many pieces there are.
+    /// Returns the number of pieces.
     pub fn len(&self) -> usize {
         self.ends.len()
     }
@@ -73,19 +73,21 @@ impl Pieces<Vec<u8>> {
 /// Wanted data rows, in columns; at least one row, unless others are kept.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Batch {
-    /// Which data rows of the file these are.
+    /// The numbers of these data rows in the file.
     pub rows: RowNumbers,
     /// The columns asked for, in the order asked, all of the same length.
     pub columns: Vec<Column>,
     /// The cells of [`ScanOptions::key`], without the spaces and tabs around them.
     pub keys: Option<Pieces<String>>,
-    /// With [`ScanOptions::keep_text`], each row as it stands in the file, without its line end.
+    /// Each row as it stands in the file, without its line end; only with [`ScanOptions::keep_text`].
     pub lines: Option<Pieces<Vec<u8>>>,
-    /// With [`TableOptions::keep_cells`], [`TableRow::cells`] of each row; nothing of tables that are no text.
+    /// [`TableRow::cells`] of each row, only with [`TableOptions::keep_cells`] and for text.
     pub cells: Vec<Vec<String>>,
-    /// How many cells of each column asked for are fractions; none are counted where numbers are stored.
+    /// The number of fractions among the cells of each column asked for; nothing is counted where numbers are
+    /// stored.
     pub fractions: Vec<Fractions>,
-    /// With [`TableOptions::keep_others`], rows that are not wanted but hold numbers; then there may be no other rows.
+    /// The rows that are not wanted but hold numbers, only with [`TableOptions::keep_others`]; then there may
+    /// be no other rows.
     pub others: Vec<TableRow>,
 }
 
@@ -101,17 +103,18 @@ impl Batch {
     }
 }
 
-/// How a scan is to go.
+/// The options of a scan.
 #[derive(Clone)]
 pub struct ScanOptions {
-    /// How the table is to be read.
+    /// The options of the table.
     pub table: TableOptions,
     /// A column of text.
     pub key: Option<ColumnSelector>,
     /// `true` if the text of the rows is handed out too.
     pub keep_text: bool,
-    /// A column that tells rows apart. With `keep_text`, rows that are not text to begin with, of which else only the columns asked
-    /// for are written, are written with its cells at the end; rows of text have all their cells anyway.
+    /// A column that tells rows apart. A column whose cells stand at the end of each written row. This
+    /// matters only with `keep_text` and for rows that are not text to begin with: they are written with the
+    /// columns asked for only, while rows of text have all their cells.
     pub identity: Option<ColumnSelector>,
     /// `true` if a table without rows, or without any that are wanted, is nothing but that. It is refused otherwise.
     pub allow_nothing: bool,
@@ -124,9 +127,9 @@ pub struct ScanOptions {
     pub unbounded_rows: bool,
     /// `true` if a column may be asked for twice. It is refused otherwise; of a reduction, what it does not answer is said first.
     pub same_columns: bool,
-    /// About how many bytes a batch stands for, at least 1.
+    /// The approximate number of bytes of a batch, at least 1.
     pub chunk_bytes: usize,
-    /// Who is told how far it is, and may stop it.
+    /// A listener that is told how far the scan is, and may stop it.
     pub progress: Option<Arc<dyn Progress>>,
 }
 
@@ -142,7 +145,8 @@ pub(crate) fn check_rows(file: &str, total: usize, options: &ScanOptions) -> Res
     }
 }
 
-/// From 128 KiB to 1 MiB the time is the same; twice as much no longer fits a level-2 cache beside its numbers.
+/// Sizes from 128 KiB to 1 MiB take the same time; twice as much no longer fits a level-2 cache beside its
+/// numbers.
 const CHUNK_BYTES: usize = 1 << 18;
 
 impl Default for ScanOptions {
@@ -179,28 +183,29 @@ pub trait Progress: Send + Sync {
 pub struct Scanned {
     /// The names of the columns asked for; `col1` and so on where there is none.
     pub names: Vec<Foreign>,
-    /// How many cells of each column asked for are fractions; empty where numbers are stored.
+    /// The number of fractions among the cells of each column asked for; empty where numbers are stored.
     pub fractions: Vec<Fractions>,
     /// The names of all columns, asked for or not; none without a header.
     pub header: Vec<Foreign>,
     /// The name of the key column.
     pub key_name: Option<Foreign>,
-    /// With [`ScanOptions::keep_text`], the header as it stands in the file, without its line end.
+    /// The header as it stands in the file, without its line end; only with [`ScanOptions::keep_text`].
     pub header_line: Option<Vec<u8>>,
     /// The units of the columns asked for, where the table states them.
     pub units: Vec<Option<Foreign>>,
-    /// Where the numbers stand; `None` unless the table is delimited text.
+    /// The place of the numbers; `None` unless the table is delimited text.
     pub layout: Option<TextLayout>,
     /// The detected format of the table; `None` unless it is text or a sheet.
     pub table: Option<TableNotes>,
-    /// With [`ScanOptions::list_rows`], first and last of the wanted rows that follow each other without a gap.
+    /// The first and last of the wanted rows that follow each other without a gap, with
+    /// [`ScanOptions::list_rows`].
     pub ranges: Vec<[usize; 2]>,
-    /// How many data rows the file has.
+    /// The number of data rows of the file.
     pub rows_total: usize,
-    /// How many wanted rows were left out since they lack a number.
+    /// The number of wanted rows that were left out since they lack a number.
     pub rows_missing: usize,
-    /// How many bytes the file has.
+    /// The number of bytes of the file.
     pub bytes: u64,
-    /// With [`ScanOptions::hash`], SHA-256 of the file's bytes, in hexadecimal.
+    /// SHA-256 of the file's bytes, in hexadecimal; only with [`ScanOptions::hash`].
     pub sha256: Option<String>,
 }

@@ -16,7 +16,7 @@ use super::notes::Notes;
 use super::rows::RowReader;
 use super::run::Run;
 
-/// How many bytes between blocks are held for the comments in them.
+/// The most bytes between blocks that are held for the comments in them.
 const MOST_BETWEEN: usize = 1 << 16;
 
 /// The block that is asked for, where it begins.
@@ -139,8 +139,8 @@ impl<T, W: Fn(Batch) -> T, K: FnMut(T)> Run<'_, W, K> {
         Ok(total)
     }
 
-    /// An error of reading rows, which lists the blocks if it is that another one begins. What was read up to a position was one block;
-    /// what follows is the rest.
+    /// An error of reading rows, which lists the blocks if it is that another one begins. Rows up to this
+    /// position were one block; the rest follows.
     pub(super) fn or_blocks(
         &self,
         error: InputError,

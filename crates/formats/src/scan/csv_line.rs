@@ -12,7 +12,7 @@ pub(crate) fn csv_line(cells: impl IntoIterator<Item = String>) -> Vec<u8> {
     cells.into_iter().map(quoted).collect::<Vec<_>>().join(",").into_bytes()
 }
 
-/// Of columns with these titles each once, however often it is asked for.
+/// Returns each of the columns with these titles once, however often it is asked for.
 pub(crate) fn each_once<'a, T>(
     columns: impl IntoIterator<Item = T> + 'a,
     titles: &'a [Foreign],

@@ -18,10 +18,10 @@ use super::layout::{Layout, Shape};
 use super::preamble::{Preamble, USUAL_MARKS};
 use super::values::{Mark, Numbers};
 
-/// How far the rows have been read.
+/// A position in the table: how far the rows have been read.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Position {
-    /// How many rows.
+    /// The number of rows.
     pub(super) rows: usize,
     /// The line reached, from 1.
     pub(super) lines: u64,
@@ -34,15 +34,15 @@ pub(super) struct FirstRecord<'a> {
     pub(super) layout: Layout<'a>,
     /// The header as it stands in the file, where text is kept.
     pub(super) header_line: Option<Vec<u8>>,
-    /// Where the rows start.
+    /// The position where the rows start.
     pub(super) position: Position,
 }
 
-/// After so many lines that are blank or comments, the second record is not looked for before the others are: they would all
-/// have to be held.
+/// The most blank lines or comments up to which the second record is looked for before the others: all of
+/// them would have to be held.
 const MOST_BLANK_LINES: u64 = 4096;
 
-/// So many rows, and bytes of them, are looked at to see whether numbers stand below the first record.
+/// The most rows, and bytes of them, that are looked at to see if numbers stand below the first record.
 const MOST_ROWS_BELOW: usize = 16;
 const MOST_BYTES_BELOW: usize = 1 << 16;
 
@@ -170,7 +170,7 @@ fn no_delimiter(error: InputError, preamble: &Preamble, cells: &[Vec<u8>]) -> In
     }
 }
 
-/// How the first records are read.
+/// The reader of the first records.
 struct Start<'a> {
     file: &'a str,
     options: &'a ScanOptions,
@@ -242,8 +242,9 @@ impl Start<'_> {
         self.record(reader, cursor, MOST_BLANK_LINES).unwrap_or_default()
     }
 
-    /// For each cell of the first record whether numbers stand below it: in one of the first two cells that are not missing, since the
-    /// first may be a unit. Where the question tells whether the record is a header, nothing is looked at.
+    /// Returns for each cell of the first record `true` if a number stands below it. It looks at the first
+    /// two cells that are not missing, since the first may be a unit. Where the question tells whether the
+    /// record is a header, nothing is looked at.
     fn below(
         &self,
         first: &Found,
@@ -259,7 +260,8 @@ impl Start<'_> {
             return Vec::new();
         }
         let numbers = Numbers::new(table, self.syntax.delimiter);
-        // How many cells of each column told something, and whether one of them is a number.
+        // The number of cells of each column that told something, and a flag that is set if one of them is a
+        // number.
         let mut below = vec![(0, false); cells.len()];
         let mut cursor = behind;
         let mut shift = None;

@@ -18,13 +18,13 @@ use crate::error::InputError;
 /// Separators that are no part of a number.
 const SEPARATORS: &[u8] = b",;\t|:";
 
-/// How to go through a row.
+/// The way through a row.
 pub(super) struct Route {
     /// The way to the cells that conditions on rows are about.
     conditions: Vec<Step>,
     /// The way to those whose contents are wanted.
     pub(super) steps: Vec<Step>,
-    /// How many cells come after the last of these.
+    /// The number of cells after the last of these.
     pub(super) behind: usize,
     /// `true` if a row needs a number in one of the columns that may lack one.
     wants_presence: bool,
@@ -32,7 +32,7 @@ pub(super) struct Route {
 
 /// A cell that is wanted.
 pub(super) struct Step {
-    /// How many separators come since the cell before; `None` for the same cell again.
+    /// The number of separators since the cell before; `None` for the same cell again.
     pub(super) separators: Option<usize>,
     pub(super) what: What,
 }
@@ -40,21 +40,21 @@ pub(super) struct Step {
 /// The use of a cell.
 #[derive(Clone, Copy)]
 pub(super) enum What {
-    /// As a number of a column, which may have to be at least 0.
+    /// A number of a column, which may have to be at least 0.
     Number { column: usize, non_negative: bool },
-    /// For whether it has a number.
+    /// The presence of a column's number.
     Presence { column: usize },
-    /// For something else that a column takes from it.
+    /// A cell that a column takes for another purpose.
     Aside { column: usize },
-    /// As the key.
+    /// The key.
     Key,
-    /// For the condition on rows with this number, from 0.
+    /// The condition on rows with this number, from 0.
     Condition(usize),
 }
 
 impl Route {
-    /// The route through the rows of a table, or `None` when the fast lane cannot tell numbers from separators, reads
-    /// numbers beyond the limits, or would pass over rows that are kept.
+    /// Returns the route through the rows of a table. It returns `None` when the fast lane cannot tell
+    /// numbers from separators, reads numbers beyond the limits, or would pass over rows that are kept.
     pub(super) fn new(layout: &Layout) -> Option<Self> {
         let table = &layout.options.table;
         if !SEPARATORS.contains(&layout.syntax.delimiter)
@@ -127,7 +127,7 @@ pub(super) struct Lane<'a> {
 }
 
 impl<'a> Lane<'a> {
-    /// At the start of a chunk, whose numbers have points.
+    /// Starts at the beginning of a chunk, whose numbers have points.
     pub(super) fn new(chunk: &'a [u8], numbers: &'a [u8], layout: &'a Layout<'a>, route: &'a Route) -> Self {
         let is_decimal = layout.options.table.reading == Reading::Decimal;
         Lane {
@@ -168,8 +168,8 @@ impl Lane<'_> {
         Some(self.is_satisfied)
     }
 
-    /// Goes to cells of the row that starts here and does with each what it is wanted for; gives the end of the last one, or
-    /// `None` when one is not as it should be.
+    /// Goes to cells of the row that starts here and treats each as it is wanted. It returns the end of the
+    /// last one, or `None` when one is not as it should be.
     #[inline]
     fn walk(&mut self, start: usize, steps: &[Step]) -> Option<usize> {
         let mut cell = start;
@@ -261,14 +261,14 @@ impl Lane<'_> {
         Some(Plain { mantissa, exponent, end })
     }
 
-    /// The exponent behind the digits of a number, 0 if there is none, and the end of the cell, which has so many quotes around
-    /// it; `None` where the cell goes on.
+    /// Returns the exponent behind the digits of a number (0 if there is none) and the end of the cell, which
+    /// has this many quotes around it. It returns `None` where the cell goes on.
     fn end_of_number(&self, at: usize, quotes: usize) -> Option<(i32, usize)> {
         let (power, length) = exponent_prefix(self.numbers.get(at..)?).unwrap_or_default();
         Some((power, self.end_behind(at + length, quotes)?))
     }
 
-    /// How many quotes the cell that starts here starts with: one or none.
+    /// Returns the number of quotes that the cell here starts with: one or none.
     #[inline(always)]
     fn opening_quotes(&self, at: usize) -> usize {
         usize::from(self.is_quoted && self.chunk.get(at) == Some(&b'"'))
@@ -297,7 +297,7 @@ impl Lane<'_> {
         let (layout, cell) = (self.layout, self.chunk.get(contents)?);
         let (value, _) = layout.numbers.value(cell, selector, layout.mark).ok()?;
         value.check(selector).ok()?;
-        // What is too long is refused with its place by the rules of CSV in full.
+        // A number that is too long is refused with its place by the rules of CSV in full.
         layout.meter(&value, cell).ok()?;
         self.is_bounded |= value.is_presence();
         value.push_to(self.batch.columns.get_mut(column)?);

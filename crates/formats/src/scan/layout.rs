@@ -25,7 +25,7 @@ use super::preamble::{Preamble, USUAL_MARKS};
 use super::quoting::is_quoted;
 use super::values::{Mark, Numbers, Value};
 
-/// How many cells rows have.
+/// The number of cells of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Shape {
     /// The smallest number.
@@ -35,14 +35,14 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    /// That of a table with this first record: empty cells at its end may be left out below.
+    /// Returns the shape of a table with this first record: empty cells at its end may be left out below.
     pub(super) fn of_first(cells: &[Vec<u8>]) -> Self {
         let is_filled = |cell: &Vec<u8>| !cell.trim_ascii().is_empty();
         let least = cells.iter().rposition(is_filled).map_or(1, |last| last + 1);
         Shape { least, width: cells.len() }
     }
 
-    /// That of a table whose rows have a name more than the header.
+    /// Returns the shape of a table whose rows have a name more than the header.
     pub(super) fn with_row_names(self) -> Self {
         Shape { least: self.least + 1, width: self.width + 1 }
     }
@@ -56,7 +56,7 @@ pub(super) struct Layout<'a> {
     pub(super) shape: Shape,
     /// The last cell that a row must have.
     needed: usize,
-    /// How many lines before the table are none of it.
+    /// The number of lines before the table that do not belong to it.
     passed: u64,
     pub(super) syntax: Syntax,
     /// The line that names the columns.
@@ -74,7 +74,7 @@ pub(super) struct Layout<'a> {
     meter: WorkMeter,
     /// The names of all columns; none without a header.
     pub(super) header: Vec<Foreign>,
-    /// Where the columns asked for are.
+    /// The places of the columns asked for.
     pub(super) places: Vec<ColumnPlace>,
     pub(super) key: Option<ColumnPlace>,
     /// The conditions for rows to be wanted, and where the columns are that it is about.
@@ -181,7 +181,7 @@ impl<'a> Layout<'a> {
         Layout { encoding, records_before, units, ..self }
     }
 
-    /// How the table is written, as far as is known by now.
+    /// Returns the dialect of the table, as far as it is known by now.
     pub(super) fn dialect(&self) -> Dialect {
         let table = &self.options.table;
         Dialect {

@@ -1,9 +1,9 @@
 //! Numeric columns of delimited text of any size, in batches.
 //!
-//! The bytes are cut into chunks of whole lines. Some chunks at a time are taken apart side by side (`parallel`), by the
-//! fast lane (`plain`) or else by the rules of CSV in full (`rows`), each as if a row started with it. Where one ends
-//! within quotes, the next one does not start with a row: from there on chunks are read one after the other
-//! (`sequential`).
+//! The bytes are cut into chunks of whole lines. A group of chunks is taken apart in parallel (`parallel`),
+//! each as if a row started with it: by the fast lane (`plain`), or else by the rules of CSV in full
+//! (`rows`). Where one ends within quotes, the next one does not start with a row: from there on chunks are
+//! read one after the other (`sequential`).
 
 mod batch;
 mod builder;
@@ -56,7 +56,8 @@ pub(crate) fn scan_text<T: Send>(
     reader.start(file, options.table.dialect.encoding)?;
     if options.table.dialect.skip_lines == 0 {
         let is_full = |text: &[u8]| text.len() >= DOCUMENT_START;
-        // What tells may stand far behind the first line, if that begins like a comment or a document.
+        // If the first line begins like a comment or a document, the bytes that tell the format may stand far
+        // behind it.
         while matches!(reader.pending().trim_ascii_start(), [b'<' | b'%' | b'!', ..])
             && !is_full(reader.pending())
             && reader.read_on() > 0

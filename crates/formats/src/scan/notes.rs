@@ -1,5 +1,5 @@
-//! Findings while rows are read, which count only once the rows before are known: which decimal mark was the first
-//! one, which rows lack a number, and whether rows of nothing are the end of the table.
+//! Findings while rows are read, which count only once the rows before are known. They say which decimal mark
+//! was the first one, which rows lack a number, and if rows of nothing are the end of the table.
 
 use boundfit_exact::DecimalMark;
 
@@ -22,7 +22,7 @@ pub(super) struct Notes {
     tail: Tail,
     /// `true` if there is a row that is not empty.
     has_rows: bool,
-    /// How many rows were handed out.
+    /// The number of rows handed out.
     used: usize,
     /// `true` if comments were passed over between rows or after them.
     pub(super) has_comments: bool,
@@ -30,7 +30,7 @@ pub(super) struct Notes {
     before: Option<(Gap, InputError)>,
     /// The text behind the last row, or the whole text without rows.
     after: Gap,
-    /// How many blocks begin, where all of them are read.
+    /// The number of blocks that begin, where all of them are read.
     pub(super) breaks: usize,
     /// Other skipped lines, and rows that differ from the first one.
     pub(super) skipped: Skipped,
@@ -44,8 +44,8 @@ struct Tail {
 }
 
 impl Notes {
-    /// Those of so many rows without anything to notice but so many blank lines before and behind them. The first row stands on
-    /// this line.
+    /// Returns the findings of rows with nothing to notice except these numbers of blank lines before and
+    /// behind them. The first row stands on this line.
     pub(super) fn of_rows(total: usize, used: usize, blank_lines: [u64; 2], first: InputError) -> Self {
         let [before, after] = blank_lines.map(|blank_lines| Gap { blank_lines, ..Gap::default() });
         let before = (total > 0).then_some((before, first));
@@ -172,8 +172,8 @@ impl Notes {
         Ok(())
     }
 
-    /// How many rows there were, and how many of them were left out since they lack a number, when reading them came to an
-    /// end with so many rows.
+    /// Returns the number of rows and the number left out since they lack a number, when reading ended after
+    /// these rows.
     ///
     /// # Errors
     /// That of reading, unless the first missing number came before it and is not allowed.

@@ -21,7 +21,7 @@ const CHUNKS_PER_THREAD: usize = 4;
 /// The treatment of a group.
 struct Outcome<T> {
     made: Vec<T>,
-    /// Where the next group starts.
+    /// The place where the next group starts.
     position: Position,
     /// The chunk that ends within quotes.
     open: Option<usize>,
@@ -103,9 +103,9 @@ impl<T: Send, W: Fn(Batch) -> T + Sync, K: FnMut(T)> Run<'_, W, K> {
     }
 }
 
-/// The rows of chunks, each with how many come before it. Behind the first one that tells the decimal mark, chunks are read once more
-/// for which that mark matters: those that tell another one or have an error, whose words it may change, and all where commas that may
-/// group digits have become decimal ones.
+/// The rows of chunks, each with how many come before it. Reads chunks once more for which the decimal mark
+/// matters that the first one tells. These are chunks that tell another mark, chunks with an error, whose
+/// words the mark may change, and all chunks where commas that may group digits have become decimal ones.
 fn with_first_mark(
     group: &[Chunk],
     layout: &Layout,
@@ -140,7 +140,7 @@ fn read_group<T: Send>(
 ) -> Result<Outcome<T>, InputError> {
     let mut rows_before = vec![position.rows; group.len()];
     if !layout.options.table.rows.is_all() || position.rows == 0 {
-        // Which rows are wanted depends on how many come before, and so does what is said of the first one.
+        // The number of rows before decides which rows are wanted, and the words about the first one.
         let counts = threads::map(group.iter().collect(), |chunk: &Chunk| {
             ways.and_then(|ways| plain::count(chunk, layout, ways))
                 .unwrap_or_else(|| rows::count(chunk, layout))

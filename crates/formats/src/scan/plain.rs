@@ -15,7 +15,7 @@ use crate::error::{InputError, InputErrorKind};
 /// The ways through a row.
 pub(super) struct Ways {
     route: Route,
-    /// Through rows of which nothing but decimals is wanted.
+    /// The way through rows of which only decimals are wanted.
     straight: Option<Straight>,
 }
 
@@ -32,8 +32,8 @@ impl Ways {
     }
 }
 
-/// So often at least, and after a fourth of the rows, what reads many rows at once may stop at one that takes more, before it is
-/// left alone.
+/// The number of stops that the reader of many rows at once may make at rows that take more, before it is
+/// left alone. It may also stop at a fourth of the rows.
 const MOST_STOPS: usize = 100;
 
 /// Reads the rows of a chunk that comes after so many rows; `None` when it is not for the fast lane.
@@ -134,7 +134,8 @@ fn with_points<'c>(chunk: &'c [u8], layout: &Layout) -> Option<Cow<'c, [u8]>> {
     }
 }
 
-/// About how many rows a chunk has, rather too many, by its first lines; in steps, so that freed memory fits again.
+/// Estimates the number of rows of a chunk, rather too high, by its first lines; in steps, so that freed
+/// memory fits again.
 fn likely_rows(chunk: &[u8]) -> usize {
     const STEP: usize = 1 << 11;
     let sample = chunk.get(..1 << 12).unwrap_or(chunk);
@@ -142,7 +143,7 @@ fn likely_rows(chunk: &[u8]) -> usize {
     if chunk.len() == sample.len() { rows } else { (rows + rows / 16).next_multiple_of(STEP) }
 }
 
-/// How many rows a chunk has; `None` when it is not for the fast lane.
+/// Returns the number of rows of a chunk; `None` when it is not for the fast lane.
 pub(super) fn count(chunk: &[u8], layout: &Layout, ways: &Ways) -> Option<usize> {
     if !is_plain(chunk, layout) {
         return None;

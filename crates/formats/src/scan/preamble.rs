@@ -9,13 +9,13 @@ use crate::records::{Records, Syntax};
 use crate::start::{are_blanks, delimiter_of};
 use boundfit_exact::Foreign;
 
-/// How many bytes are passed over at a time, so that many short lines cost no more than a few long ones.
+/// The number of bytes passed over at a time, so that many short lines cost no more than a few long ones.
 const PASSED_AT_ONCE: usize = 1 << 16;
 
-/// How many cells of a comment are looked at: names are few.
+/// The most cells of a comment that are looked at: names are few.
 const MOST_CELLS: usize = 100_000;
 
-/// In how many lines names are looked for that do not stand in the first one.
+/// The number of lines in which names are looked for that do not stand in the first one.
 const MOST_LINES_BEFORE: u64 = 1000;
 
 /// Bytes that start comments unless another one is asked for.
@@ -28,9 +28,9 @@ pub(super) struct Preamble {
     has_comments: bool,
     /// `true` if something separates columns.
     pub(super) has_delimiter: bool,
-    /// How many lines were passed over that are neither comments nor blank.
+    /// The number of lines passed over that are neither comments nor blank.
     pub(super) passed: u64,
-    /// How many of them nobody asked to pass over.
+    /// The number of lines passed over that nobody asked to pass over.
     pub(super) unasked: u64,
     /// The comment right before the first record, as it stands.
     pub(super) comment: Option<Vec<u8>>,
@@ -45,7 +45,7 @@ pub(super) struct Preamble {
 /// Lines of a reader, of which nothing was handed out.
 struct Lines<'r> {
     reader: &'r mut ChunkReader,
-    /// How much was passed over, but is still held by the reader.
+    /// The number of bytes passed over but still held by the reader.
     at: usize,
     lines: u64,
     line_feeds: u64,
@@ -75,7 +75,8 @@ impl Lines<'_> {
         }
     }
 
-    /// How many lines come before the first one in which all these names stand; 0 where none of the next ones has them.
+    /// Returns the number of lines before the first one with all these names; 0 where none of the next lines
+    /// has them.
     fn before_names(&mut self, names: &[&str], delimiter: Option<u8>) -> u64 {
         let mut at = self.at;
         for before in 0..MOST_LINES_BEFORE {
@@ -240,8 +241,8 @@ impl Preamble {
     }
 }
 
-/// Returns whether the first line that looks like a comment, which is the next one, is rather a header such as `#,x,y` or a row such as
-/// `#1,2,3`: it has as many cells as the line after it, and those are not separated by blanks.
+/// Returns true if the next line, the first that looks like a comment, is rather a header such as `#,x,y` or
+/// a row such as `#1,2,3`. It has then as many cells as the line after it, and blanks do not separate them.
 fn is_header(line: &[u8], asked: &AskedDialect, lines: &mut Lines, is_mark: impl Fn(u8) -> bool) -> bool {
     let Some(next) = lines.after_next(|_| false) else { return true };
     if next.first().is_some_and(|&first| is_mark(first)) && delimiter_of(line) != delimiter_of(&next) {

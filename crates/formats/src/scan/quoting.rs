@@ -1,10 +1,10 @@
-//! Which cells of a record stand in quotes: where blanks belong to the text of a cell.
+//! Tells which cells of a record stand in quotes: blanks there belong to the text of a cell.
 
 use crate::dialect::BLANKS;
 
-/// Returns whether a cell, counted from 0, of a record as it stands in the file begins with a quote, so that what is within is the text as
-/// it was written. The rules are those of `csv_core`: a quote opens at the very beginning of a cell, two quotes within are one,
-/// and what follows a closing quote is no longer within.
+/// Returns true if a cell (from 0) of a record as it stands in the file begins with a quote. Blanks in the
+/// cell are then part of its text. The rules are the ones of `csv_core`: a quote opens at the very beginning
+/// of a cell, two quotes within are one, and a closing quote ends the quoted part.
 pub(super) fn is_quoted(record: &[u8], delimiter: u8, index: usize) -> bool {
     // Blanks that separate cells are in none of them, but for quotes.
     if delimiter == BLANKS {

@@ -14,7 +14,7 @@ use super::values::Mark;
 
 /// The content.
 pub(super) enum Parsed {
-    /// Its rows.
+    /// The rows.
     Rows(Rows),
     /// A row that ends in another chunk, unless another chunk before this one did.
     Open,
@@ -38,11 +38,11 @@ impl Parsed {
 pub(super) struct Rows {
     pub(super) batch: BatchBuilder,
     pub(super) notes: Notes,
-    /// How many rows there are, wanted or not.
+    /// The number of rows, wanted or not.
     pub(super) total: usize,
-    /// How many lines there are.
+    /// The number of lines.
     pub(super) lines: u64,
-    /// How many of them end with a line feed.
+    /// The number of lines that end with a line feed.
     pub(super) line_feeds: u64,
 }
 
@@ -71,7 +71,7 @@ impl<'a> RowReader<'a> {
         self.records.line()
     }
 
-    /// How many rows there are so far, with those before.
+    /// Returns the number of rows so far, with the rows before.
     pub(super) fn total(&self) -> usize {
         self.total
     }
@@ -163,8 +163,8 @@ impl<'a> RowReader<'a> {
                 Row::Unwanted => {}
             }
         }
-        // Rows that are not wanted are kept where they are numbers; but a mix of decimal marks is found out there too, or which
-        // ones are kept would depend on where chunks end.
+        // Unwanted rows are kept where they are numbers. A mix of decimal marks must be found in them too:
+        // otherwise the kept rows would depend on the ends of chunks.
         match layout.row(record, line, self.total, false, &mut self.mark, &mut self.notes) {
             Ok(Row::Values(values)) => batch.others.push(layout.other(record, values, self.total)),
             Err(error) if matches!(error.kind, InputErrorKind::AnotherDecimalMark { .. }) => {
@@ -211,7 +211,7 @@ pub(super) fn told(
     read.ok().and_then(|()| reader.take_notes().mark)
 }
 
-/// How many rows a chunk has, if it does not end within quotes.
+/// Returns the number of rows of a chunk, if it does not end within quotes.
 pub(super) fn count(chunk: &[u8], layout: &Layout) -> usize {
     let mut records = layout.records(1);
     let mut rest = chunk;

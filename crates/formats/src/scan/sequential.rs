@@ -40,7 +40,7 @@ impl<T, W: Fn(Batch) -> T, K: FnMut(T)> Run<'_, W, K> {
             line += memchr_iter(b'\n', &chunk).count() as u64;
             reader.recycle(vec![chunk]);
         }
-        // What came before a failure, if there was one; its rows are handed out no more.
+        // Rows before a failure are handed out no more.
         let mut batch = layout.batch();
         let read = rows.read(reader.pending(), &mut batch);
         notes.add(rows.take_notes(), 0, layout.takes_all_blocks())?;

@@ -21,14 +21,14 @@ enum To {
 /// The way to so many numbers, in the order in which they stand in a row.
 pub(super) struct Way<const N: usize> {
     cells: [Cell; N],
-    /// How many cells come after the last of these.
+    /// The number of cells after the last of these.
     behind: usize,
 }
 
 /// A cell with a number.
 #[derive(Clone, Copy)]
 struct Cell {
-    /// How many separators come since the one before.
+    /// The number of separators since the one before.
     separators: usize,
     column: usize,
     non_negative: bool,
@@ -83,7 +83,7 @@ impl Straight {
 }
 
 impl<const N: usize> Way<N> {
-    /// As [`Straight::read`].
+    /// Reads like [`Straight::read`].
     fn read(&self, lane: &Lane, start: usize, columns: &mut [Column]) -> Option<(usize, usize)> {
         let columns = columns.get_disjoint_mut(self.cells.map(|cell| cell.column)).ok()?;
         let columns = columns.into_iter().map(Column::as_narrow_mut);

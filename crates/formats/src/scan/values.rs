@@ -65,7 +65,7 @@ impl Value {
     }
 }
 
-/// Which decimal mark the cells of a table have.
+/// The decimal mark of a table's cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Mark {
     /// This one: it was asked for, or the delimiter leaves no choice.
@@ -97,7 +97,7 @@ impl Mark {
     }
 }
 
-/// How the numbers of a table are read.
+/// The reader of a table's numbers.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Numbers<'a> {
     pub(super) options: &'a TableOptions,
@@ -125,8 +125,8 @@ impl<'a> Numbers<'a> {
         mark.known().map_or_else(|| DecimalMark::ALL.into_iter().any(is_marked), is_marked)
     }
 
-    /// The values that a column takes from a cell, which is its number unless the column has another role, and the decimal mark that the
-    /// number tells if none was known.
+    /// Returns the values that a column takes from a cell: its number unless the column has another role. It
+    /// also returns the decimal mark that the number tells if none was known.
     pub(super) fn value(
         &self,
         cell: &[u8],

@@ -27,15 +27,15 @@ pub(super) enum Kind {
     Ods,
 }
 
-/// Why a workbook cannot be read.
+/// Returns the error of a workbook that cannot be read.
 pub(super) fn unreadable(reason: impl ToString) -> InputErrorKind {
     InputErrorKind::Unreadable { format: FORMAT, reason: reason.to_string().into() }
 }
 
-/// How deep the elements of a part may be nested. Real ones stay below 20.
+/// The most levels of nested elements of a part. Real ones stay below 20.
 const DEEPEST: usize = 256;
 
-/// What the list of all parts begins with for each of them (APPNOTE.TXT 6.3.10, 4.3.12).
+/// The first bytes of each entry in the list of all parts (APPNOTE.TXT 6.3.10, 4.3.12).
 const ENTRY: &[u8] = b"PK\x01\x02";
 
 /// Bytes that the library holds for a part: measured as the largest memory of a process that opened an archive of 3·10⁵ parts.
@@ -46,7 +46,7 @@ pub(super) struct Archive {
     zip: ZipArchive<Cursor<Vec<u8>>>,
     /// Bytes that each part may unpack to.
     limit: u64,
-    /// What its bytes take, and the list of its parts.
+    /// The memory of the archive's bytes and of the list of its parts.
     memory: HeldMemory,
 }
 
@@ -60,7 +60,7 @@ impl Archive {
         Ok(Archive { zip, limit, memory })
     }
 
-    /// Which kind of workbook this is, or what else.
+    /// Returns the kind of the workbook, or the error that it is none.
     pub(super) fn kind(&mut self) -> Result<Kind, InputErrorKind> {
         let has = |start: &str| self.names().any(|name| name.starts_with(start));
         let other = |format, instead| Err(InputErrorKind::BinaryTable { format, instead });
@@ -107,7 +107,7 @@ impl Archive {
         });
         let Some(index) = index else { return Ok(None) };
         let entry = self.zip.by_index(index).map_err(of_zip)?;
-        // What a part says of its size can only refuse it sooner: what it unpacks to is counted in any case.
+        // A part's stated size can only refuse it sooner: the unpacked bytes are counted in any case.
         if entry.size() > self.limit {
             return Err(InputErrorKind::WorkbookTooLarge { limit: self.limit });
         }
@@ -170,7 +170,7 @@ impl<'a> Part<'a> {
         Ok(event)
     }
 
-    /// How many elements are open.
+    /// Returns the number of open elements.
     pub(super) fn depth(&self) -> usize {
         self.depth
     }
@@ -256,7 +256,7 @@ fn attribute_where<'a>(
     Ok(None)
 }
 
-/// What an entry unpacks to, as long as there may be more.
+/// The unpacked bytes of an entry, up to a limit.
 struct Counted<R> {
     inner: R,
     left: u64,

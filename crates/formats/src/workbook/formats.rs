@@ -1,8 +1,8 @@
-//! What a number in a cell stands for: itself, a date or a duration, which the format of the cell tells.
+//! Tells by the format of a cell if its number stands for itself, a date or a duration.
 
 use crate::mat::double_text;
 
-/// What the format of a cell makes of its number.
+/// The meaning that the format of a cell gives to its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) enum Shows {
     /// The number.
@@ -15,7 +15,8 @@ pub(super) enum Shows {
 }
 
 impl Shows {
-    /// Of the formats that are known by number (ECMA-376, part 1, 18.8.30, and those of East Asia).
+    /// Returns the meaning of a format that is known by number (ECMA-376, part 1, 18.8.30, and the formats of
+    /// East Asia).
     pub(super) fn of_number(id: u32) -> Self {
         match id {
             14..=22 | 27..=36 | 45 | 47 | 50..=58 => Shows::Date,
@@ -24,7 +25,8 @@ impl Shows {
         }
     }
 
-    /// Of a format that is written out: its first section, without what stands for itself.
+    /// Returns the meaning of a format that is written out: of its first section, without the characters that
+    /// stand for themselves.
     pub(super) fn of_code(code: &str) -> Self {
         let mut characters = code.chars();
         while let Some(character) = characters.next() {

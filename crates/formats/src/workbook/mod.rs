@@ -1,8 +1,9 @@
 //! Sheets of Excel's `.xlsx` and of OpenDocument's `.ods` as tables of text.
 //!
-//! A sheet is written as tab-separated text, one line for each of its rows, and read by the rules of text: headers, missing
-//! cells and everything else are those of a table of text. A number is a double; its text is the shortest that reads back as
-//! that double, so that 0.1 is 1/10 under the decimal reading and the double itself under binary64.
+//! A sheet is written as tab-separated text, one line per row, and read by the rules of text. Headers,
+//! missing cells and everything else are the same as in a table of text. A number is a double. Its text is
+//! the shortest that reads back as that double, so 0.1 is 1/10 under the decimal reading and the double
+//! itself under binary64.
 
 mod archive;
 mod formats;
@@ -87,7 +88,7 @@ pub(crate) fn scan_workbook<T: Send>(
     Ok(Scanned { layout: None, table, bytes: total, sha256, ..scanned })
 }
 
-/// How many bytes of a workbook are read at a time.
+/// The number of bytes of a workbook that are read at a time.
 const PIECE: u64 = 1 << 16;
 
 /// The bytes of a workbook, of which there may be so many.
@@ -125,7 +126,7 @@ fn sheet_text(
     Ok(Sheet { name, text, memory })
 }
 
-/// Which of these sheets is wanted, from 0.
+/// Returns the index of the wanted sheet, from 0.
 fn chosen(names: &[&str], wanted: Option<&str>) -> Result<usize, InputErrorKind> {
     let found = match wanted {
         None => (!names.is_empty()).then_some(0),

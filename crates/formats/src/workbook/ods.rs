@@ -94,7 +94,7 @@ fn sheet_name(element: &BytesStart<'_>) -> Result<Option<String>, InputErrorKind
 struct Row {
     /// The first column of each, how many columns have it, and its text.
     cells: Vec<(u64, u64, String)>,
-    /// How many columns there are so far.
+    /// The number of columns so far.
     width: u64,
     bytes: usize,
 }
@@ -111,7 +111,7 @@ impl Row {
         Ok(())
     }
 
-    /// How many bytes the row has as text.
+    /// Returns the number of bytes of the row as text.
     fn length(&self) -> u64 {
         let own = |(_, repeats, text): &(u64, u64, String)| repeats.saturating_mul(text.len() as u64);
         let tabs = self.cells.last().map_or(0, |(first, repeats, _)| first.saturating_add(*repeats));
@@ -130,8 +130,9 @@ impl Row {
     }
 }
 
-/// Hands over the cells of the table that has just begun. Empty cells are repeated up to the edge of the sheet, and cost
-/// nothing; others are written as often as they are repeated, and no further than the limit of the lines.
+/// Hands over the cells of the table that has just begun. Empty cells are repeated up to the edge of the
+/// sheet, and cost nothing. Other cells are written as often as they are repeated, and no further than the
+/// limit of the lines.
 fn read_table(part: &mut Part<'_>, limit: u64, lines: &mut Lines) -> Result<(), InputErrorKind> {
     let inside = part.depth();
     let (mut row, mut number, mut row_repeats) = (Row::default(), 0_u64, 1);
@@ -174,9 +175,9 @@ fn read_table(part: &mut Part<'_>, limit: u64, lines: &mut Lines) -> Result<(), 
     Ok(())
 }
 
-/// What the attributes of a cell say.
+/// The attributes of a cell.
 struct Cell {
-    /// What is stored, as text; `None` where its content is.
+    /// The stored value as text; `None` where the content of the cell is the value.
     stored: Option<String>,
     formula: Option<String>,
     is_error: bool,
@@ -255,7 +256,7 @@ fn paragraphs(part: &mut Part<'_>, limit: u64) -> Result<String, InputErrorKind>
                 _ => {}
             },
             Event::Eof => break,
-            // What is between the elements of a cell is there for the eye.
+            // Text between the elements of a cell is there for the eye.
             event if has_begun => text.push_str(own_text(event)?.as_deref().unwrap_or_default()),
             _ => {}
         }

@@ -8,16 +8,16 @@ use crate::memory_use::MemoryUse;
 /// The separator of cells of a line.
 pub(super) const DELIMITER: u8 = b'\t';
 
-/// As many rows and columns as a sheet can have.
+/// The most rows and columns that a sheet can have.
 const MOST_ROWS: u32 = 1 << 20;
 pub(super) const MOST_COLUMNS: u32 = 1 << 14;
 
 /// The lines of a sheet, filled cell after cell, row after row.
 pub(super) struct Lines {
     text: Vec<u8>,
-    /// Where each row that is complete ends, and how many cells it has.
+    /// The end of each complete row, and its number of cells.
     rows: Vec<(usize, u32)>,
-    /// How many cells the row has that is being filled.
+    /// The number of cells of the row that is being filled.
     width: u32,
     limit: u64,
     memory: HeldMemory,
@@ -29,7 +29,7 @@ impl Lines {
         Lines { text: Vec::new(), rows: Vec::new(), width: 0, limit, memory }
     }
 
-    /// What takes the memory: the text, and the rows.
+    /// Returns the number of bytes in memory: the text, and the rows.
     fn bytes(&self) -> u64 {
         (self.text.len() + size_of_val(self.rows.as_slice())) as u64
     }
@@ -65,7 +65,7 @@ impl Lines {
 
     /// A cell in quotes where it needs them. Line ends become spaces, so that a line is a row.
     fn add_cell(&mut self, text: &str) {
-        // What stands in quotes keeps the blanks around it.
+        // A text in quotes keeps the blanks around it.
         let is_plain = !text.contains(['\t', '"', '\n', '\r']) && text.trim_matches(' ') == text;
         if is_plain {
             self.text.extend_from_slice(text.as_bytes());

@@ -42,7 +42,7 @@ pub(super) fn read_sheet(
     Ok(name.clone())
 }
 
-/// What one part says of another one.
+/// A relation from one part to another.
 struct Relation {
     id: String,
     /// The last word of its type.
@@ -50,7 +50,7 @@ struct Relation {
     path: String,
 }
 
-/// What a part whose own path is in this folder says of others; nothing where it does not.
+/// Reads the relations of a part whose own path is in this folder; none where it has no relations.
 fn relations(archive: &mut Archive, path: &str, folder: &str) -> Result<Vec<Relation>, InputErrorKind> {
     let mut relations = Vec::new();
     let Some(mut part) = archive.part(path)? else { return Ok(relations) };

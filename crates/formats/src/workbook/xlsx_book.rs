@@ -1,4 +1,4 @@
-//! What an `.xlsx` says beside its cells: sheets, formats and texts.
+//! Reads the parts of an `.xlsx` beside its cells: sheets, formats and texts.
 
 use std::collections::BTreeMap;
 
@@ -19,13 +19,13 @@ pub(super) fn refuse_many(count: usize) -> Result<(), InputErrorKind> {
     Err(unreadable(format!("it has more than {MOST_SHEETS} parts")))
 }
 
-/// What cells mean beside what stands in them.
+/// The meaning of cells beside their content.
 #[derive(Default)]
 pub(super) struct Book {
     pub(super) counts_from_1904: bool,
     /// `true` if formulas are to be computed anew, so that a 0 in them may be no value.
     pub(super) is_recalculated: bool,
-    /// What the formats of cells show, by their number.
+    /// The meanings of the formats of cells, by their number.
     pub(super) shows: Vec<Shows>,
     pub(super) texts: Texts,
 }

@@ -17,7 +17,7 @@ enum Stored {
     SharedText,
     /// A text in the cell, beside its value.
     InlineText,
-    /// What a formula gave as text.
+    /// The text that a formula gave.
     Text,
     Truth,
     /// An error or a date, as it is shown.
@@ -41,7 +41,7 @@ struct Content {
     inline: String,
 }
 
-/// Hands over the cells of a sheet. What the sheet says of its size is not asked for.
+/// Hands over the cells of a sheet. The stated size of the sheet is not used.
 pub(super) fn read_cells(part: &mut Part<'_>, book: &Book, lines: &mut Lines) -> Result<(), InputErrorKind> {
     let (mut row, mut column, mut has_begun) = (0, 0, false);
     loop {
@@ -103,7 +103,7 @@ impl Cell {
 }
 
 impl Content {
-    /// Of the cell that has just begun.
+    /// Reads the attributes of the cell that has just begun.
     fn read(part: &mut Part<'_>) -> Result<Self, InputErrorKind> {
         let (inside, mut content) = (part.depth(), Content::default());
         while part.depth() >= inside {
