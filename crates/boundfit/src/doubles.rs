@@ -12,10 +12,10 @@ use crate::observations::{Error, same_length};
 /// it, which is what was written where readings were printed with up to 15 digits and parsed: 0.1 is 1/10.
 ///
 /// The answers are those of [`Observations::line`](crate::Observations::line) and
-/// [`error_bound`](crate::Observations::error_bound). Of more than 10,000 readings only those are kept that decide the feasible
-/// set, whatever the error bound, so that 10⁶ of them take some twenty milliseconds (a tenth of a second where 17 digits are read as decimals); proofs
-/// name rows all the same, counted from 1. Exact. Cost: linear where few readings are close to the hulls of all, O(n log n) at
-/// worst.
+/// [`error_bound`](crate::Observations::error_bound). For more than 10,000 readings, the function keeps only
+/// the readings that decide the feasible set under any error bound. Then 10⁶ of them take some twenty
+/// milliseconds, or a tenth of a second where 17 digits are read as decimals. Proofs still name rows, counted
+/// from 1. Exact. Cost: linear where few readings are close to the hulls of all, O(n log n) at worst.
 ///
 /// ```
 /// use boundfit::Reading;
@@ -66,7 +66,7 @@ pub fn problem_of_doubles(
 /// Fits a line to readings in slices of doubles: see [`problem_of_doubles`].
 ///
 /// # Errors
-/// Those of [`problem_of_doubles`].
+/// The errors are the ones of [`problem_of_doubles`].
 ///
 /// ```
 /// use boundfit::Reading;

@@ -28,7 +28,7 @@ pub trait Number {
     }
 }
 
-/// Why something has no exact value.
+/// The reason why something has no exact value.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum NumberError {
@@ -40,7 +40,7 @@ pub enum NumberError {
     Text {
         /// The text.
         text: String,
-        /// What is wrong with it, and where.
+        /// The problem with it, and its place.
         problem: ParseNumberError,
     },
 }

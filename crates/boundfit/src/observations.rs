@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use crate::number::{Number, NumberError};
 
-/// Why numbers make no problem.
+/// The reason why numbers make no problem.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -19,7 +19,7 @@ pub enum Error {
         column: &'static str,
         /// The row, from 1.
         row: usize,
-        /// What is wrong with the number.
+        /// The problem with the number.
         problem: NumberError,
     },
     /// The error bound of all readings has no exact value.
@@ -31,23 +31,23 @@ pub enum Error {
     /// A claimed end of an interval has no exact value.
     #[error("{end}: {problem}")]
     Claim {
-        /// Which end: `theta1-min`, `theta1-max`, `theta2-min` or `theta2-max`.
+        /// The end: `theta1-min`, `theta1-max`, `theta2-min` or `theta2-max`.
         end: &'static str,
-        /// What is wrong with the number.
+        /// The problem with the number.
         problem: NumberError,
     },
     /// Two columns are not equally long.
     #[error("{} has {} rows, but {} has {}", .columns[0], .rows[0], .columns[1], .rows[1])]
     Lengths {
-        /// Their names.
+        /// The names of the columns.
         columns: [&'static str; 2],
-        /// How many numbers each has.
+        /// The number of numbers in each.
         rows: [usize; 2],
     },
     /// A regressor matrix has no column, or more than two.
     #[error("the regressor matrix has {columns} columns (expected 1 or 2)")]
     Regressors {
-        /// How many it has.
+        /// The number of its columns.
         columns: usize,
     },
     /// An error bound is negative.
@@ -67,7 +67,8 @@ pub enum Error {
     Condition(#[from] ParseConditionError),
 }
 
-/// What was measured, before anything is known about the errors. With error bounds it becomes a [`Problem`].
+/// The measured values, before anything is known about the errors. With error bounds it becomes a
+/// [`Problem`].
 ///
 /// ```
 /// use boundfit::Observations;
@@ -183,8 +184,8 @@ impl Observations {
         Ok(self.problem(ErrorBound::Column("eps".into()), epsilons))
     }
 
-    /// The problem in which theta1*x + theta2 (or theta1*phi1 + theta2*phi2) lies between two values at each reading, of
-    /// which one may be missing. What y is bounds nothing then; least squares takes it.
+    /// The problem in which theta1*x + theta2 (or theta1*phi1 + theta2*phi2) lies between two values at each
+    /// reading, of which one may be missing. The measured y then bounds nothing; least squares takes it.
     ///
     /// ```
     /// use boundfit::Observations;

@@ -11,11 +11,11 @@ pub use boundfit_verify::{
 };
 use thiserror::Error;
 
-/// Why a text does not prove what it should.
+/// The reason why a text does not prove what it should.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum VerifyError {
-    /// It is no JSON document of the schemas `boundfit/proof/1` and `boundfit/proof/2`.
+    /// The text is no JSON document of the schemas `boundfit/proof/1` and `boundfit/proof/2`.
     #[error("not a proof: {0}")]
     NotAProof(#[source] NotAProof),
     /// A statement is not true of these data.

@@ -20,10 +20,10 @@ pub struct Approximation {
     pub area: Option<Rational>,
 }
 
-/// In how many directions a set is looked at, and where they are spread evenly.
+/// The number of directions in which a set is looked at, and the place where they are spread evenly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct AskedDirections {
-    /// How many.
+    /// The number of directions.
     pub count: usize,
     /// Says whether they are spread evenly where the box of both intervals is a square, where there is one; else in (θ1, θ2) as it is.
     pub is_scaled: bool,
@@ -61,7 +61,7 @@ pub fn directions_along(polyhedron: &Polyhedron, objectives: &Objectives) -> Dir
     approximated(&ExactSimplex::new(&rows), objectives, polyhedron)
 }
 
-/// What is to be made small in each direction.
+/// The objectives to minimize, one per direction.
 #[derive(Debug, Clone)]
 pub struct Objectives {
     /// Coefficients of θ1 and θ2.

@@ -44,7 +44,7 @@ impl ExchangeRows {
     /// Writes the file of one program, with comments at its top. Exact; see [`ExchangeProgram::write`].
     ///
     /// # Errors
-    /// Those of the writer.
+    /// The errors are the ones of the writer.
     pub fn write(
         &self,
         text: &mut impl fmt::Write,

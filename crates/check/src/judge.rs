@@ -31,7 +31,7 @@ pub struct CheckOptions {
     pub all_rows: bool,
 }
 
-/// Of up to so many readings the programs have all rows in any case.
+/// The number of readings up to which the programs have all rows in any case.
 pub const MOST_READINGS: usize = 1_000;
 
 /// The number of readings that the linear programs are about.

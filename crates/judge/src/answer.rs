@@ -69,8 +69,8 @@ pub struct Prices {
 pub struct Face {
     /// All optimal vertices of the feasible set; none where a line is optimal.
     pub vertices: Vec<Vec<Rational>>,
-    /// Without a vertex, a point of each line that bounds the optimal points, the basis's point first. A column
-    /// without bounds is 0 there.
+    /// Points of the lines that bound the optimal points, one per line and the basis's point first, if there
+    /// is no vertex. A column without bounds is 0 there.
     pub points: Vec<Vec<Rational>>,
     /// The directions of optimal rays.
     pub rays: Vec<Vec<Rational>>,
@@ -120,7 +120,7 @@ pub enum Answer {
         /// Rows first, then columns, each by their place.
         multipliers: Vec<SideMultiplier>,
     },
-    /// From this feasible point the objective improves for ever.
+    /// The objective improves for ever from this feasible point.
     Unbounded {
         /// A feasible point, an entry per column.
         point: Vec<Rational>,

@@ -183,7 +183,7 @@ fn price_fixed_columns(model: &Model, prices: &mut Prices) {
 
 /// The optimal point that the basis belongs to, with the half-planes that meet there.
 struct Start {
-    /// Of the plane; a coordinate along a line without end is 0.
+    /// A point of the plane; a coordinate along a line without end is 0.
     point: [Rational; 2],
     /// Half-planes whose boundaries meet in the point alone, or in a line.
     half_planes: Vec<usize>,

@@ -33,7 +33,8 @@ pub struct About {
     pub x_error: Option<(u64, Rational)>,
     /// The columns of lower and of upper bounds, in place of y and ε.
     pub interval: Option<[Option<u64>; 2]>,
-    /// How far φ·θ may be above and below y beside ε: the sum of these quantities of columns, each so many times.
+    /// The distances that φ·θ may be above and below y beside ε: sums of these quantities of columns, each so
+    /// many times.
     pub law: Option<[Vec<(Quantity, u64, Rational)>; 2]>,
     /// a1, a2 and b of a1·θ1 + a2·θ2 ≤ b, and whether both sides are equal.
     pub conditions: Vec<([Rational; 3], bool)>,

@@ -17,8 +17,8 @@ use crate::plane::HalfPlane;
 use crate::rows::{Cells, Rows};
 use crate::shape::Quantity;
 
-/// What rows stand for: sums of multiples of what is in their cells. All of a row is computed in integers over one
-/// denominator, which is never computed with: a half-plane is the same times any positive number.
+/// The meaning of rows: sums of multiples of the numbers in their cells. All of a row is computed in integers
+/// over one denominator, which is never computed with: a half-plane is the same times any positive number.
 pub(crate) struct Model {
     reading: Reading,
     limits: Limits,
@@ -79,7 +79,7 @@ enum Bounds {
     Between { lower: Option<usize>, upper: Option<usize> },
 }
 
-/// What a cell spells.
+/// The number that a cell spells.
 enum Number {
     /// mantissa / 10^places.
     Decimal { mantissa: i64, places: u32 },

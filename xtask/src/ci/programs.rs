@@ -86,7 +86,7 @@ pub(super) struct Installation {
 }
 
 impl Installation {
-    /// Where the words of apt go; they are printed if it fails.
+    /// The file for the words of apt, which are printed if it fails.
     const LOG: &str = "target/packages.log";
 
     /// Starts to install what some steps need and is missing.

@@ -14,7 +14,7 @@ use crate::root;
 /// The result of a step, or the problem.
 type Outcome = Result<(), String>;
 
-/// How many tests `cargo test` says have passed and failed.
+/// The numbers of tests that passed and failed according to `cargo test`.
 #[derive(Debug, Default, PartialEq, Eq)]
 struct Tests {
     passed: u64,

@@ -280,7 +280,7 @@ npm --prefix tests/browser test",
         holds: "the WebAssembly module, built from source, answers as the program does (where Debian's compiler is)",
         changes: "wasm, answers",
         needs: &[NODE],
-        // What waits for one program at a time leaves a processor free.
+        // A step that waits for one program at a time leaves a processor free.
         beside: Some("python"),
         script: "\
 if [ \"$(id -u)\" = 0 ] && apt-get install --simulate rustc-web rust-web-src binaryen > target/compiler.log 2>&1; then

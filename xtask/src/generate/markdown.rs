@@ -1,4 +1,4 @@
-//! What both references have in common.
+//! The common parts of both references.
 
 /// A text in a cell of a table.
 pub(super) fn cell(text: &str) -> String {

@@ -21,7 +21,7 @@ const COMMAND: &str = "cargo xtask generate";
 
 /// A file that is generated.
 struct Generated {
-    /// From the top of the repository.
+    /// The path from the top of the repository.
     path: PathBuf,
     text: String,
 }

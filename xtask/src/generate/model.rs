@@ -9,7 +9,7 @@ pub(super) struct Document {
     pub(super) name: &'static str,
     /// The command that writes it.
     pub(super) command: &'static str,
-    /// As it is written to a file.
+    /// The schema as it is written to a file.
     pub(super) schema: Value,
     /// The document itself, then its parts in the order of their names.
     pub(super) definitions: Vec<Definition>,
@@ -23,7 +23,7 @@ pub(super) struct Definition {
     pub(super) body: Body,
 }
 
-/// What a type is.
+/// The content of a type.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Body {
     /// An object; beside its own fields it has those of one of the variants, if there are any.
@@ -41,7 +41,7 @@ pub(super) struct Field {
     pub(super) shape: Shape,
 }
 
-/// What a value may be.
+/// The values that a shape allows.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Shape {
     Text,

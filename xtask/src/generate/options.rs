@@ -6,7 +6,7 @@ use clap::{Arg, ArgAction, Command};
 
 use super::markdown::{anchor, cell, plain};
 
-/// Where arguments without a heading stand.
+/// The heading of arguments that have none.
 const ARGUMENTS: &str = "Arguments";
 
 /// A page with every option of every command.

@@ -1,6 +1,6 @@
 //! Takes prose out of Markdown and of comments of Rust, without code.
 
-/// Where a paragraph stands.
+/// The place of a paragraph.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     /// The first paragraph of a comment of rustdoc.
@@ -16,7 +16,7 @@ pub(super) struct Paragraph {
     pub(super) line: usize,
     /// Where it stands.
     pub(super) kind: Kind,
-    /// Its words in one line; a piece of code is the one word `` `x` ``.
+    /// The words of the paragraph in one line; a piece of code is the one word `` `x` ``.
     pub(super) text: String,
 }
 
@@ -27,7 +27,7 @@ struct Collector {
     line: usize,
     open: String,
     is_summary: bool,
-    /// In a block of code, or in what a command printed.
+    /// `true` in a block of code, or in the output of a command.
     is_code: bool,
 }
 

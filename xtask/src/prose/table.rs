@@ -5,7 +5,7 @@ use std::fmt;
 
 use super::sentences::Fault;
 
-/// What the file says of itself.
+/// The beginning of the file, which explains it.
 const HEAD: &str = "\
 # Sentences to mend, per folder; `cargo xtask prose` counts them and fails where there are more, `--bless` lowers the numbers.
 # long: more than 30 words; start: begins with Of, What, So many, Whether, Those, How or Which;

@@ -47,7 +47,7 @@ fn number(text: &str, limits: &Limits) -> Result<Printed, ClaimError> {
 /// maximum of θ1, then of θ2. Ends beside another status are not looked at; points are measured.
 ///
 /// # Errors
-/// What is wrong with the file.
+/// Returns an error that says what is wrong with the file.
 pub(super) fn parse_claim_file(
     text: &str,
     name: &Foreign,
@@ -96,8 +96,9 @@ pub(super) fn parse_claim_file(
     Ok(Answer { source, exact_input: false, claims })
 }
 
-/// The line and column, from 1 and in bytes, where arrays and objects of a JSON text are first nested deeper than a limit. What
-/// stands in a string does not count. Asked before a text is parsed, so that no stack overflows. Cost: one look at each byte.
+/// The line and column, from 1 and in bytes, where arrays and objects of a JSON text are first nested deeper
+/// than a limit. Brackets in a string do not count. Asked before a text is parsed, so that no stack
+/// overflows. Cost: one look at each byte.
 pub fn nested_beyond(text: &str, limit: usize) -> Option<(usize, usize)> {
     let (mut depth, mut is_text, mut is_escaped) = (0_usize, false, false);
     let (mut line, mut column) = (1, 0);
@@ -122,7 +123,7 @@ pub fn nested_beyond(text: &str, limit: usize) -> Option<(usize, usize)> {
 /// Reads `LO1,HI1,LO2,HI2`. `-inf` as a lower and `inf` as an upper end claim that it is unbounded.
 ///
 /// # Errors
-/// What is wrong with the text.
+/// Returns an error that says what is wrong with the text.
 pub fn parse_claim_pui(text: &str) -> Result<Answer, ClaimError> {
     let values: Vec<&str> = text.split(',').map(str::trim).collect();
     let [lower1, upper1, lower2, upper2] = values.as_slice() else {

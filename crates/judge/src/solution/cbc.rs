@@ -13,7 +13,7 @@ use super::{Entry, Reference, SolutionFile, SolverStatus};
 const CBC: &str = "CBC";
 const CLP: &str = "CLP";
 const DIGITS: NumberFormat = NumberFormat::EIGHT;
-/// What `%15.8g` and `%.8f` both print.
+/// The common format of `%15.8g` and `%.8f`.
 const OBJECTIVE: NumberFormat = NumberFormat::DownTo { place: -8, most: 8 };
 
 /// Returns whether a text is a solution of CBC: its first line is `STATUS - objective value NUMBER`.
@@ -66,7 +66,7 @@ fn entries<'a>(
     let mut last = None;
     for line in lines {
         let mut words = line.words();
-        // What is outside its bounds.
+        // CBC marks values outside their bounds.
         words.retain(|word| *word != "**");
         match words.as_slice() {
             [] => {}

@@ -16,7 +16,7 @@ use super::{Announced, Entry, Reference, SolutionFile, SolverStatus};
 const FORMAT: &str = "GLPK";
 const PLAIN: NumberFormat = NumberFormat::FIFTEEN;
 const PRINTED: NumberFormat = NumberFormat::SIX;
-/// Of the objective in the heading.
+/// The format of the objective in the heading.
 const HEADING: NumberFormat = NumberFormat::Significant(10);
 
 /// Returns whether a text is a solution for programs: comment lines, then `s bas`, `s ipt` or `s mip`.
@@ -58,7 +58,7 @@ struct Plain {
     file: SolutionFile,
 }
 
-/// What the line `s` says.
+/// The kind of program that the line `s` states.
 #[derive(Clone)]
 struct Kind {
     /// The place of a row's activity among its words.
@@ -175,7 +175,7 @@ impl Kind {
     }
 }
 
-/// What the lines `Key: value` at the top say.
+/// The lines `Key: value` at the top.
 #[derive(Default)]
 struct Heading {
     about: Vec<String>,

@@ -43,7 +43,7 @@ struct Raw {
     status: Option<SolverStatus>,
     is_primal_there: bool,
     are_rows: bool,
-    /// How many entries the section of duals has met of columns and of rows.
+    /// The numbers of entries that the section of duals has met, of columns and of rows.
     priced: [usize; 2],
 }
 
