@@ -218,7 +218,7 @@ cargo test --workspace --locked --no-run --quiet
         name: "small-inputs",
         holds: "every command ends within two seconds of processor time and 64 MB for any input of 4 kB",
         changes: "everything that reads input or computes",
-        // What is promised is the time of the program as it is installed.
+        // The promise is the time of the program as it is installed.
         script: "\
 cargo build --release --locked
 BOUNDFIT_PROGRAM=$built/release/boundfit SMALL_CASES=5000 cargo test --workspace --locked --test cli small_inputs",
