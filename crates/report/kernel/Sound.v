@@ -214,17 +214,20 @@ Section Soundness.
     rewrite <- !Dx, <- !Dy, <- !Dw, <- !R. repeat split; push; ring.
   Qed.
 
+  (* A half-plane is a sum of the lines through two of three points each. *)
+  Lemma by_crosses a b c e :
+    plus (times (dot e a) (cross b c)) (plus (times (dot e b) (cross c a)) (times (dot e c) (cross a b))) = times (det a b c) e.
+  Proof. destruct e. open_triples. f_equal; ring. Qed.
+
   Lemma in_triangle gs a b c p : In a gs -> In b gs -> In c gs -> 0 < det a b c ->
     holds (cross b c) p -> holds (cross c a) p -> holds (cross a b) p -> mixed gs p.
   Proof.
     intros Ia Ib Ic HD Ha Hb Hc. destruct (inverse _ HD) as (i & Hi & Ei).
     apply (mixed_of_values gs a b c (i *' val (cross b c) p) (i *' val (cross c a) p) (i *' val (cross a b) p));
       try assumption; try (now apply nonneg_mul).
-    assert (S : forall e : triple, plus (times (dot e a) (cross b c)) (plus (times (dot e b) (cross c a)) (times (dot e c) (cross a b))) = times (det a b c) e).
-    { intros [ex ey ew]. open_triples. f_equal; ring. }
     intros e. transitivity (i *' (phi (det a b c) *' val e p)).
     - transitivity ((phi (det a b c) *' i) *' val e p); [rewrite Ei |]; ring.
-    - rewrite <- val_times, <- S, !val_plus, !val_times. ring.
+    - rewrite <- val_times, <- by_crosses, !val_plus, !val_times. ring.
   Qed.
 
   (* A side through a and b with c inside, as the line through them. *)
@@ -232,9 +235,7 @@ Section Soundness.
   Proof.
     intros Ha Hb Hc HD H. apply (holds_cancel (dot s c)); [assumption |].
     replace (times (dot s c) (cross a b)) with (times (det a b c) s); [apply holds_times; [lia | exact H] |].
-    transitivity (plus (times (dot s a) (cross b c)) (plus (times (dot s b) (cross c a)) (times (dot s c) (cross a b)))).
-    - destruct s. open_triples. f_equal; ring.
-    - rewrite Ha, Hb. open_triples. f_equal; ring.
+    rewrite <- by_crosses, Ha, Hb. unfold plus, times. cbn [tx ty tw]. f_equal; ring.
   Qed.
 
   Lemma fan_covers g0 : forall rest sides q0 r gs p, cover g0 q0 r rest sides = true ->
@@ -369,11 +370,14 @@ Section Soundness.
   Qed.
 
   (* Sets on a line. *)
+  (* A half-plane is a sum of a part along n and one across it. *)
+  Lemma along_and_across n a : times (dot n n) a = plus (times (dot a n) n) (cross n (cross a n)).
+  Proof. destruct a, n. open_triples. f_equal; ring. Qed.
   Lemma parallel_is a n : parallel a n = true -> times (dot n n) a = times (dot a n) n.
   Proof.
     unfold parallel. intros H. split_checks.
-    transitivity (plus (times (dot a n) n) (cross n (cross a n))); [open_triples; f_equal; ring |].
-    destruct (cross a n) as [x y z]. cbn [tx ty tw] in *. subst. open_triples. f_equal; ring.
+    rewrite (along_and_across n a). destruct (cross a n) as [x y z]. cbn [tx ty tw] in *. subst.
+    unfold plus, times, cross. cbn [tx ty tw]. f_equal; ring.
   Qed.
   Lemma on_line_zero g1 g2 h h' p : on_line g1 g2 h h' = true -> holds h p -> holds h' p ->
     val (cross g1 g2) p == zero /\ 0 < dot (cross g1 g2) (cross g1 g2).
@@ -392,9 +396,9 @@ Section Soundness.
   Lemma on_line_form g1 g2 c p : val (cross g1 g2) p == zero -> 0 < dot (cross g1 g2) (cross g1 g2) -> dot c g1 = 0 -> dot c g2 = 0 -> val c p == zero.
   Proof.
     intros Hz Hn H1 H2. apply (cancel_eq _ _ _ Hn). rewrite <- val_times.
-    assert (times (dot (cross g1 g2) (cross g1 g2)) c = plus (times (dot c (cross g1 g2)) (cross g1 g2))
-      (cross (cross g1 g2) (plus (times (dot c g2) g1) (times (- dot c g1) g2)))) as ->.
-    { destruct c, g1, g2. open_triples. f_equal; ring. }
+    assert (cross c (cross g1 g2) = plus (times (dot c g2) g1) (times (- dot c g1) g2)) as E.
+    { destruct c. open_triples. f_equal; ring. }
+    rewrite along_and_across, E.
     rewrite H1, H2, val_plus, val_times, Hz.
     assert (forall n, cross n (plus (times 0 g1) (times (- 0) g2)) = times 0 infinity) as -> by (intros; open_triples; f_equal; ring).
     rewrite val_times, phi0. ring.
