@@ -175,6 +175,11 @@ Section Soundness.
   Lemma phi_dot h g : phi (dot h g) == phi (tx h) *' phi (tx g) +' phi (ty h) *' phi (ty g) +' phi (tw h) *' phi (tw g).
   Proof. unfold dot. rewrite !phi_plus, !phi_times. reflexivity. Qed.
 
+  Lemma dot_plus a b g : dot (plus a b) g = dot a g + dot b g.
+  Proof. unfold dot, plus. cbn [tx ty tw]. ring. Qed.
+  Lemma dot_times z a g : dot (times z a) g = z * dot a g.
+  Proof. unfold dot, times. cbn [tx ty tw]. ring. Qed.
+
   (* Sums of generators: three suffice in the plane. *)
   Definition mixed (gs : list triple) (p : F * F) :=
     exists g1 g2 g3 c1 c2 c3, In g1 gs /\ In g2 gs /\ In g3 gs /\ nonneg c1 /\ nonneg c2 /\ nonneg c3 /\
@@ -198,27 +203,31 @@ Section Soundness.
     exists g1, g2, g3, c1, c2, c3. do 3 (split; [auto |]). exact R.
   Qed.
 
+  (* A mixture is one of every half-plane's values, so three half-planes have the coordinates. *)
+  Lemma mixed_of_values gs g1 g2 g3 c1 c2 c3 p : In g1 gs -> In g2 gs -> In g3 gs -> nonneg c1 -> nonneg c2 -> nonneg c3 ->
+    (forall e, val e p == c1 *' phi (dot e g1) +' c2 *' phi (dot e g2) +' c3 *' phi (dot e g3)) -> mixed gs p.
+  Proof.
+    intros I1 I2 I3 P1 P2 P3 R. exists g1, g2, g3, c1, c2, c3. do 6 (split; [assumption |]).
+    assert (Dx : forall g, dot (T 1 0 0) g = tx g) by (intros; unfold dot; cbn [tx ty tw]; ring).
+    assert (Dy : forall g, dot (T 0 1 0) g = ty g) by (intros; unfold dot; cbn [tx ty tw]; ring).
+    assert (Dw : forall g, dot (T 0 0 1) g = tw g) by (intros; unfold dot; cbn [tx ty tw]; ring).
+    rewrite <- !Dx, <- !Dy, <- !Dw, <- !R. repeat split; push; ring.
+  Qed.
+
+  (* A half-plane is a sum of the lines through two of three points each. *)
+  Lemma by_crosses a b c e :
+    plus (times (dot e a) (cross b c)) (plus (times (dot e b) (cross c a)) (times (dot e c) (cross a b))) = times (det a b c) e.
+  Proof. destruct e. open_triples. f_equal; ring. Qed.
+
   Lemma in_triangle gs a b c p : In a gs -> In b gs -> In c gs -> 0 < det a b c ->
     holds (cross b c) p -> holds (cross c a) p -> holds (cross a b) p -> mixed gs p.
   Proof.
     intros Ia Ib Ic HD Ha Hb Hc. destruct (inverse _ HD) as (i & Hi & Ei).
-    exists a, b, c, (i *' val (cross b c) p), (i *' val (cross c a) p), (i *' val (cross a b) p).
-    do 3 (split; [assumption |]). do 3 (split; [now apply nonneg_mul |]).
-    assert (S : forall e : triple, plus (times (dot e a) (cross b c)) (plus (times (dot e b) (cross c a)) (times (dot e c) (cross a b))) = times (det a b c) e).
-    { intros [ex ey ew]. open_triples. f_equal; ring. }
-    assert (R : forall e : triple, val e p == i *' val (cross b c) p *' phi (dot e a) +' i *' val (cross c a) p *' phi (dot e b) +' i *' val (cross a b) p *' phi (dot e c)).
-    { intros e. transitivity (i *' (phi (det a b c) *' val e p)).
-      - transitivity ((phi (det a b c) *' i) *' val e p); [rewrite Ei |]; ring.
-      - rewrite <- val_times, <- S, !val_plus, !val_times. ring. }
-    pose proof (R (T 1 0 0)) as Rx. pose proof (R (T 0 1 0)) as Ry. pose proof (R (T 0 0 1)) as Rw.
-    assert (Dx : forall g, dot (T 1 0 0) g = tx g) by (intros; unfold dot; cbn [tx ty tw]; ring).
-    assert (Dy : forall g, dot (T 0 1 0) g = ty g) by (intros; unfold dot; cbn [tx ty tw]; ring).
-    assert (Dw : forall g, dot (T 0 0 1) g = tw g) by (intros; unfold dot; cbn [tx ty tw]; ring).
-    rewrite !Dx in Rx. rewrite !Dy in Ry. rewrite !Dw in Rw.
-    repeat split.
-    - rewrite <- Rx. push. ring.
-    - rewrite <- Ry. push. ring.
-    - rewrite <- Rw. push. ring.
+    apply (mixed_of_values gs a b c (i *' val (cross b c) p) (i *' val (cross c a) p) (i *' val (cross a b) p));
+      try assumption; try (now apply nonneg_mul).
+    intros e. transitivity (i *' (phi (det a b c) *' val e p)).
+    - transitivity ((phi (det a b c) *' i) *' val e p); [rewrite Ei |]; ring.
+    - rewrite <- val_times, <- by_crosses, !val_plus, !val_times. ring.
   Qed.
 
   (* A side through a and b with c inside, as the line through them. *)
@@ -226,9 +235,7 @@ Section Soundness.
   Proof.
     intros Ha Hb Hc HD H. apply (holds_cancel (dot s c)); [assumption |].
     replace (times (dot s c) (cross a b)) with (times (det a b c) s); [apply holds_times; [lia | exact H] |].
-    transitivity (plus (times (dot s a) (cross b c)) (plus (times (dot s b) (cross c a)) (times (dot s c) (cross a b)))).
-    - destruct s. open_triples. f_equal; ring.
-    - rewrite Ha, Hb. open_triples. f_equal; ring.
+    rewrite <- by_crosses, Ha, Hb. unfold plus, times. cbn [tx ty tw]. f_equal; ring.
   Qed.
 
   Lemma fan_covers g0 : forall rest sides q0 r gs p, cover g0 q0 r rest sides = true ->
@@ -311,10 +318,8 @@ Section Soundness.
   Proof.
     intros Hc He Hw Hb Ha. destruct (enclosed_sum c h Hc He) as (k & l & m & n & Hk & Hl & Hm & Hn & E).
     apply (cancel k); [assumption |].
-    assert (k * dot h g = dot (times k h) g) as -> by (open_triples; ring). rewrite E.
-    assert (dot (plus (times l (before c)) (plus (times m (after c)) (times n infinity))) g = l * dot (before c) g + m * dot (after c) g + n * tw g) as ->
-      by (open_triples; ring).
-    nia.
+    rewrite <- dot_times, E, !dot_plus, !dot_times.
+    assert (dot infinity g = tw g) as -> by (unfold dot, infinity; cbn [tx ty tw]; ring). nia.
   Qed.
 
   (* What is found is one of the corners. *)
@@ -365,11 +370,14 @@ Section Soundness.
   Qed.
 
   (* Sets on a line. *)
+  (* A half-plane is a sum of a part along n and one across it. *)
+  Lemma along_and_across n a : times (dot n n) a = plus (times (dot a n) n) (cross n (cross a n)).
+  Proof. destruct a, n. open_triples. f_equal; ring. Qed.
   Lemma parallel_is a n : parallel a n = true -> times (dot n n) a = times (dot a n) n.
   Proof.
     unfold parallel. intros H. split_checks.
-    transitivity (plus (times (dot a n) n) (cross n (cross a n))); [open_triples; f_equal; ring |].
-    destruct (cross a n) as [x y z]. cbn [tx ty tw] in *. subst. open_triples. f_equal; ring.
+    rewrite (along_and_across n a). destruct (cross a n) as [x y z]. cbn [tx ty tw] in *. subst.
+    unfold plus, times, cross. cbn [tx ty tw]. f_equal; ring.
   Qed.
   Lemma on_line_zero g1 g2 h h' p : on_line g1 g2 h h' = true -> holds h p -> holds h' p ->
     val (cross g1 g2) p == zero /\ 0 < dot (cross g1 g2) (cross g1 g2).
@@ -388,9 +396,9 @@ Section Soundness.
   Lemma on_line_form g1 g2 c p : val (cross g1 g2) p == zero -> 0 < dot (cross g1 g2) (cross g1 g2) -> dot c g1 = 0 -> dot c g2 = 0 -> val c p == zero.
   Proof.
     intros Hz Hn H1 H2. apply (cancel_eq _ _ _ Hn). rewrite <- val_times.
-    assert (times (dot (cross g1 g2) (cross g1 g2)) c = plus (times (dot c (cross g1 g2)) (cross g1 g2))
-      (cross (cross g1 g2) (plus (times (dot c g2) g1) (times (- dot c g1) g2)))) as ->.
-    { destruct c, g1, g2. open_triples. f_equal; ring. }
+    assert (cross c (cross g1 g2) = plus (times (dot c g2) g1) (times (- dot c g1) g2)) as E.
+    { destruct c. open_triples. f_equal; ring. }
+    rewrite along_and_across, E.
     rewrite H1, H2, val_plus, val_times, Hz.
     assert (forall n, cross n (plus (times 0 g1) (times (- 0) g2)) = times 0 infinity) as -> by (intros; open_triples; f_equal; ring).
     rewrite val_times, phi0. ring.
@@ -401,33 +409,20 @@ Section Soundness.
     unfold between. intros I1 I2 H Hz Hn H1 H2. split_checks.
     match goal with A : 0 < dot e2 g1, B : 0 < dot e1 g2 |- _ => rename A into P1; rename B into P2 end.
     destruct (inverse _ P1) as (i & Hi & Ei). destruct (inverse _ P2) as (j & Hj & Ej).
-    exists g1, g2, g2, (i *' val e2 p), (j *' val e1 p), zero.
-    do 3 (split; [assumption |]). do 2 (split; [now apply nonneg_mul |]). split; [apply nonneg_zero |].
-    assert (R : forall e : triple, val e p == i *' val e2 p *' phi (dot e g1) +' j *' val e1 p *' phi (dot e g2)).
-    { intros e. set (d1 := dot e2 g1) in *. set (d2 := dot e1 g2) in *.
-      assert (C : val (plus (times (d1 * d2) e) (plus (times (- (d2 * dot e g1)) e2) (times (- (d1 * dot e g2)) e1))) p == zero).
-      { apply (on_line_form g1 g2); auto.
-        - transitivity (d1 * d2 * dot e g1 - d2 * dot e g1 * dot e2 g1 - d1 * dot e g2 * dot e1 g1); [open_triples; ring |].
-          fold d1. rewrite H. ring.
-        - transitivity (d1 * d2 * dot e g2 - d2 * dot e g1 * dot e2 g2 - d1 * dot e g2 * dot e1 g2); [open_triples; ring |].
-          fold d2. match goal with E : dot e2 g2 = 0 |- _ => rewrite E end. ring. }
-      rewrite !val_plus, !val_times, !phi_opp, !phi_times in C.
-      transitivity ((phi d1 *' i) *' (phi d2 *' j) *' val e p); [rewrite Ei, Ej; ring |].
-      transitivity (i *' j *' (phi d1 *' phi d2 *' val e p +' zero)); [ring |]. rewrite <- C.
-      transitivity (i *' val e2 p *' phi (dot e g1) *' (phi d2 *' j) +' j *' val e1 p *' phi (dot e g2) *' (phi d1 *' i) +'
-         (one +' one) *' (i *' j *' (phi d1 *' phi d2 *' val e p) +' neg (i *' val e2 p *' phi (dot e g1) *' (phi d2 *' j)) +' neg (j *' val e1 p *' phi (dot e g2) *' (phi d1 *' i)))); [ring |].
-      assert (Z0 : i *' j *' (phi d1 *' phi d2 *' val e p) +' neg (i *' val e2 p *' phi (dot e g1) *' (phi d2 *' j)) +' neg (j *' val e1 p *' phi (dot e g2) *' (phi d1 *' i)) == zero).
-      { transitivity (i *' j *' zero); [rewrite <- C |]; ring. }
-      rewrite Z0, Ei, Ej. ring. }
-    pose proof (R (T 1 0 0)) as Rx. pose proof (R (T 0 1 0)) as Ry. pose proof (R (T 0 0 1)) as Rw.
-    assert (Dx : forall g, dot (T 1 0 0) g = tx g) by (intros; unfold dot; cbn [tx ty tw]; ring).
-    assert (Dy : forall g, dot (T 0 1 0) g = ty g) by (intros; unfold dot; cbn [tx ty tw]; ring).
-    assert (Dw : forall g, dot (T 0 0 1) g = tw g) by (intros; unfold dot; cbn [tx ty tw]; ring).
-    rewrite !Dx in Rx. rewrite !Dy in Ry. rewrite !Dw in Rw.
-    repeat split.
-    - transitivity (val (T 1 0 0) p); [push; ring |]. rewrite Rx. ring.
-    - transitivity (val (T 0 1 0) p); [push; ring |]. rewrite Ry. ring.
-    - transitivity (val (T 0 0 1) p); [push; ring |]. rewrite Rw. ring.
+    apply (mixed_of_values gs g1 g2 g2 (i *' val e2 p) (j *' val e1 p) zero); try assumption; try (now apply nonneg_mul);
+      try apply nonneg_zero. intros e.
+    set (d1 := dot e2 g1) in *. set (d2 := dot e1 g2) in *.
+    assert (C : val (plus (times (d1 * d2) e) (plus (times (- (d2 * dot e g1)) e2) (times (- (d1 * dot e g2)) e1))) p == zero).
+    { apply (on_line_form g1 g2); auto.
+      - rewrite !dot_plus, !dot_times. fold d1. rewrite H. ring.
+      - rewrite !dot_plus, !dot_times. fold d2. match goal with E : dot e2 g2 = 0 |- _ => rewrite E end. ring. }
+    rewrite !val_plus, !val_times, !phi_opp, !phi_times in C.
+    apply (cancel_eq d1); [assumption |]. apply (cancel_eq d2); [assumption |].
+    set (v := val e p) in *. set (v1 := val e1 p) in *. set (v2 := val e2 p) in *.
+    set (f1 := phi (dot e g1)) in *. set (f2 := phi (dot e g2)) in *.
+    transitivity (phi d1 *' phi d2 *' v +' neg (phi d1 *' phi d2 *' v +' (neg (phi d2 *' f1) *' v2 +' neg (phi d1 *' f2) *' v1)));
+      [rewrite C; ring |].
+    transitivity (phi d2 *' f1 *' (phi d1 *' i) *' v2 +' phi d1 *' f2 *' (phi d2 *' j) *' v1); [rewrite Ei, Ej |]; ring.
   Qed.
 
   (* A point. *)
