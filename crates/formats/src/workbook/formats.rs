@@ -1,6 +1,6 @@
 //! What a number in a cell stands for: itself, a date or a duration, which the format of the cell tells.
 
-use crate::mat::double_text;
+use crate::doubles::double_text;
 
 /// What the format of a cell makes of its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

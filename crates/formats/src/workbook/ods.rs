@@ -8,7 +8,7 @@ use super::archive::{Archive, Part, attribute_named, check_text, own_text, unrea
 use super::text::{Lines, MOST_COLUMNS};
 use super::{MOST_SHEETS, chosen, finite};
 use crate::error::InputErrorKind;
-use crate::mat::double_text;
+use crate::doubles::double_text;
 use crate::memory_use::MemoryUse;
 
 /// Hands the cells of the sheet that is wanted over; gives its name.
