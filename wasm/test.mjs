@@ -7,11 +7,12 @@
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { copyFileSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
 
 import { tableOf } from "../crates/lesson/page/js/model/table.js";
 
@@ -67,15 +68,33 @@ const withoutDoubles = (json) => {
 const withoutDoubleLines = (text) =>
   text.replace(/\nin doubles[^]*?(?=\n\S|\n*$)/, "").replace(/\nNext steps, with the same data\n(?: {2}.*\n)+/, "");
 
+/** The ways out that the program names, in its options and in keys. */
+const keysOf = (ways) =>
+  ways
+    .replace(/--limit ([a-z]+)=N/g, (_, name) => (name === "readings" ? "max_readings: N" : `limits: {"${name}": N}`))
+    .replace(/--([a-z-]+)(?: ('[^']*'|[^ ]+))?(?= (?:chooses|leaves|passes|reads|says|takes)\b)/g, (_, option, value) => {
+      const text = value === undefined ? "true" : option === "skip-lines" ? value : JSON.stringify(value.replaceAll("'", ""));
+      return `${option.replaceAll("-", "_")}: ${text}`;
+    });
+
+/** Whether an error says what the program does, each with its own way out. */
+const saysAs = (stderr) => {
+  // A page has a button for what a lesson's limit leaves to the program's options.
+  const [, sentence, ways = ""] = stderr.replace(/; choose some with --rows [^;\n]*/, "").match(/^error: ([^]*?)(; --[a-z][^)]*)?\n$/);
+  return ({ message }) => {
+    assert.equal(message, sentence + keysOf(ways));
+    assert.doesNotMatch(message, /--/);
+    return true;
+  };
+};
+
 /** Compares what module and program say of a table, in all three formats. */
 const compare = (statuses, args, table, input) => {
   const options = optionsOf(args);
   const json = ask([...args, "--format", "json"], input);
   assert.ok(statuses.includes(json.status), `${args}: ${json.stderr}`);
   if (json.status === 1) {
-    // The program says behind it which of its options lead on.
-    const said = json.stderr.replace(/; --[a-z][^)]*\n$/, "\n");
-    assert.throws(() => run(table, options), (error) => said === `error: ${error.message}\n`, json.stderr);
+    assert.throws(() => run(table, options), saysAs(json.stderr), json.stderr);
     return;
   }
   assert.equal(withoutDoubles(run(table, options)), withoutDoubles(json.stdout));
@@ -119,9 +138,13 @@ const withoutFile = (document) => {
 
 const ofReport = ["no-eui", "exact", "digits", "rounding"];
 
+/** The arguments without those of a report. */
+const ofReadings = (args) =>
+  args.filter((arg, at) => !ofReport.some((name) => arg === `--${name}` || (args[at - 1] === `--${name}` && !flags.includes(name))));
+
 /** Compares what module and program show of readings in a lesson, and what the module shows of the page's own table. */
 const compareLessons = (args, table, input) => {
-  const own = args.filter((arg, at) => !ofReport.some((name) => arg === `--${name}` || (args[at - 1] === `--${name}` && !flags.includes(name))));
+  const own = ofReadings(args);
   const options = optionsOf(own);
   const page = spawnSync(program, ["lesson", ...own], { cwd: fixtures, encoding: "utf8", input, maxBuffer: 1 << 28 });
   if (args[0] === "bad-input/header-only.csv") {
@@ -131,7 +154,7 @@ const compareLessons = (args, table, input) => {
     return;
   }
   if (page.status === 1) {
-    assert.throws(() => lesson(table, options), ({ message }) => page.stderr.startsWith(`error: ${message}`), page.stderr);
+    assert.throws(() => lesson(table, options), saysAs(page.stderr), page.stderr);
     return;
   }
   const expected = JSON.parse(page.stdout.match(/id="lesson-data">([^\n]*)<\/script>/)[1]);
@@ -142,11 +165,45 @@ const compareLessons = (args, table, input) => {
   expected.readings.forEach(({ cells }, at) => assert.deepEqual(cells ?? again.readings[at].cells, again.readings[at].cells));
 };
 
-for (const line of [...linesOf(join(fixtures, "tables/fits.txt")), ...linesOf(new URL("fits.txt", import.meta.url))]) {
-  const [status, ...args] = line.replace(/ --[xy]-unit \S+/g, "").split(" ");
+const fits = [...linesOf(join(fixtures, "tables/fits.txt")), ...linesOf(new URL("fits.txt", import.meta.url))].map((line) =>
+  line.replace(/ --[xy]-unit \S+/g, ""),
+);
+
+/** An answer, or why there is none. */
+const said = (answer) => {
+  try {
+    return answer();
+  } catch (error) {
+    assert.ok(error.refusal, `${error}`);
+    return error.message;
+  }
+};
+
+/** Files whose readers the module leaves out. */
+const isLeftOut = (file) => file.endsWith(".mat");
+
+for (const line of fits) {
+  const [status, ...args] = line.split(" ");
+  if (isLeftOut(args[0])) {
+    test(line, () => {
+      const table = readFileSync(join(fixtures, args[0]));
+      for (const answer of [run, lesson]) {
+        assert.throws(() => answer(table, optionsOf(args)), /: this is a MATLAB file; this build has no reader of it /);
+      }
+    });
+    continue;
+  }
   test(line, () => compare([Number(status)], args, readFileSync(join(fixtures, args[0]))));
   test(`lesson: ${line}`, () => compareLessons(args, readFileSync(join(fixtures, args[0]))));
 }
+
+test("what is packed, or Octave's, is refused by its name", () => {
+  const asked = { x: "x", y: "y", eps: "1", file: "data" };
+  const refused = (table, words) => assert.throws(() => run(table, asked), { message: `data: this is ${words}` });
+  refused(gzipSync("x,y\n1,2\n"), "a gzip file; this build unpacks nothing (feature packed); unpack it first");
+  const octave = readFileSync(join(fixtures, "foreign/octave/vectors.txt"));
+  refused(octave, "what Octave's save -text writes; this build has no reader of it (feature matlab); save a matrix of it as CSV");
+});
 
 test("a hundred tables made at random", () => {
   // mulberry32: the same tables in every run.
@@ -221,7 +278,7 @@ test("columns of tables in any form", () => {
   assert.deepEqual(told.numeric, [false, true, true], "a column with a wrong cell has numbers too");
   assert.deepEqual([told.table.decimal, told.table.delimiter, told.table.header.line], ["comma", "semicolon", 1]);
   assert.throws(() => columns("", {}), /^Error: standard input: /);
-  assert.throws(() => columns("a,b\n", { x: "a" }), /^Error: options: unknown field `x`/);
+  assert.throws(() => columns("a,b\n", { x: "a" }), /^Error: x: there is no such key \(expected one of file, reading, header, /);
 });
 
 test("a report in LaTeX", () => {
@@ -273,7 +330,7 @@ test("a lesson has the limits of the program", () => {
   const table = `x,y\n${long}\n`;
   const { stderr } = spawnSync(program, ["lesson", "-", "--x", "x", "--y", "y", "--eps", "1"], { encoding: "utf8", input: table });
   assert.match(stderr, /^error: standard input: .*products of machine words/);
-  assert.throws(() => lesson(table, asked), ({ message }) => stderr.startsWith(`error: ${message}`));
+  assert.throws(() => lesson(table, asked), saysAs(stderr));
   const rows = `x,y\n${"1,2\n".repeat(301)}`;
   assert.throws(() => lesson(rows, asked), { message: "standard input: more than 300 readings are too many for a lesson" });
   assert.equal(JSON.parse(lesson(rows, { ...asked, max_readings: 301 })).asked.max_readings, 301);
@@ -285,30 +342,61 @@ test("a lesson has the limits of the program", () => {
 test("options that are wrong are refused by name", () => {
   const refused = (options, expected) => assert.throws(() => run("x,y\n1,2\n", options), { message: expected });
   const whole = { x: "x", y: "y", eps: "1" };
-  refused({ ...whole, epsilon: "1" }, /^options: unknown field `epsilon`, expected one of `file`, `x`, `y`, `eps`, /);
-  refused({ y: "y", eps: "1" }, /^options: missing field `x`/);
-  refused({ ...whole, eps: 1 }, /^options: invalid type: integer `1`, expected a string/);
-  refused({ ...whole, x: 1 }, /^options: x: expected the name or number of a column as text, or an array of two of these/);
+  refused({ ...whole, epsilon: "1" }, /^request: unknown field `epsilon`, expected one of `no_eui`, .*; every question has file, .*, x, y, eps, /);
+  assert.throws(() => lesson("x,y\n1,2\n", { ...whole, epsilon: "1" }), /^Error: epsilon: there is no such key \(expected one of file, .*, x, y, eps, /);
+  refused({ y: "y", eps: "1" }, "x is missing: it names the column of x, or those of two regressors");
+  refused({ ...whole, eps: 1.5 }, /^eps: a number as text, or {"exact": "1\/3"}/);
+  refused({ ...whole, x: 1 }, /^x: expected the name or number of a column as text, or an array of two of these/);
   refused({ ...whole, x: " " }, 'x: " ": expected a header name or a column number');
   refused({ x: "x", eps: "1" }, "y is missing: only beside lower or upper it may be left out");
   refused({ x: "x", y: "y" }, "the bound on the errors is missing: eps, eps_column, lower or upper");
+  refused({ ...whole, x_eps: "1", x_eps_column: "y" }, "the errors of x have one bound: x_eps or x_eps_column");
+  refused({ ...whole, strong: true }, "strong is about errors in x: say how large they may be with x_eps or x_eps_column");
   refused({ ...whole, lower: "y" }, "the errors have one bound: eps, or eps_column, or lower and upper");
   refused({ ...whole, eps: "1,5" }, /^eps: "1,5": /);
   refused({ ...whole, x: ["x", "y"], eps: "1%*|x|" }, /^eps: "1%\*\|x\|": two regressors have no \|x\|/);
-  refused({ ...whole, x: ["x", "y"], through_origin: true }, /two regressors have no offset/);
+  refused({ ...whole, x: ["x", "y"], through_origin: true }, /^through_origin is about a line: with two regressors there is no offset/);
   refused({ ...whole, x_origin: "a" }, /^x_origin: "a": /);
   refused({ ...whole, where: ["theta3 > 0"] }, /^where: "theta3 > 0": /);
   refused({ ...whole, where_row: ["x ~ 0"] }, /^where_row: "x ~ 0": /);
-  refused({ ...whole, rows: [0] }, "rows: rows are counted from 1, and the first comes before the last");
-  refused({ ...whole, rows: ["1..2"] }, /^options: rows and without: expected rows from 1 such as 5, \[14, 36\]/);
-  refused({ ...whole, without: [[1, null]] }, "without: no row is left");
+  refused({ ...whole, rows: [0] }, 'rows: "0": rows are counted from 1, and the first comes before the last');
+  refused({ ...whole, rows: ["1..2"] }, /^rows: expected rows from 1 such as 5, \[14, 36\]/);
+  refused({ ...whole, rows: "2..1" }, /^rows: "2..1": expected rows from 1 such as 14..36/);
+  refused({ ...whole, without: [[1, null]] }, 'without: "1..": no row is left');
   refused({ ...whole, missing: "drop" }, 'missing: "drop": expected one of "refuse", "skip"');
-  refused({ ...whole, format: "csv" }, 'format: "csv": expected one of "json", "text", "latex", "proof"');
+  refused({ ...whole, format: "pdf" }, 'format: "pdf": expected one of "text", "latex", "markdown", "json", "csv", "wkt", "vertices", "m", "ine", "ext", "proof"');
+  refused({ ...whole, ask: "rnge" }, /^ask: "rnge": expected one of /);
+  refused({ ...whole, ask: "range", most: 1 }, /^request: unknown field `most`/);
+  refused({ ...whole, ask: "range", by: "y" }, 'by: "y": expected x or row');
   refused({ ...whole, delimiter: ";" }, /^delimiter: ";": expected one of "comma", "semicolon", "tab", "space", "pipe"/);
-  refused({ ...whole, decimal: "comma", thousands: "," }, /^decimal and thousands name one mark/);
+  refused({ ...whole, decimal: "comma", thousands: "," }, /^thousands and decimal name one mark/);
   refused({ ...whole, comment: "ab" }, /^comment: "ab": expected auto, none or one character/);
+  refused({ ...whole, limits: { digit: 1 } }, /^limits: "digit": expected one of "digits", "exponent", /);
+  refused({ ...whole, limits: { digits: 0 } }, 'limits: "0": no limit of digits (expected an integer from 1 to 1000000)');
   refused({ ...whole, digits: 0 }, "digits: expected a number from 1 to 1000");
-  refused({ ...whole, eps: `1e${"9".repeat(9)}` }, /^eps: "1e9+": /);
+  refused({ ...whole, eps: `1e${"9".repeat(9)}` }, /^eps: "1e9+": refused: .*; limits: {"exponent": N} raises it$/);
+});
+
+test("a limit is raised by its name, in a report and in a lesson", () => {
+  const digits = "7".repeat(12_000);
+  const table = `x,y\n1,1\n2,${digits}\n`;
+  const asked = { x: "x", y: "y", eps: "1" };
+  for (const answer of [run, lesson]) {
+    assert.throws(() => answer(table, asked), { message: /; limits: {"digits": N} raises it$/ });
+    assert.equal(typeof JSON.parse(answer(table, { ...asked, limits: { digits: 12_000 } })), "object");
+  }
+  const scattered = "x,y\n1,1\n2,2\n3,1\n4,5\n5,0\n6,9\n7,2\n";
+  const outliers = { ...asked, ask: "outliers", eps: "0.1", max_steps: 1 };
+  assert.throws(() => run(scattered, outliers), { message: /, more than 1; max_steps: N raises it$/ });
+  assert.throws(() => run("x,y\n1;5,1\n", { ...asked, delimiter: "comma" }), ({ message }) => !message.includes("--"));
+});
+
+test("a number is what it says where it is said to be exact", () => {
+  const table = "x,y\n0,0\n1,1\n2,2.5\n";
+  const asked = { x: "x", y: "y", reading: "binary64" };
+  const eps = (own) => JSON.parse(run(table, { ...asked, eps: own })).input.epsilon;
+  assert.notDeepEqual(eps("0.1"), eps({ exact: "0.1" }));
+  assert.deepEqual(eps({ exact: "1" }), eps(1));
 });
 
 test("a refusal is there as data, in words without the program's options", () => {
@@ -342,4 +430,97 @@ test("after a trap the engine is started anew", () => {
   exports.memory.grow(pages);
   assert.throws(() => run("x,y\n".padEnd(2 ** 24, "1,2\n"), question), WebAssembly.RuntimeError);
   assert.equal(run("x,y\n1,2\n2,3\n", question), before);
+});
+
+const list = JSON.parse(readFileSync(join(root, "tests/questions.json"), "utf8"));
+
+/** A report without doubles and the commands of the program. */
+const comparable = (form, text) =>
+  form === "json" ? text.replace(/\n( *)"binary64": (\{\}|\{\n[^]*?\n\1\})/g, "") : form === "text" ? withoutDoubleLines(text) : text;
+
+/** The arguments that a command of the program takes: linearity knows neither bounds nor conditions. */
+const taken = (args, name) => {
+  const isTaken = (option) => name !== "linearity" || ["--x", "--y", "--rows", "--without", "--reading"].includes(option);
+  return args.filter((word, at) => isTaken(word) || (!word.startsWith("--") && isTaken(args[at - 1])));
+};
+
+/** What the program writes of a question in a form, where it writes an answer. */
+const written = ([file, ...own], command, form) => {
+  const [name, ...more] = command.split(" ");
+  const asked = taken(own, name);
+  const folder = mkdtempSync(join(tmpdir(), "boundfit-"));
+  try {
+    const proof = join(folder, "proof.json");
+    const format = { vertices: ["--vertices", "--format", "csv"], proof: ["--proof", proof] }[form] ?? ["--format", form];
+    const done = spawnSync(program, [name, file, ...asked, ...more, ...format], { cwd: fixtures, encoding: "utf8", maxBuffer: 1 << 28 });
+    if (![0, 3].includes(done.status)) return null;
+    return form === "proof" ? readFileSync(proof, "utf8") : done.stdout;
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+};
+
+// A question that the module does not know is refused, and that is no answer.
+for (const [question, { forms, command, request }] of Object.entries(list.questions)) {
+  test(`${question} in every form`, () => {
+    let answers = 0;
+    const others = fits.filter((line) => !line.startsWith("1 ")).map((line) => ofReadings(line.split(" ").slice(1)).join(" "));
+    for (const line of new Set([...list.about, ...others])) {
+      const all = line.split(" ");
+      const words = list.about.includes(line) ? all : [all[0], ...taken(all.slice(1), question)];
+      if (isLeftOut(words[0])) continue;
+      const table = readFileSync(join(fixtures, words[0]));
+      const options = { ...optionsOf(words), ...(question === "fit-x-errors" ? { x_eps: "1/10" } : {}), ask: question, ...request };
+      // About the tables of all fits the JSON is compared, from whose answer every other form is written.
+      for (const format of list.about.includes(line) ? forms : ["json"]) {
+        const expected = written(words, command, format);
+        if (expected === null) {
+          assert.throws(() => run(table, { ...options, format }), Error, `${format} of ${line}`);
+          continue;
+        }
+        assert.equal(comparable(format, run(table, { ...options, format })), comparable(format, expected), `${format} of ${line}`);
+        answers += 1;
+      }
+    }
+    assert.ok(answers > forms.length, `${answers} answers`);
+  });
+}
+
+test("the module knows no other question than the list", () => {
+  const named = (message) => [...message.matchAll(/"([a-z-]+)"/g)].map(([, name]) => name).slice(1);
+  assert.throws(() => run("x,y\n1,2\n", { ask: "none", x: "x", y: "y", eps: "1" }), ({ message }) => {
+    assert.deepEqual(named(message), Object.keys(list.questions));
+    return true;
+  });
+});
+
+test("without a name the question is a fit, with errors of x or without", () => {
+  const table = "x,y\n0,0\n1,1\n2,2.5\n";
+  const asked = { x: "x", y: "y", eps: "1" };
+  assert.equal(run(table, asked), run(table, { ...asked, ask: "fit" }));
+  assert.equal(run(table, { ...asked, x_eps: "1/10" }), run(table, { ...asked, x_eps: "1/10", ask: "fit-x-errors" }));
+  assert.equal(JSON.parse(run(table, { x: "x", y: "y", ask: "linearity" })).schema, "boundfit/linearity/1");
+  assert.throws(() => run(table, { ...asked, ask: "status", new: "more.csv" }), /^Error: no other table is at hand here/);
+  assert.throws(() => run(table, { ...asked, ask: "range", row_numbers: [[5, 7]] }), /^Error: row_numbers: range is about the rows of a table/);
+  assert.throws(() => run(table, { ...asked, sweep: "1..2", row_numbers: [[5, 7]] }), /^Error: row_numbers: sweep is about the rows of a table/);
+});
+
+test("the module of a page has every lesson, and answers no question", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "boundfit-"));
+  try {
+    // Scripts in another folder start a module of their own.
+    for (const script of ["boundfit.mjs", "boundfit_wasm.mjs"]) copyFileSync(join(engine, script), join(folder, script));
+    const page = await import(pathToFileURL(join(folder, "boundfit.mjs")).href);
+    await page.start(readFileSync(join(engine, "page.wasm.gz")));
+    for (const line of fits) {
+      const args = line.split(" ").slice(1);
+      if (isLeftOut(args[0])) continue;
+      const [table, options] = [readFileSync(join(fixtures, args[0])), optionsOf(ofReadings(args))];
+      assert.deepEqual(said(() => page.lesson(table, options)), said(() => lesson(table, options)), line);
+    }
+    const question = { x: "x", y: "y", eps: "1" };
+    assert.throws(() => page.run("x,y\n1,2\n", question), { message: "this is the module of a page, which answers no question" });
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 });

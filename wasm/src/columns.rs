@@ -9,7 +9,7 @@ use boundfit::files::{ColumnSelector, InputErrorKind, Missing, Source, TableOpti
 use boundfit::report::TableJson;
 use serde::Serialize;
 
-use crate::options::TableWords;
+use crate::options::TableAlone;
 use crate::refusal::Refusal;
 
 /// What no header has: a column is found missing when the names of all others are known.
@@ -32,14 +32,9 @@ struct ColumnsJson {
 
 /// The names of the columns, in whatever form the table is written, or what is wrong.
 pub(crate) fn columns(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
-    let words = TableWords::parse(options)?;
+    let words = TableAlone::parse(options)?;
     let source = || Source::new(words.file(), Cursor::new(table.clone()));
-    let asked = TableOptions {
-        dialect: words.dialect()?,
-        header: words.header()?,
-        missing: Missing::Skip,
-        ..TableOptions::default()
-    };
+    let asked = TableOptions { missing: Missing::Skip, ..words.options()? };
     let (cells, count) = match read_table(source(), &[ColumnSelector::name(NOBODY)], &asked) {
         Ok(_) => return Err("the table has a column without a name that could be shown".to_owned().into()),
         Err(error) => match error.kind {

@@ -1,99 +1,68 @@
-//! What is asked, as JSON says it.
+//! What is asked, as JSON says it: the readings and the question in the words of every surface, and what is about the answer.
 
-use boundfit::engine::estimation::TextProblem;
-use boundfit::engine::exact::{DecimalMark, Foreign, Thousands};
-use boundfit::engine::formats::{CommentMark, DELIMITERS, Encoding, RowNumbers};
-use boundfit::files::{
-    AskedBlock, AskedDialect, ColumnSelector, EpsilonColumn, Header, Measurements, Missing, MissingWords,
-    Question, RowCondition, RowRange, RowSet, TableOptions,
-};
+use boundfit::ask::{self, Form, OfRows, Readings, Request, RowWords, TableWords, named, take_key};
+use boundfit::engine::exact::Foreign;
+use boundfit::engine::formats::RowNumbers;
+use boundfit::files::{Measurements, RowRange, RowSet, Source, TableOptions};
 use boundfit::lesson::{LessonOptions, MOST_ROWS, MOST_ROWS_EVER};
 use boundfit::report::{EndRounding, Style};
-use boundfit::{Condition, Reading};
-use serde::Deserialize;
+use serde_json::{Map, Value};
 
-use crate::refusal::{Refusal, of_bound, of_condition};
+use crate::refusal::Refusal;
 
 /// What a table without a name is called in messages.
 const NO_FILE: &str = "standard input";
 
-/// The keys of the object, each named as the option of `boundfit fit` or `boundfit lesson` that it is.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// The keys of the object that are neither readings nor the question.
+const OWN_KEYS: [&str; 10] = [
+    "file",
+    "row_numbers",
+    "format",
+    "digits",
+    "rounding",
+    "exact",
+    "title",
+    "x_unit",
+    "y_unit",
+    "max_readings",
+];
+
+/// The keys of the object, each named as the option of the program that it is.
+#[derive(Debug)]
 pub(crate) struct Options {
     /// The name of the table in reports and messages; without one it is standard input.
     pub(crate) file: Option<String>,
-    x: Regressors,
-    y: Option<String>,
-    eps: Option<String>,
-    eps_column: Option<String>,
-    lower: Option<String>,
-    upper: Option<String>,
-    #[serde(default, rename = "where")]
-    conditions: Vec<String>,
-    #[serde(default)]
-    through_origin: bool,
-    x_origin: Option<String>,
-    #[serde(default)]
-    rows: Vec<Rows>,
-    #[serde(default)]
-    without: Vec<Rows>,
-    #[serde(default)]
-    where_row: Vec<String>,
-    reading: Option<String>,
-    header: Option<String>,
-    encoding: Option<String>,
-    delimiter: Option<String>,
-    decimal: Option<String>,
-    thousands: Option<String>,
-    comment: Option<String>,
-    #[serde(default)]
-    skip_lines: u64,
-    #[serde(default)]
-    units_row: bool,
-    missing: Option<String>,
-    #[serde(default)]
-    missing_as: Vec<String>,
-    block: Option<String>,
-    #[serde(default)]
-    row_numbers: Vec<Rows>,
-    #[serde(default)]
-    pub(crate) no_eui: bool,
+    readings: Readings,
+    row_numbers: Vec<OfRows>,
     format: Option<String>,
     digits: Option<u16>,
     rounding: Option<String>,
-    #[serde(default)]
     exact: bool,
     title: Option<String>,
     x_unit: Option<String>,
     y_unit: Option<String>,
     max_readings: Option<u16>,
+    /// The question, with its own keys.
+    question: Map<String, Value>,
 }
 
 /// How a table is written, where nothing is asked of it yet.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct TableWords {
+#[derive(Debug)]
+pub(crate) struct TableAlone {
     file: Option<String>,
-    encoding: Option<String>,
-    header: Option<String>,
-    delimiter: Option<String>,
-    decimal: Option<String>,
-    thousands: Option<String>,
-    comment: Option<String>,
-    #[serde(default)]
-    skip_lines: u64,
-    #[serde(default)]
-    units_row: bool,
+    words: TableWords,
 }
 
-impl TableWords {
+impl TableAlone {
     /// Reads the object.
     ///
     /// # Errors
     /// With the key that is not known, or of another type.
-    pub(crate) fn parse(json: &str) -> Result<Self, String> {
-        serde_json::from_str(json).map_err(|error| format!("options: {error}"))
+    pub(crate) fn parse(json: &str) -> Result<Self, Refusal> {
+        let mut keys = object(json)?;
+        let own = TableAlone { file: take_key(&mut keys, "file")?, words: TableWords::take(&mut keys)? };
+        refuse_unknown(keys.keys(), || [&["file"], TableWords::KEYS].concat().join(", "))?;
+        Ok(own)
     }
 
     /// The name of the table in messages.
@@ -101,63 +70,99 @@ impl TableWords {
         self.file.as_deref().unwrap_or(NO_FILE)
     }
 
-    /// Whether the first row names the columns, as far as that is said.
-    pub(crate) fn header(&self) -> Result<Header, String> {
-        header(self.header.as_deref())
-    }
-
-    /// How the table is written, as far as that is said.
-    pub(crate) fn dialect(&self) -> Result<AskedDialect, String> {
-        let marks = [&self.encoding, &self.delimiter, &self.decimal, &self.thousands, &self.comment];
-        dialect(marks, self.skip_lines, self.units_row)
+    /// How the table is read.
+    pub(crate) fn options(&self) -> Result<TableOptions, Refusal> {
+        Ok(self.words.resolve(self.words.reading(false)?, &RowWords::default())?)
     }
 }
 
-/// The columns of one or two regressors.
-#[derive(Debug, Deserialize)]
-#[serde(
-    untagged,
-    expecting = "x: expected the name or number of a column as text, or an array of two of these"
-)]
-enum Regressors {
-    One(String),
-    Two([String; 2]),
+fn object(json: &str) -> Result<Map<String, Value>, Refusal> {
+    serde_json::from_str(json).map_err(|error| format!("options: {error}").into())
 }
 
-/// Data rows, counted from 1.
-#[derive(Debug, Deserialize)]
-#[serde(
-    untagged,
-    expecting = "rows and without: expected rows from 1 such as 5, [14, 36] or, to the end, [10, null]"
-)]
-enum Rows {
-    One(usize),
-    Range(usize, Option<usize>),
+/// The keys of every question.
+fn known_keys() -> String {
+    [&OWN_KEYS, Readings::KEYS, RowWords::KEYS, TableWords::KEYS].concat().join(", ")
 }
 
-/// What is written of a fit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Format {
-    Json,
-    Text,
-    Latex,
-    Proof,
+/// Refuses a key, and names those that there are.
+fn refuse_unknown<'a>(
+    mut keys: impl Iterator<Item = &'a String>,
+    known: impl FnOnce() -> String,
+) -> Result<(), ask::Refusal> {
+    let Some(key) = keys.next() else { return Ok(()) };
+    let problem = format!("there is no such key (expected one of {})", known());
+    Err(ask::Refusal::Key { key: key.clone(), problem })
 }
 
 impl Options {
     /// Reads the object.
     ///
     /// # Errors
-    /// With the key that is missing, not known, or of another type.
-    pub(crate) fn parse(json: &str) -> Result<Self, String> {
-        serde_json::from_str(json).map_err(|error| format!("options: {error}"))
+    /// With the key that is not known, or of another type.
+    pub(crate) fn parse(json: &str) -> Result<Self, Refusal> {
+        let mut keys = object(json)?;
+        let own = &mut keys;
+        Ok(Options {
+            file: take_key(own, "file")?,
+            readings: Readings::take(own)?,
+            row_numbers: take_key(own, "row_numbers")?,
+            format: take_key(own, "format")?,
+            digits: take_key(own, "digits")?,
+            rounding: take_key(own, "rounding")?,
+            exact: take_key(own, "exact")?,
+            title: take_key(own, "title")?,
+            x_unit: take_key(own, "x_unit")?,
+            y_unit: take_key(own, "y_unit")?,
+            max_readings: take_key(own, "max_readings")?,
+            question: keys,
+        })
+    }
+
+    /// The question: the fit, where no other is asked, or that of readings whose x have errors, where these are bounded.
+    ///
+    /// # Errors
+    /// When there is no such question, or it has no such key.
+    pub(crate) fn request(&self) -> Result<Request, Refusal> {
+        let mut keys = self.question.clone();
+        if keys.get("ask").is_none_or(|ask| ask.is_null() || ask == "fit") {
+            let has_x_errors = self.readings.x_eps.is_some() || self.readings.x_eps_column.is_some();
+            let name = if has_x_errors { "fit-x-errors" } else { "fit" };
+            keys.insert("ask".to_owned(), name.into());
+        }
+        let request = Request::of_keys(keys).map_err(|refusal| match refusal {
+            // It knows the keys of the question alone.
+            ask::Refusal::Request(problem) if problem.starts_with("request: unknown field") => {
+                ask::Refusal::Request(format!("{problem}; every question has {}", known_keys()))
+            }
+            refusal => refusal,
+        });
+        Ok(request?)
+    }
+
+    /// The table, and which of its readings are asked about: by a question, or by a page.
+    ///
+    /// # Errors
+    /// When a value makes no sense, or values exclude or need each other.
+    pub(crate) fn asked(
+        &self,
+        table: Vec<u8>,
+        request: Option<&Request>,
+    ) -> Result<(Source, ask::Asked), Refusal> {
+        let source = Source::of_bytes(self.file(), table);
+        let reading = self.readings.table.reading(source.is_stored())?;
+        let asked = match request {
+            Some(request) => request.resolve(&self.readings, reading),
+            None => self.readings.resolve(reading),
+        };
+        Ok((source, asked?))
     }
 
     /// Refuses what is about a page alone.
     ///
     /// # Errors
     /// With the key.
-    pub(crate) fn refuse_words_of_page(&self) -> Result<(), String> {
+    pub(crate) fn refuse_words_of_page(&self) -> Result<(), Refusal> {
         let asked = [
             ("title", self.title.is_some()),
             ("x_unit", self.x_unit.is_some()),
@@ -171,9 +176,9 @@ impl Options {
     ///
     /// # Errors
     /// With a key that is about a report alone, or a number of readings that no page has.
-    pub(crate) fn lesson(&self, measurements: &Measurements) -> Result<LessonOptions, String> {
+    pub(crate) fn lesson(&self, measurements: &Measurements) -> Result<LessonOptions, Refusal> {
         if self.max_readings.is_some_and(|most| !(1..=MOST_ROWS_EVER).contains(&most)) {
-            return Err(format!("max_readings: expected a number from 1 to {MOST_ROWS_EVER}"));
+            return Err(format!("max_readings: expected a number from 1 to {MOST_ROWS_EVER}").into());
         }
         let [x_unit, y_unit] = measurements.plane_units();
         let foreign = |text: &Option<String>| text.as_ref().map(Foreign::from);
@@ -192,15 +197,20 @@ impl Options {
     ///
     /// # Errors
     /// With the key.
-    pub(crate) fn refuse_words_of_report(&self) -> Result<(), String> {
+    pub(crate) fn refuse_words_of_report(&self) -> Result<(), Refusal> {
         let asked = [
             ("format", self.format.is_some()),
             ("digits", self.digits.is_some()),
             ("rounding", self.rounding.is_some()),
             ("exact", self.exact),
-            ("no_eui", self.no_eui),
+            ("no_eui", self.question.contains_key("no_eui")),
+            ("ask", self.question.contains_key("ask")),
+            ("x_eps", self.readings.x_eps.is_some()),
+            ("x_eps_column", self.readings.x_eps_column.is_some()),
+            ("strong", self.readings.strong),
         ];
-        refuse_any(&asked, "is about a report, and this is a lesson")
+        refuse_any(&asked, "is about a report, and this is a lesson")?;
+        Ok(refuse_unknown(self.question.keys(), known_keys)?)
     }
 
     /// The name of the table in messages.
@@ -209,200 +219,45 @@ impl Options {
     }
 
     /// What is written.
-    pub(crate) fn format(&self) -> Result<Format, String> {
-        let names = [
-            ("json", Format::Json),
-            ("text", Format::Text),
-            ("latex", Format::Latex),
-            ("proof", Format::Proof),
-        ];
-        Ok(named("format", self.format.as_deref(), &names)?.unwrap_or(Format::Json))
-    }
-
-    /// How numbers of text are read.
-    pub(crate) fn reading(&self) -> Result<Reading, String> {
-        let names = Reading::ALL.map(|reading| (reading.name(), reading));
-        Ok(named("reading", self.reading.as_deref(), &names)?.unwrap_or_default())
+    pub(crate) fn form(&self) -> Result<Form, Refusal> {
+        let names = Form::ALL.map(|form| (form.name(), form));
+        Ok(named("format", self.format.as_deref(), &names)?.unwrap_or(Form::Json))
     }
 
     /// How numbers are written.
-    pub(crate) fn style(&self) -> Result<Style, String> {
+    pub(crate) fn style(&self) -> Result<Style, Refusal> {
         if self.digits.is_some_and(|digits| !(1..=1000).contains(&digits)) {
-            return Err("digits: expected a number from 1 to 1000".to_owned());
+            return Err("digits: expected a number from 1 to 1000".to_owned().into());
         }
         let names = EndRounding::ALL.map(|rounding| (rounding.name(), rounding));
         let ends = named("rounding", self.rounding.as_deref(), &names)?.unwrap_or_default();
         Ok(Style { digits: self.digits.map(usize::from), ends, exact: self.exact, ..Style::default() })
     }
 
-    /// What is asked of a table whose numbers are read like that.
-    pub(crate) fn question(&self, reading: Reading) -> Result<Question, Refusal> {
-        let limits = TableOptions::default().limits;
-        let response = self.y.as_deref().map(|own| column("y", own)).transpose()?;
-        let question = match &self.x {
-            Regressors::One(x) => Question::line(column("x", x)?, response),
-            Regressors::Two([phi1, phi2]) => {
-                Question::regressors(column("x", phi1)?, column("x", phi2)?, response)
-            }
-        };
-        let mut question = self.bounded(question, reading)?;
-        if question.columns.second.is_some() && (self.through_origin || self.x_origin.is_some()) {
-            return Err("through_origin and x_origin are about a line: two regressors have no offset"
-                .to_owned()
-                .into());
-        }
-        for text in &self.conditions {
-            let condition = Condition::parse(text, reading, &limits);
-            question.conditions.push(condition.map_err(|error| {
-                let (named, place, words) =
-                    (of_condition(&error.kind), error.position + 1, error.kind.to_string());
-                Refusal::of_text("where", text, named, Some(place), error, words)
-            })?);
-        }
-        question.columns.form.through_origin = self.through_origin;
-        if let Some(text) = &self.x_origin {
-            let origin = reading.read(text, &limits);
-            question.columns.form.x_origin = origin.map_err(|error| refused("x_origin", text, error))?;
-        }
-        Ok(question)
-    }
-
-    /// The question with the bounds on the errors, of which there are to be those of one kind.
-    fn bounded(&self, question: Question, reading: Reading) -> Result<Question, Refusal> {
-        let bound = |key: &str, own: &Option<String>| own.as_deref().map(|own| column(key, own)).transpose();
-        let [lower, upper] = [bound("lower", &self.lower)?, bound("upper", &self.upper)?];
-        let is_interval = lower.is_some() || upper.is_some();
-        if self.y.is_none() && !is_interval {
-            return Err("y is missing: only beside lower or upper it may be left out".to_owned().into());
-        }
-        match (&self.eps, bound("eps_column", &self.eps_column)?, is_interval) {
-            (Some(eps), None, false) => {
-                let question = question.within(eps, reading).map_err(|error| {
-                    let (named, words) = (of_bound(&error.kind), error.kind.to_string());
-                    let place = error.kind.has_place().then_some(error.position + 1);
-                    Refusal::of_text("eps", eps, named, place, error, words)
-                })?;
-                match &question.columns.epsilon {
-                    EpsilonColumn::Law(law) if question.columns.second.is_some() && law.needs_x() => {
-                        let problem =
-                            "two regressors have no |x| (expected a law of |y|, range(y) and written)";
-                        let named = ("bound-x", None);
-                        Err(Refusal::of_text("eps", eps, named, None, problem, problem.to_owned()))
-                    }
-                    _ => Ok(question),
-                }
-            }
-            (None, Some(column), false) => Ok(question.within_columns(EpsilonColumn::Column(column))),
-            (None, None, true) => Ok(question.within_columns(EpsilonColumn::Interval { lower, upper })),
-            (None, None, false) => {
-                Err("the bound on the errors is missing: eps, eps_column, lower or upper".to_owned().into())
-            }
-            _ => Err("the errors have one bound: eps, or eps_column, or lower and upper".to_owned().into()),
-        }
-    }
-
-    /// How the table is read.
-    pub(crate) fn table(&self, reading: Reading) -> Result<TableOptions, String> {
-        let table = TableOptions::default();
-        let conditions = self.where_row.iter().map(|text| {
-            let condition = RowCondition::parse(text, reading, &table.limits);
-            condition.map_err(|error| refused("where_row", text, error))
-        });
-        let missing = Missing::ALL.map(|missing| (missing.name(), missing));
-        let marks = [&self.encoding, &self.delimiter, &self.decimal, &self.thousands, &self.comment];
-        let rows = match self.numbering()? {
-            Some(numbering) => numbering.positions(&self.row_set()?),
-            None => Some(self.row_set()?),
-        };
-        let block = self.block.as_deref().map(|text| {
-            AskedBlock::parse(text).ok_or_else(|| {
-                refused("block", text, "expected a number from 1, a comment before a block, or all")
-            })
-        });
-        Ok(TableOptions {
-            block: block.transpose()?,
-            missing_as: MissingWords::new(self.missing_as.iter().cloned()),
-            header: header(self.header.as_deref())?,
-            dialect: dialect(marks, self.skip_lines, self.units_row)?,
-            missing: named("missing", self.missing.as_deref(), &missing)?.unwrap_or_default(),
-            rows: rows.ok_or("rows: none of them is left")?,
-            conditions: conditions.collect::<Result<_, _>>()?,
-            reading,
-            ..table
-        })
-    }
-
-    /// The rows that are asked for, by their numbers.
-    pub(crate) fn row_set(&self) -> Result<RowSet, String> {
-        let rows = RowSet::new(&ranges("rows", &self.rows)?, &ranges("without", &self.without)?);
-        rows.ok_or_else(|| "without: no row is left".to_owned())
-    }
-
     /// The numbers of the rows of the table, where they are not 1, 2, 3 and so on.
     ///
     /// # Errors
     /// When they do not ascend.
-    pub(crate) fn numbering(&self) -> Result<Option<Numbering>, String> {
+    pub(crate) fn numbering(&self) -> Result<Option<Numbering>, Refusal> {
         if self.row_numbers.is_empty() {
             return Ok(None);
         }
-        let expected = || {
+        let ends = self.row_numbers.iter().map(|own| match *own {
+            OfRows::One(row) => Some([row, row]),
+            OfRows::Range(first, last) => Some([first, last?]),
+        });
+        let ends: Option<Vec<[usize; 2]>> = ends.collect();
+        ends.and_then(|ends| Numbering::new(&ends)).map(Some).ok_or_else(|| {
             "row_numbers: expected rows from 1, ascending, such as 5 and [14, 36]: the number of each row of the table"
                 .to_owned()
-        };
-        let ends = self.row_numbers.iter().map(|own| match *own {
-            Rows::One(row) => Some([row, row]),
-            Rows::Range(first, last) => Some([first, last?]),
-        });
-        let ends: Vec<[usize; 2]> = ends.collect::<Option<_>>().ok_or_else(expected)?;
-        Numbering::new(&ends).map(Some).ok_or_else(expected)
+                .into()
+        })
     }
 }
 
-fn header(asked: Option<&str>) -> Result<Header, String> {
-    let headers = Header::ALL.map(|header| (header.name(), header));
-    Ok(named("header", asked, &headers)?.unwrap_or_default())
-}
-
-/// How a text is written: its encoding, the marks that separate columns, come before decimals, group digits and start comments, as far as they are said.
-fn dialect(marks: [&Option<String>; 5], skip_lines: u64, units_row: bool) -> Result<AskedDialect, String> {
-    let [encoding, delimiter, decimal, thousands, comment] = marks;
-    let decimals = DecimalMark::ALL.map(|mark| (mark.name(), mark));
-    let groups = Thousands::ALL.map(|mark| (mark.mark(), mark));
-    // Of both what is left to the table has a name on the command line.
-    let asked = |text: &Option<String>| text.clone().filter(|text| text != "auto");
-    let decimal = named("decimal", asked(decimal).as_deref(), &decimals)?;
-    let thousands = named("thousands", thousands.as_deref(), &groups)?;
-    if let (Some(decimal), Some(thousands)) = (decimal, thousands)
-        && thousands.mark().as_bytes() == [decimal.byte()]
-    {
-        return Err(
-            "decimal and thousands name one mark: it cannot both group digits and come before decimals"
-                .to_owned(),
-        );
-    }
-    let comment = comment.as_deref().map(|text| {
-        CommentMark::parse(text)
-            .ok_or_else(|| refused("comment", text, "expected auto, none or one character such as #"))
-    });
-    let encoding = asked(encoding).map(|name| {
-        let expected = || refused("encoding", &name, format!("expected one of {}", Encoding::names()));
-        Encoding::named(&name).ok_or_else(expected)
-    });
-    Ok(AskedDialect {
-        encoding: encoding.transpose()?,
-        delimiter: named("delimiter", asked(delimiter).as_deref(), &DELIMITERS)?,
-        decimal,
-        thousands,
-        comment: comment.transpose()?.unwrap_or_default(),
-        skip_lines,
-        units_row,
-    })
-}
-
-fn refuse_any(asked: &[(&str, bool)], why: &str) -> Result<(), String> {
+fn refuse_any(asked: &[(&str, bool)], why: &str) -> Result<(), Refusal> {
     match asked.iter().find(|(_, is_asked)| *is_asked) {
-        Some((key, _)) => Err(format!("{key} {why}")),
+        Some((key, _)) => Err(format!("{key} {why}").into()),
         None => Ok(()),
     }
 }
@@ -439,8 +294,11 @@ impl Numbering {
         })
     }
 
-    /// The rows with these numbers, by their places in the table; `None` if there is none.
-    fn positions(&self, asked: &RowSet) -> Option<RowSet> {
+    /// The rows with these numbers, by their places in the table.
+    ///
+    /// # Errors
+    /// When there is none.
+    pub(crate) fn positions(&self, asked: &RowSet) -> Result<RowSet, Refusal> {
         let places = |ranges: &[RowRange]| -> Vec<RowRange> {
             let place = |range: &RowRange| {
                 let (first, last) = range.ends();
@@ -450,38 +308,8 @@ impl Numbering {
             ranges.iter().filter_map(place).collect()
         };
         let named = places(asked.named());
-        if named.is_empty() && !asked.named().is_empty() {
-            return None;
-        }
-        RowSet::new(&named, &places(asked.without()))
+        let is_none = named.is_empty() && !asked.named().is_empty();
+        let rows = RowSet::new(&named, &places(asked.without())).filter(|_| !is_none);
+        rows.ok_or_else(|| "rows: none of them is left".to_owned().into())
     }
-}
-
-/// What a key asks for by name, if it is there.
-fn named<T: Clone>(key: &str, asked: Option<&str>, names: &[(&str, T)]) -> Result<Option<T>, String> {
-    let Some(asked) = asked else { return Ok(None) };
-    let found = names.iter().find(|(name, _)| *name == asked).map(|(_, own)| own.clone());
-    let expected = || names.iter().map(|(name, _)| format!("{name:?}")).collect::<Vec<_>>().join(", ");
-    found.map(Some).ok_or_else(|| refused(key, asked, format_args!("expected one of {}", expected())))
-}
-
-fn column(key: &str, text: &str) -> Result<ColumnSelector, String> {
-    match text.trim() {
-        "" => Err(refused(key, text, "expected a header name or a column number")),
-        text => Ok(ColumnSelector::name_or_number(text)),
-    }
-}
-
-fn ranges(key: &str, asked: &[Rows]) -> Result<Vec<RowRange>, String> {
-    let range = |own: &Rows| match *own {
-        Rows::One(row) => RowRange::new(row, row),
-        Rows::Range(first, Some(last)) => RowRange::new(first, last),
-        Rows::Range(first, None) => RowRange::from_row(first),
-    };
-    let ranges: Option<Vec<RowRange>> = asked.iter().map(range).collect();
-    ranges.ok_or_else(|| format!("{key}: rows are counted from 1, and the first comes before the last"))
-}
-
-fn refused(key: &str, text: &str, problem: impl std::fmt::Display) -> String {
-    format!("{key}: {text:?}: {problem}")
 }

@@ -1,11 +1,10 @@
-//! What is refused: in the words of the program for whoever asks, and as data for the page, which has words and ways out of its own.
+//! What is refused: in words with the keys that lead on for whoever asks, and as data for the page, which has words and ways out of its own.
 
-use std::fmt::Display;
-
-use boundfit::engine::estimation::{ParseBoundErrorKind, ParseConditionErrorKind};
-use boundfit::engine::exact::{DecimalMark, ParseNumberErrorKind};
-use boundfit::engine::formats::{InputError, Place};
-use boundfit::files::InputErrorKind;
+use boundfit::ask::{self, Surface, ValueProblem};
+use boundfit::engine::estimation::{ParseBoundErrorKind, ParseConditionErrorKind, TextProblem};
+use boundfit::engine::exact::{DecimalMark, Limit, ParseNumberErrorKind};
+use boundfit::engine::formats::{InputError, Place, Setting};
+use boundfit::files::{InputErrorKind, Way};
 use boundfit::lesson::LessonError;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -13,7 +12,7 @@ use serde_json::{Value, json};
 /// Why there is no answer.
 #[derive(Debug)]
 pub(crate) struct Refusal {
-    /// As the program says it.
+    /// As the program says it, with keys in the place of its options.
     pub(crate) message: String,
     problem: Box<Problem>,
 }
@@ -50,34 +49,16 @@ struct Problem {
 type Named = (&'static str, Option<Value>);
 
 impl Refusal {
-    /// What is wrong with a text of the options, at a character of it if that is known.
-    pub(crate) fn of_text(
-        key: &'static str,
-        text: &str,
-        (kind, values): Named,
-        position: Option<usize>,
-        problem: impl Display,
-        words: String,
-    ) -> Self {
-        let text = Some(text.to_owned());
-        let message = format!("{key}: {:?}: {problem}", text.as_deref().unwrap_or_default());
-        Refusal {
-            message,
-            problem: Box::new(Problem {
-                kind,
-                words,
-                key: Some(key),
-                text,
-                position,
-                values,
-                ..Problem::default()
-            }),
-        }
-    }
-
     /// The data, as JSON.
     pub(crate) fn json(&self) -> String {
         serde_json::to_string(&self.problem).unwrap_or_else(|_| "null".to_owned())
+    }
+
+    /// Why a question about a file has no answer.
+    pub(crate) fn of_file(file: &str, refusal: ask::Refusal) -> Self {
+        let says_file = matches!(refusal, ask::Refusal::Input(_)) || refusal.is_misuse();
+        let own = Refusal::from(refusal);
+        if says_file { own } else { Refusal { message: format!("{file}: {}", own.message), ..own } }
     }
 }
 
@@ -87,29 +68,88 @@ impl From<String> for Refusal {
     }
 }
 
-impl From<InputError> for Refusal {
-    fn from(error: InputError) -> Self {
-        let message = error.to_string();
-        let Place { line, column, text, .. } = *error.place;
-        let (kind, values) = of_input(&error.kind);
-        let position = match &error.kind {
-            InputErrorKind::NotANumber(number) => position_of(&number.kind, number.position),
-            _ => None,
-        };
-        let (column, name) = column.map_or((None, None), |(column, name)| (Some(column), name));
-        let problem = Problem {
-            kind,
-            words: error.kind.to_string(),
-            line,
-            column,
-            name: name.map(|name| name.to_string()).filter(|name| !name.is_empty()),
-            text: text.map(|text| text.to_string()),
-            position,
-            values,
-            ..Problem::default()
+/// What is asked in the words of keys.
+struct Keys;
+
+impl Surface for Keys {
+    fn key(&self, key: &str) -> String {
+        key.to_owned()
+    }
+
+    fn value(&self, key: &str, text: &str) -> String {
+        format!("{key}: {text:?}")
+    }
+
+    /// `decimal: "comma" reads 1,5`.
+    fn way(&self, way: &Way) -> String {
+        let Way { setting, value, effect } = way;
+        match setting {
+            // They have keys of their own.
+            Setting::Limit(Limit::Steps) => format!("max_steps: N {effect}"),
+            Setting::Limit(Limit::Readings) => format!("max_readings: N {effect}"),
+            Setting::Limit(limit) => format!("limits: {{{:?}: N}} {effect}", limit.name()),
+            Setting::SkipLines => format!("skip_lines: {value} {effect}"),
+            Setting::UnitsRow => format!("units_row: true {effect}"),
+            setting => format!("{}: {:?} {effect}", setting.name(), value.trim_matches('\'')),
+        }
+    }
+}
+
+impl From<ask::Refusal> for Refusal {
+    fn from(refusal: ask::Refusal) -> Self {
+        let message = refusal.words(&Keys);
+        let problem = match refusal {
+            ask::Refusal::Input(error) => of_error(error),
+            ask::Refusal::Value { key, text, problem } => of_value(key, text, &problem),
+            refusal => Problem { words: refusal.sentence(&Keys), ..Problem::default() },
         };
         Refusal { message, problem: Box::new(problem) }
     }
+}
+
+impl From<InputError> for Refusal {
+    fn from(error: InputError) -> Self {
+        ask::Refusal::Input(error).into()
+    }
+}
+
+/// What is wrong with a table.
+fn of_error(error: InputError) -> Problem {
+    let Place { line, column, text, .. } = *error.place;
+    let (kind, values) = of_input(&error.kind);
+    let position = match &error.kind {
+        InputErrorKind::NotANumber(number) => position_of(&number.kind, number.position),
+        _ => None,
+    };
+    let (column, name) = column.map_or((None, None), |(column, name)| (Some(column), name));
+    Problem {
+        kind,
+        words: error.kind.to_string(),
+        line,
+        column,
+        name: name.map(|name| name.to_string()).filter(|name| !name.is_empty()),
+        text: text.map(|text| text.to_string()),
+        position,
+        values,
+        ..Problem::default()
+    }
+}
+
+/// What is wrong with a value of the options, at a character of it if that is known.
+fn of_value(key: &'static str, text: String, problem: &ValueProblem) -> Problem {
+    let (named, position, words) = match problem {
+        ValueProblem::Bound(error) => {
+            let position = error.kind.has_place().then_some(error.position + 1);
+            (of_bound(&error.kind), position, error.kind.to_string())
+        }
+        ValueProblem::Condition(error) => {
+            (of_condition(&error.kind), Some(error.position + 1), error.kind.to_string())
+        }
+        ValueProblem::LawOfX => (("bound-x", None), None, problem.words()),
+        _ => (("", None), None, problem.words()),
+    };
+    let (kind, values) = named;
+    Problem { kind, words, key: Some(key), text: Some(text), position, values, ..Problem::default() }
 }
 
 impl Refusal {
@@ -197,7 +237,7 @@ fn position_of(kind: &ParseNumberErrorKind, position: usize) -> Option<usize> {
 }
 
 /// What is wrong with an error bound.
-pub(crate) fn of_bound(kind: &ParseBoundErrorKind) -> Named {
+fn of_bound(kind: &ParseBoundErrorKind) -> Named {
     use ParseBoundErrorKind as Kind;
     match kind {
         Kind::NotATerm => ("bound-term", None),
@@ -213,7 +253,7 @@ pub(crate) fn of_bound(kind: &ParseBoundErrorKind) -> Named {
 }
 
 /// What is wrong with a condition.
-pub(crate) fn of_condition(kind: &ParseConditionErrorKind) -> Named {
+fn of_condition(kind: &ParseConditionErrorKind) -> Named {
     use ParseConditionErrorKind as Kind;
     match kind {
         Kind::NotATerm => ("condition-term", None),

@@ -21,11 +21,18 @@ pub enum Given {
 }
 
 impl Given {
+    /// How it is read, where those of the table are read like that.
+    pub(crate) fn reading(&self, reading: Reading) -> Reading {
+        match self {
+            Given::Read(_) => reading,
+            Given::Exact { .. } | Given::Integer(_) => Reading::Decimal,
+        }
+    }
+
     /// The number.
     pub(crate) fn number(&self, reading: Reading, limits: &Limits) -> Result<Rational, ParseNumberError> {
         match self {
-            Given::Read(text) => reading.read(text, limits),
-            Given::Exact { exact } => Reading::Decimal.read(exact, limits),
+            Given::Read(text) | Given::Exact { exact: text } => self.reading(reading).read(text, limits),
             Given::Integer(number) => Ok(Rational::from(*number)),
         }
     }

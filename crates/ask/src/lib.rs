@@ -1,5 +1,5 @@
-//! One way from a request to an answer. The command line and Python say what is asked in their own words; from there on they
-//! share this crate.
+//! One way from a request to an answer. The command line and Python say in their own words of which readings something is asked, and
+//! WebAssembly in those of [`Readings`]; from there on they share this crate.
 //!
 //! A question is one module. It implements [`Ask`]: what it reads of the data, what it costs, what it answers, and the forms of
 //! that answer. One line in [`Request`] registers it, and every surface has it.
@@ -17,7 +17,8 @@
 //! | `window` | the fits of the last readings as the window moves on |
 //! | `x_errors` | the lines that agree with readings whose x have errors, too |
 //!
-//! [`Asked`] says of which readings; [`Refusal`] says, as data, why there is no answer. A [`Surface`] knows how it names keys and
+//! [`Readings`] says of which readings, in the words of people. [`Request::resolve`] makes of it what the engine takes, [`Asked`], and
+//! refuses words that exclude each other. [`Refusal`] says, as data, why there is no answer. A [`Surface`] knows how it names keys and
 //! limits, and [`Refusal::words`] puts these names into the sentence.
 //!
 //! ```
@@ -51,11 +52,13 @@ mod outliers;
 mod predict;
 mod question;
 mod range;
+mod readings;
 mod refusal;
 mod request;
 mod status;
 mod surface;
 mod tables;
+mod value_problem;
 mod window;
 mod x_errors;
 
@@ -71,6 +74,10 @@ pub use outliers::Outliers;
 pub use predict::{Predict, Predicted};
 pub use question::{Ask, Out};
 pub use range::Range;
+pub use readings::{
+    AskedLimits, OfRows, Readings, Regressors, RowWords, Rows, TableWords, limits_of_files, named,
+    range_of_limit, resolve_limits, take_key,
+};
 pub use refusal::{Refusal, ValueProblem};
 pub use request::{Answer, Request};
 pub use status::{Judgeable, Judgement, Status};

@@ -113,6 +113,7 @@ impl Ask for Linearity {
     const NAME: &'static str = "linearity";
     const FORMS: &'static [Form] =
         &[Form::Text, Form::Latex, Form::Markdown, Form::Json, Form::Csv, Form::Proof];
+    const HAS_BOUNDS: bool = false;
     type Problem = Calibrated;
     type Answer = boundfit_questions::Linearity;
 

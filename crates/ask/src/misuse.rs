@@ -20,6 +20,23 @@ macro_rules! misuses {
 }
 
 misuses! {
+    /// It is not said which column has x.
+    NoX: "{x} is missing: it names the column of x, or those of two regressors",
+    /// It is not said which column has y, and errors have bounds around it.
+    NoResponse: "{y} is missing: only beside {lower} or {upper} it may be left out",
+    /// It is not said how large errors may be.
+    NoBound: "the bound on the errors is missing: {eps}, {eps_column}, {lower} or {upper}",
+    /// It is said in more ways than one how large errors may be.
+    SeveralBounds: "the errors have one bound: {eps}, or {eps_column}, or {lower} and {upper}",
+    /// Two regressors have no offset.
+    OffsetOfTwoRegressors: "{through_origin} is about a line: with two regressors there is no offset, and the model passes \
+                 through the origin as it is",
+    /// Two regressors have no x to count from an origin.
+    OriginOfTwoRegressors: "{x_origin} is about a line: with two regressors there is no x to count from an origin",
+    /// One mark groups digits and comes before decimals.
+    OneMark: "{thousands} and {decimal} name one mark: it cannot both group digits and come before decimals",
+    /// The errors of x have one bound for all readings, and a column of them.
+    TwoXBounds: "the errors of x have one bound: {x_eps} or {x_eps_column}",
     /// Two regressors have no x in whose order readings are taken.
     OrderOfX: "two regressors have no order of x (expected the order of rows)",
     /// Two regressors have no x along which a window reaches back.

@@ -18,6 +18,8 @@ pub trait Ask {
     const NAME: &'static str;
     /// The forms of its answer.
     const FORMS: &'static [Form];
+    /// Whether bounds on the errors have a say in it.
+    const HAS_BOUNDS: bool = true;
     /// What is asked about: readings, read as the question needs them.
     type Problem;
     /// The answer, from which every form is written.

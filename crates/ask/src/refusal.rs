@@ -2,9 +2,8 @@
 
 use std::io;
 
-use boundfit_estimation::{ParseBoundError, ParseConditionError};
 use boundfit_exact::english::counted;
-use boundfit_exact::{Limit, ParseNumberError, ParseNumberErrorKind, TooMuchWork};
+use boundfit_exact::{Limit, TooMuchWork};
 use boundfit_formats::{InputError, Way};
 use boundfit_questions::{NoFurtherError, NoOutliers};
 
@@ -12,11 +11,20 @@ use crate::form::Form;
 use crate::misuse::{Misuse, NoProof};
 use crate::surface::Surface;
 
+pub use crate::value_problem::ValueProblem;
+
 /// Why there is no answer.
 #[derive(Debug)]
 pub enum Refusal {
     /// The request is none: what JSON says of it.
     Request(String),
+    /// A key is of another type, or not known.
+    Key {
+        /// The key.
+        key: String,
+        /// What JSON says of it.
+        problem: String,
+    },
     /// What a key asks for makes no sense.
     Value {
         /// The key.
@@ -69,48 +77,13 @@ pub enum Refusal {
     Output(io::Error),
 }
 
-/// What is wrong with a value.
-#[derive(Debug)]
-pub enum ValueProblem {
-    /// It is no number, or one beyond a limit.
-    Number {
-        /// What is wrong with it.
-        error: ParseNumberError,
-        /// What was expected.
-        expected: &'static str,
-    },
-    /// A part of it is no number, or one beyond a limit.
-    Part {
-        /// The part.
-        part: String,
-        /// What is wrong with it.
-        error: ParseNumberError,
-        /// What was expected.
-        expected: &'static str,
-    },
-    /// It is no error bound.
-    Bound(ParseBoundError),
-    /// It is no condition.
-    Condition(ParseConditionError),
-    /// It is something else than this.
-    Expected(&'static str),
-    /// It asks for more than a limit allows.
-    TooMany {
-        /// How many are allowed.
-        most: usize,
-        /// The limit.
-        limit: Limit,
-    },
-    /// Something else.
-    Other(String),
-}
-
 impl Refusal {
     /// Whether the request is at fault, and not what was found in the data.
     pub fn is_misuse(&self) -> bool {
         match self {
             Refusal::NoProof(NoProof::TooMany { .. }) => false,
             Refusal::Request(_)
+            | Refusal::Key { .. }
             | Refusal::Value { .. }
             | Refusal::Misuse(_)
             | Refusal::Reduction { .. }
@@ -127,11 +100,7 @@ impl Refusal {
         match self {
             Refusal::Input(error) => error.kind.ways(),
             Refusal::Work(_) => vec![Way::raises(Limit::Work)],
-            Refusal::Value {
-                problem: ValueProblem::Number { error, .. } | ValueProblem::Part { error, .. },
-                ..
-            } => Limit::of_number(&error.kind).map(Way::raises).into_iter().collect(),
-            Refusal::Value { problem: ValueProblem::TooMany { limit, .. }, .. } => vec![Way::raises(*limit)],
+            Refusal::Value { problem, .. } => problem.limit().map(Way::raises).into_iter().collect(),
             Refusal::Outliers {
                 why: NoOutliers::Steps { .. } | NoOutliers::GrowthSteps { .. },
                 steps: Some(_),
@@ -149,12 +118,14 @@ impl Refusal {
         if ways.is_empty() { sentence } else { format!("{sentence}; {}", ways.join(", ")) }
     }
 
-    fn sentence(&self, surface: &dyn Surface) -> String {
+    /// The sentence alone.
+    pub fn sentence(&self, surface: &dyn Surface) -> String {
         match self {
             Refusal::Request(problem)
             | Refusal::XErrors(problem)
             | Refusal::Wkt(problem)
             | Refusal::Readings(problem) => problem.clone(),
+            Refusal::Key { key, problem } => format!("{}: {problem}", surface.key(key)),
             Refusal::Value { key, text, problem } => {
                 format!("{}: {}", surface.value(key, text), problem.words())
             }
@@ -181,35 +152,6 @@ impl Refusal {
             Refusal::NoProof(why) => why.words(surface),
             Refusal::Output(error) => format!("cannot write: {error}"),
         }
-    }
-}
-
-impl ValueProblem {
-    fn words(&self) -> String {
-        match self {
-            ValueProblem::Number { error, expected } => number_problem(error, expected),
-            ValueProblem::Part { part, error, expected } => {
-                format!("{part:?}: {}", number_problem(error, expected))
-            }
-            ValueProblem::Bound(error) => error.to_string(),
-            ValueProblem::Condition(error) => error.to_string(),
-            ValueProblem::Expected(expected) => (*expected).to_owned(),
-            ValueProblem::TooMany { most, .. } => format!("refused: more than {most} values"),
-            ValueProblem::Other(problem) => problem.clone(),
-        }
-    }
-}
-
-/// What is wrong with a number: that it is none, with what was expected, or that it passes a limit.
-fn number_problem(error: &ParseNumberError, expected: &str) -> String {
-    match &error.kind {
-        kind if kind.is_limit() => format!("refused: {error}"),
-        ParseNumberErrorKind::Comma => {
-            format!(
-                "not a number: {error} (a point comes before decimals, whatever the data have: 1.5, not 1,5)"
-            )
-        }
-        _ => format!("not a number: {error} ({expected})"),
     }
 }
 

@@ -1,9 +1,9 @@
 //! What is asked, and the way to its answer.
 
+use boundfit_exact::Reading;
 use boundfit_formats::Source;
 use boundfit_report::{Origin, Style};
-use serde::Deserialize;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use crate::asked::Asked;
 use crate::fit::Fit;
@@ -15,7 +15,8 @@ use crate::outliers::Outliers;
 use crate::predict::Predict;
 use crate::question::Ask;
 use crate::range::Range;
-use crate::refusal::Refusal;
+use crate::readings::{Readings, take_key};
+use crate::refusal::{Refusal, ValueProblem};
 use crate::status::Status;
 use crate::window::Window;
 use crate::x_errors::FitXErrors;
@@ -58,8 +59,7 @@ fn ask<Q: Ask>(
 macro_rules! questions {
     ($($question:ident),* $(,)?) => {
         /// Every question, as JSON says it: `{"ask": "range", "by": "row"}`.
-        #[derive(Debug, Clone, Deserialize)]
-        #[serde(tag = "ask", rename_all = "kebab-case", rename_all_fields = "snake_case")]
+        #[derive(Debug, Clone)]
         pub enum Request {
             $(#[doc = concat!("See [`", stringify!($question), "`].")] $question($question)),*
         }
@@ -80,6 +80,26 @@ macro_rules! questions {
             /// The forms of its answer.
             pub fn forms(&self) -> &'static [Form] {
                 match self { $(Request::$question(_) => $question::FORMS),* }
+            }
+
+            /// What is asked of readings whose numbers are read like that.
+            ///
+            /// # Errors
+            /// When a value makes no sense, or values exclude or need each other.
+            pub fn resolve(&self, readings: &Readings, reading: Reading) -> Result<Asked, Refusal> {
+                let has_bounds = match self { $(Request::$question(_) => $question::HAS_BOUNDS),* };
+                if has_bounds { readings.resolve(reading) } else { readings.resolve_without_bounds(reading) }
+            }
+
+            /// The question of this name, with these keys.
+            fn of_name(name: &str, keys: Value) -> Result<Self, Refusal> {
+                match name {
+                    $($question::NAME => serde_json::from_value(keys).map(Request::$question).map_err(no_request),)*
+                    _ => {
+                        let names = Request::NAMES.iter().map(|name| (*name).to_owned()).collect();
+                        Err(Refusal::Value { key: "ask", text: name.to_owned(), problem: ValueProblem::OneOf(names) })
+                    }
+                }
             }
 
             /// One form of the answer about a table, said to come from `origin`, or from the source itself.
@@ -108,7 +128,7 @@ impl Request {
     /// # Errors
     /// With the key that is missing, not known, or of another type.
     pub fn parse(json: &str) -> Result<Self, Refusal> {
-        serde_json::from_str(json).map_err(|error| Refusal::Request(format!("request: {error}")))
+        Request::of_keys(object(json)?)
     }
 
     /// As [`Request::parse`], of what is parsed.
@@ -116,6 +136,35 @@ impl Request {
     /// # Errors
     /// Those of [`Request::parse`].
     pub fn of_json(json: Value) -> Result<Self, Refusal> {
-        serde_json::from_value(json).map_err(|error| Refusal::Request(format!("request: {error}")))
+        Request::of_keys(serde_json::from_value(json).map_err(no_request)?)
     }
+
+    /// Reads a request together with the readings that it is about: `{"ask": "range", "by": "row", "x": "V", "y": "z", "eps": "1/2"}`.
+    ///
+    /// # Errors
+    /// Those of [`Request::parse`].
+    pub fn with_readings(json: &str) -> Result<(Self, Readings), Refusal> {
+        let mut keys = object(json)?;
+        let readings = Readings::take(&mut keys)?;
+        Ok((Request::of_keys(keys)?, readings))
+    }
+
+    /// The question that an object asks, in which no other keys are.
+    ///
+    /// # Errors
+    /// Those of [`Request::parse`].
+    pub fn of_keys(mut keys: Map<String, Value>) -> Result<Self, Refusal> {
+        match take_key::<Option<String>>(&mut keys, "ask")? {
+            Some(name) => Request::of_name(&name, Value::Object(keys)),
+            None => Err(Refusal::Key { key: "ask".to_owned(), problem: "it names the question".to_owned() }),
+        }
+    }
+}
+
+fn object(json: &str) -> Result<Map<String, Value>, Refusal> {
+    serde_json::from_str(json).map_err(no_request)
+}
+
+fn no_request(error: serde_json::Error) -> Refusal {
+    Refusal::Request(format!("request: {error}"))
 }

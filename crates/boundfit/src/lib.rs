@@ -102,7 +102,8 @@
 //! | feature | what it adds |
 //! |---|---|
 //! | none | all of the above, and [`polygon`] for any half-planes |
-//! | `files` (default) | the module `files`: tables of text, MATLAB's `.mat`, files of half-planes |
+//! | `files` (default) | the module `files`: tables of text, files of half-planes |
+//! | `matlab`, `packed` (default) | MATLAB's `.mat` and Octave's text; files packed by gzip or Zstandard |
 //! | `nalgebra` (default) | readings in matrices of nalgebra, vertices as its points; without it no linear algebra is compiled |
 //! | `parallel` (default) | all processors at once for large files |
 //! | `arrow` | Parquet and Arrow IPC files |

@@ -2,10 +2,11 @@
 //! advice on how to get their numbers.
 
 use crate::error::{InputError, InputErrorKind, STANDARD_INPUT};
-use crate::mat::kind;
+use crate::mat_kind::{self, is_octave};
+use crate::packing::Packing;
 
 /// The number of bytes at the start of a file that tell its format.
-pub(crate) const START: u64 = kind::START as u64;
+pub(crate) const START: u64 = mat_kind::START as u64;
 
 /// A format of tables in binary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,7 +34,7 @@ impl BinaryFormat {
             (b"PK\x03\x04", BinaryFormat::Archive),
         ];
         let known = magic.iter().find(|(magic, _)| start.starts_with(magic)).map(|&(_, format)| format);
-        known.or_else(|| kind::kind_of(start).map(|_| BinaryFormat::Matlab))
+        known.or_else(|| mat_kind::kind_of(start).map(|_| BinaryFormat::Matlab))
     }
 
     /// Returns whether its columns stand one after the other, so that it is not read from front to back.
@@ -56,6 +57,7 @@ impl BinaryFormat {
             BinaryFormat::ArrowStream if cfg!(not(feature = "arrow")) => Some(
                 "this build has no reader of it (feature arrow); save it as CSV: pyarrow.ipc.open_stream('FILE').read_pandas().to_csv('FILE.csv', index=False)",
             ),
+            BinaryFormat::Matlab if cfg!(not(feature = "matlab")) => Some(NO_MATLAB),
             _ => None,
         }
     }
@@ -72,6 +74,10 @@ impl BinaryFormat {
     }
 }
 
+/// Advice where variables of MATLAB and Octave are not read.
+const NO_MATLAB: &str = "this build has no reader of it (feature matlab); save a matrix of it as CSV";
+/// Advice where nothing is unpacked.
+const NO_UNPACKING: &str = "this build unpacks nothing (feature packed); unpack it first";
 /// Advice on saving a sheet.
 const AS_SHEET: &str = "save it as .xlsx or CSV";
 /// Advice on saving a data frame of R.
@@ -144,6 +150,10 @@ const FROM_NETCDF: &str =
 
 /// Refuses text that is no table, but a document or the file of another program.
 pub(crate) fn refuse_document(file: &str, start: &[u8]) -> Result<(), InputError> {
+    if cfg!(not(feature = "matlab")) && is_octave(start) {
+        let (format, instead) = ("what Octave's save -text writes", NO_MATLAB);
+        return Err(InputError::of_file(file, InputErrorKind::BinaryTable { format, instead }));
+    }
     let start = String::from_utf8_lossy(start.get(..DOCUMENT_START).unwrap_or(start)).to_lowercase();
     let text = start.trim_start_matches('\u{feff}').trim_start();
     let has = |words: &str| text.contains(words);
@@ -189,6 +199,9 @@ const AS_SHEET_OR_ODS: &str = "save it as .ods, .xlsx or CSV";
 pub(crate) fn refuse_binary(file: &str, start: &[u8]) -> Result<(), InputError> {
     let refused =
         |format, instead| Err(InputError::of_file(file, InputErrorKind::BinaryTable { format, instead }));
+    if let Some(packing) = Packing::of(start).filter(|_| cfg!(not(feature = "packed"))) {
+        return refused(packing.name(), NO_UNPACKING);
+    }
     if let Some(format) = BinaryFormat::of(start) {
         let instead = match (format.missing_feature(), file) {
             (Some(missing), _) => missing,

@@ -89,6 +89,10 @@ impl HeldMemory {
     ///
     /// # Errors
     /// [`InputErrorKind::TooMuchMemory`].
+    #[cfg_attr(
+        not(any(feature = "packed", feature = "spreadsheets")),
+        allow(dead_code, reason = "only what is unpacked grows in its place")
+    )]
     pub(crate) fn ask_for_all(&self, bytes: u64, what: MemoryUse) -> Result<(), InputErrorKind> {
         match bytes.checked_sub(self.bytes.load(Ordering::Relaxed)) {
             None | Some(0) => Ok(()),

@@ -2,14 +2,14 @@
 //!
 //! [`Source`] opens a file or standard input. [`read_table`] reads the numeric columns that are asked for
 //! from delimited text in many dialects ([`AskedDialect`]). [`scan`] does so in batches, for files of any
-//! size; both functions also read MATLAB's `.mat` files. [`read_half_planes`] reads half-planes from such a
+//! size; both functions also read MATLAB's `.mat` files (feature `matlab`). [`read_half_planes`] reads half-planes from such a
 //! table or from an H- or V-representation of cdd and lrs. Every number is read exactly as
 //! [`boundfit_exact::Reading`] says. Every error is an [`InputError`], which names the file, the line, the
 //! column, the text found there and what would be accepted.
 //!
 //! | step | modules |
 //! |---|---|
-//! | open a file, tell its format | `source`, `open`, `binary`, `unpack`, `decoding` |
+//! | open a file, tell its format | `source`, `open`, `binary`, `mat_kind`, `unpack`, `decoding` |
 //! | tell how a text is written | `start`, `dialect`, `heading`, `blocks`, `units` |
 //! | read records and cells | `records`, `blanks`, `chunks`, `cells`, `fractions`, `lacking` |
 //! | read columns in batches | `scan`, `threads`, `memory` |
@@ -33,6 +33,8 @@ mod chunks;
 mod columns;
 mod decoding;
 mod dialect;
+#[cfg(any(feature = "matlab", feature = "spreadsheets"))]
+mod doubles;
 mod error;
 mod fractions;
 mod half_planes;
@@ -41,7 +43,9 @@ mod heading;
 mod json;
 mod lacking;
 mod limits;
+#[cfg(feature = "matlab")]
 mod mat;
+mod mat_kind;
 mod memory;
 mod memory_use;
 mod notes;
@@ -59,6 +63,10 @@ mod table;
 pub mod threads;
 mod times;
 mod units;
+#[cfg(feature = "packed")]
+mod unpack;
+#[cfg(not(feature = "packed"))]
+#[path = "not_unpacked.rs"]
 mod unpack;
 mod wanted;
 mod whole;

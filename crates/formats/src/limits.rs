@@ -3,7 +3,9 @@
 use boundfit_exact::MOST_WORK;
 
 use crate::budget::MemoryBudget;
+#[cfg(any(feature = "arrow", feature = "matlab"))]
 use crate::error::InputErrorKind;
+#[cfg(any(feature = "arrow", feature = "matlab"))]
 use crate::packing::most_unpacked;
 
 /// The most that one file may ask for, beside what one of its numbers may ([`boundfit_exact::Limits`]). Input
@@ -58,6 +60,7 @@ impl Default for SizeLimits {
     }
 }
 
+#[cfg(any(feature = "arrow", feature = "matlab"))]
 impl SizeLimits {
     /// Refuses what so many bytes unpack to, if that is more than they may.
     pub(crate) fn check_ratio(&self, packed: u64, unpacked: u64) -> Result<(), InputErrorKind> {

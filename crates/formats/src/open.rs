@@ -12,6 +12,7 @@ use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
 use crate::json::scan_json;
+#[cfg(feature = "matlab")]
 use crate::mat::scan_mat;
 use crate::memory::scan_memory;
 use crate::memory_use::MemoryUse;
@@ -106,7 +107,13 @@ fn scan_content<T: Send>(
         return Err(InputError::of_file(name, InputErrorKind::NoMissingWords));
     }
     match content {
+        #[cfg(feature = "matlab")]
         Content::Matlab(file) | Content::Octave(file) => scan_mat(name, file, columns, options, work, take),
+        // It refuses them by their names.
+        #[cfg(not(feature = "matlab"))]
+        Content::Matlab(bytes) | Content::Octave(bytes) => {
+            scan_text(name, bytes, columns, options, work, take)
+        }
         #[cfg(feature = "arrow")]
         Content::Columns(format, file) => scan_arrow(name, format, file, columns, options, work, take),
         #[cfg(feature = "spreadsheets")]

@@ -14,7 +14,7 @@ use crate::binary::{self, BinaryFormat};
 use crate::error::{InputError, InputErrorKind, STANDARD_INPUT};
 use crate::json::is_json;
 use crate::limits::SizeLimits;
-use crate::mat::octave::is_octave;
+use crate::mat_kind::is_octave;
 use crate::memory::MemoryTable;
 use crate::reduction::record::REDUCTION_MARK;
 use crate::unpack::{Packed, Unpacked};

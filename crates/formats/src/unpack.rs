@@ -16,34 +16,7 @@ use crate::error::InputErrorKind;
 use crate::hash::hexadecimal;
 use crate::limits::SizeLimits;
 use crate::memory_use::MemoryUse;
-use crate::packing::{ANY_WINDOW, UnpackError, most_unpacked};
-
-/// The compression of an input.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Packing {
-    Gzip,
-    Zstandard,
-}
-
-impl Packing {
-    /// The compression of a file that starts like this.
-    fn of(start: &[u8]) -> Option<Self> {
-        if start.starts_with(b"\x1f\x8b") {
-            return Some(Packing::Gzip);
-        }
-        // A frame, or one to be passed over (RFC 8878, 3.1.1 and 3.1.2).
-        let is_skippable = matches!(start, [0x50..=0x5f, 0x2a, 0x4d, 0x18, ..]);
-        (start.starts_with(b"\x28\xb5\x2f\xfd") || is_skippable).then_some(Packing::Zstandard)
-    }
-
-    /// The name with its article.
-    fn name(self) -> &'static str {
-        match self {
-            Packing::Gzip => "a gzip file",
-            Packing::Zstandard => "a Zstandard file",
-        }
-    }
-}
+use crate::packing::{ANY_WINDOW, Packing, UnpackError, most_unpacked};
 
 /// A compressed input.
 pub(crate) struct Unpacked {

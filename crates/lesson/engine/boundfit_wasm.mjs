@@ -16,7 +16,7 @@ export function __wbg_reset_state () {
  * "numeric": [true, true], "table": {…}}`.
  *
  * `options` may have the keys that say how the table is written: `file`, `encoding`, `header`, `delimiter`, `decimal`, `thousands`,
- * `comment`, `skip_lines` and `units_row`.
+ * `comment`, `skip_lines`, `units_row`, `block`, `missing_as`, `reading` and `limits`.
  *
  * # Errors
  * Throws an `Error` that says what is wrong with the options or the table, and where; its `refusal` has the same as JSON.
@@ -149,11 +149,10 @@ export function polytope(text, options) {
 }
 
 /**
- * Fits readings, and answers as `boundfit fit` does: with the JSON document of schema `boundfit/fit/2`, with the report for people, or
- * with the proof.
+ * Answers a question about readings as the program does: with the JSON document of its schema, or in the `format` that is asked for.
  *
  * `table` has the bytes of a table of any kind that the program reads from text, and `options` is a JSON object whose keys are the
- * program's options, with `_` in the place of `-`.
+ * program's options, with `_` in the place of `-`; `ask` names the question, which is `fit` when it is left out.
  *
  * # Errors
  * Throws an `Error` that says what is wrong with the options or the table, and where; its `refusal` has the same as JSON.

@@ -15,8 +15,8 @@ mod with_engine {
     /// Further permissions of the page: compile WebAssembly, and start Workers from a script of its own.
     pub(crate) const POLICY: &str = " 'wasm-unsafe-eval'; worker-src blob:";
 
-    /// The module, packed by gzip.
-    const MODULE: &[u8] = include_bytes!("../engine/boundfit_wasm.wasm.gz");
+    /// The module that answers no question but the page's own, packed by gzip.
+    const MODULE: &[u8] = include_bytes!("../engine/page.wasm.gz");
     /// What wasm-bindgen writes to go with the module.
     const BINDINGS: &str = include_str!("../engine/boundfit_wasm.mjs");
     /// What the Worker does with both; its imports are what stands before it in one script.

@@ -72,7 +72,7 @@ fn every_kind_of_set_has_a_page_with_the_fit_of_the_program() {
 fn the_page_is_complete_and_asks_for_nothing_from_outside() {
     let page = printed(&root(), &lesson_line(FIT_TRANSDUCER));
     let engine = between(&page, "id=\"engine-module\">", "</script>").len();
-    // It reads what other programs write, too: Octave, MATLAB, JSON, every encoding.
+    // It reads text in every dialect and encoding, and JSON, and answers every question; it leaves out packed files and MATLAB.
     assert!(engine <= 1_150_000, "{engine} bytes of the engine");
     assert!(page.len() - engine <= 800_000, "{} bytes without the engine", page.len() - engine);
     for token in ["{{title}}", "{{style}}", "{{data}}", "{{script}}"] {

@@ -63,7 +63,7 @@ cargo clippy --workspace --test external --test kernel --benches --features test
 for part in exact geometry estimation lp judge questions check report figures lesson; do
   cargo check --locked --package \"boundfit-$part\" --no-default-features
 done
-for feature in '' nalgebra files lp judge questions verify report figures tikz lesson lesson,engine lesson,figures; do
+for feature in '' nalgebra files files,matlab files,packed lp judge questions verify report figures tikz lesson lesson,engine lesson,figures; do
   cargo check --locked --package boundfit --no-default-features --features \"$feature\"
 done
 core=$(cargo tree --locked --package boundfit --no-default-features --features lp,judge --edges normal --prefix none)

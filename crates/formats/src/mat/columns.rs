@@ -2,16 +2,16 @@
 
 use std::io::{self, Read};
 
-use super::elements::Damage;
+use super::elements::{ByteOrder, Damage, byte_order};
 use super::file::MatFile;
-use super::kind::{ByteOrder, MatKind, START, byte_order, kind_of};
-use super::octave::{self, is_octave};
+use super::octave;
 use super::search::{MatColumn, Search, Wanted};
 use super::v4;
 use crate::budget::HeldMemory;
 use crate::columns::ColumnSelector;
 use crate::error::InputErrorKind;
 use crate::limits::SizeLimits;
+use crate::mat_kind::{MatKind, START, is_octave, kind_of};
 use crate::scan::Progress;
 
 /// The name of such files in reports.

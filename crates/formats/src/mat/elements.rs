@@ -2,8 +2,8 @@
 
 use std::io::{self, Read, Take};
 
-use super::kind::ByteOrder;
 use crate::error::InputErrorKind;
+use crate::mat_kind::START;
 
 /// Element types that are not numbers.
 pub(super) const MATRIX: u32 = 14;
@@ -11,6 +11,22 @@ pub(super) const COMPRESSED: u32 = 15;
 
 /// Elements begin at multiples of so many bytes.
 const ALIGNMENT: u64 = 8;
+
+/// The order of the bytes of a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ByteOrder {
+    Little,
+    Big,
+}
+
+/// The byte order that the end of the header of version 5 tells.
+pub(super) fn byte_order(header: &[u8]) -> Option<ByteOrder> {
+    match header.get(124..START)? {
+        b"\x00\x01IM" => Some(ByteOrder::Little),
+        b"\x01\x00MI" => Some(ByteOrder::Big),
+        _ => None,
+    }
+}
 
 /// The problem with the bytes of a file.
 #[derive(Debug)]

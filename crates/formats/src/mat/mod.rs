@@ -16,13 +16,10 @@ mod batches;
 mod columns;
 mod elements;
 mod file;
-pub(crate) mod kind;
 mod numbers;
-pub(crate) mod octave;
+mod octave;
 mod search;
 mod v4;
 mod variable;
 
 pub(crate) use batches::scan_mat;
-#[cfg(feature = "spreadsheets")]
-pub(crate) use numbers::double_text;

@@ -3,13 +3,13 @@
 use std::io::Read;
 use std::ops::Range;
 
-use boundfit_exact::{Column, Reading, Shortest, Unit};
+use boundfit_exact::{Column, Reading, Unit};
 
-use super::elements::{Damage, Elements};
-use super::kind::ByteOrder;
+use super::elements::{ByteOrder, Damage, Elements};
 use crate::budget::HeldMemory;
 use crate::cells::CellReader;
 use crate::columns::Role;
+use crate::doubles::double_text;
 use crate::error::InputErrorKind;
 use crate::memory::{BadNumber, MemoryNumbers};
 use crate::memory_use::MemoryUse;
@@ -187,17 +187,6 @@ fn as_double(integer: i128) -> Option<f64> {
     (double as i128 == integer).then_some(double)
 }
 
-/// The shortest text that reads back as the same double, as MATLAB spells what is not finite.
-pub(crate) fn double_text(double: f64) -> String {
-    let usual = 1e-5..1e16;
-    match double.abs() {
-        size if size.is_nan() => "NaN".to_owned(),
-        size if size.is_infinite() => if double > 0.0 { "Inf" } else { "-Inf" }.to_owned(),
-        size if size == 0.0 || usual.contains(&size) => double.in_shortest_digits(double.to_string()),
-        _ => double.in_shortest_digits(format!("{double:e}")),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -255,13 +244,5 @@ mod tests {
         assert_eq!(column(0..3, true), None);
         assert_eq!(column(0..3, false).map(|column| column.len()), Some(3));
         assert_eq!((numbers.first_beyond_doubles(0..3), numbers.first_beyond_doubles(2..3)), (Some(1), None));
-    }
-
-    #[test]
-    fn texts_read_back() {
-        for (double, text) in [(0.0, "0"), (0.1, "0.1"), (-1.5e300, "-1.5e300"), (f64::NEG_INFINITY, "-Inf")]
-        {
-            assert_eq!(double_text(double), text);
-        }
     }
 }

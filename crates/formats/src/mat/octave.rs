@@ -23,18 +23,6 @@ pub(super) const FORMAT: &str = "Octave's text";
 /// adds. Measured as the largest memory of a process that read 2·10⁶ numbers.
 const BYTES_PER_TEXT: u64 = 72;
 
-/// Returns whether a file that starts like this is one.
-pub(crate) fn is_octave(start: &[u8]) -> bool {
-    let mut lines = start.split(|&byte| byte == b'\n');
-    let first = lines.next().unwrap_or_default();
-    let says = |line: &[u8], words: &str| {
-        let text = line.strip_prefix(b"# ").or_else(|| line.strip_prefix(b"% "));
-        text.is_some_and(|text| text.starts_with(words.as_bytes()))
-    };
-    says(first, "Created by Octave")
-        || says(first, "name: ") && says(lines.next().unwrap_or_default(), "type: ")
-}
-
 /// Reads all variables of a file that starts with these bytes and goes on in this file.
 pub(super) fn read(
     search: &mut Search,

@@ -6,9 +6,8 @@ use std::sync::Arc;
 use boundfit_exact::Foreign;
 use flate2::read::ZlibDecoder;
 
-use super::elements::{COMPRESSED, Damage, Elements, MATRIX};
+use super::elements::{ByteOrder, COMPRESSED, Damage, Elements, MATRIX};
 use super::file::MatFile;
-use super::kind::ByteOrder;
 use super::numbers::Numbers;
 use super::variable::{Content, Variable, fields};
 use crate::budget::HeldMemory;

@@ -4,8 +4,7 @@
 
 use std::io::{self, Read};
 
-use super::elements::Damage;
-use super::kind::ByteOrder;
+use super::elements::{ByteOrder, Damage};
 use super::numbers::{Numbers, ask_for, extend};
 use super::search::Search;
 use super::variable::{Content, LONGEST_NAME, Variable};

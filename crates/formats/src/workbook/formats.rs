@@ -1,6 +1,6 @@
 //! Tells by the format of a cell if its number stands for itself, a date or a duration.
 
-use crate::mat::double_text;
+use crate::doubles::double_text;
 
 /// The meaning that the format of a cell gives to its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

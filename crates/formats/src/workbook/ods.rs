@@ -7,8 +7,8 @@ use quick_xml::events::{BytesStart, Event};
 use super::archive::{Archive, Part, attribute_named, check_text, own_text, unreadable};
 use super::text::{Lines, MOST_COLUMNS};
 use super::{MOST_SHEETS, chosen, finite};
+use crate::doubles::double_text;
 use crate::error::InputErrorKind;
-use crate::mat::double_text;
 use crate::memory_use::MemoryUse;
 
 /// Hands the cells of the sheet that is wanted over; gives its name.

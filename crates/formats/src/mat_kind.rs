@@ -1,4 +1,4 @@
-//! Tells by its first bytes which of MATLAB's formats a file has.
+//! Tells by its first bytes which of the formats of MATLAB and Octave a file has.
 
 /// The number of bytes that tell the format.
 pub(crate) const START: usize = 128;
@@ -17,13 +17,6 @@ pub(crate) enum MatKind {
     V73,
     /// HDF5 as it is.
     Hdf5,
-}
-
-/// The order of the bytes of a number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum ByteOrder {
-    Little,
-    Big,
 }
 
 /// The format of a file that starts like this.
@@ -45,13 +38,16 @@ pub(crate) fn kind_of(start: &[u8]) -> Option<MatKind> {
     }
 }
 
-/// The byte order that the end of the header of version 5 tells.
-pub(super) fn byte_order(header: &[u8]) -> Option<ByteOrder> {
-    match header.get(124..START)? {
-        b"\x00\x01IM" => Some(ByteOrder::Little),
-        b"\x01\x00MI" => Some(ByteOrder::Big),
-        _ => None,
-    }
+/// Returns whether a file that starts like this is what Octave's `save -text` writes.
+pub(crate) fn is_octave(start: &[u8]) -> bool {
+    let mut lines = start.split(|&byte| byte == b'\n');
+    let first = lines.next().unwrap_or_default();
+    let says = |line: &[u8], words: &str| {
+        let text = line.strip_prefix(b"# ").or_else(|| line.strip_prefix(b"% "));
+        text.is_some_and(|text| text.starts_with(words.as_bytes()))
+    };
+    says(first, "Created by Octave")
+        || says(first, "name: ") && says(lines.next().unwrap_or_default(), "type: ")
 }
 
 /// Returns whether this is the header of a variable of version 4: type, rows, columns, whether complex, length of the name, and

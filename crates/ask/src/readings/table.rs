@@ -1,0 +1,176 @@
+//! How a table is written, and which of its rows are used, as people say it.
+
+use std::iter;
+
+use boundfit_exact::{DecimalMark, Reading, Thousands};
+use boundfit_formats::{
+    AskedBlock, AskedDialect, CommentMark, DELIMITERS, Encoding, Header, Missing, MissingWords, RowCondition,
+    RowSet, TableOptions,
+};
+
+use super::keys::keys;
+use super::limits::{AskedLimits, resolve_limits};
+use super::rows::Rows;
+use crate::given::Given;
+use crate::misuse::Misuse;
+use crate::refusal::{Refusal, ValueProblem};
+
+keys! {
+    /// Which data rows are used.
+    RowWords {
+        /// These rows only.
+        "rows" rows: Rows,
+        /// All but these rows.
+        "without" without: Rows,
+        /// Rows whose number in a column compares like that, such as `temperature >= 20`.
+        "where_row" where_row: Vec<Given>,
+    }
+}
+
+keys! {
+    /// How a table is written and read, each in the word that every surface has for it.
+    TableWords {
+        /// `decimal`, numbers exactly as written, or `binary64`, the nearest double.
+        "reading" reading: Option<String>,
+        /// Whether the first row names the columns: `yes`, `no` or `auto`.
+        "header" header: Option<String>,
+        /// The name of an encoding, or `auto`.
+        "encoding" encoding: Option<String>,
+        /// What separates the columns: `comma`, `semicolon`, `tab`, `space`, `pipe` or `auto`.
+        "delimiter" delimiter: Option<String>,
+        /// The decimal mark: `point`, `comma` or `auto`.
+        "decimal" decimal: Option<String>,
+        /// The character between groups of three digits.
+        "thousands" thousands: Option<String>,
+        /// The character that starts a line of comment, `none` or `auto`.
+        "comment" comment: Option<String>,
+        /// How many lines are passed over first.
+        "skip_lines" skip_lines: u64,
+        /// Whether the row after the header has units.
+        "units_row" units_row: bool,
+        /// What becomes of rows that lack a number: `refuse` or `skip`.
+        "missing" missing: Option<String>,
+        /// Cells that say that a value is missing.
+        "missing_as" missing_as: Vec<String>,
+        /// The block of a file with several: its number, the comment before it, or `all`.
+        "block" block: Option<String>,
+        /// The sheet of a workbook.
+        "sheet" sheet: Option<String>,
+        /// The most that an input may ask for of something.
+        "limits" limits: AskedLimits,
+    }
+}
+
+impl TableWords {
+    /// How numbers are read: as is asked for, but where the data store doubles they are these.
+    ///
+    /// # Errors
+    /// When there is no such reading.
+    pub fn reading(&self, is_stored: bool) -> Result<Reading, Refusal> {
+        let names = Reading::ALL.map(|reading| (reading.name(), reading));
+        let asked = named("reading", self.reading.as_deref(), &names)?.unwrap_or_default();
+        Ok(if is_stored { Reading::Binary64 } else { asked })
+    }
+
+    /// How such a table is read, whose numbers are read like that, and which of its rows.
+    ///
+    /// # Errors
+    /// When a word is none, or words exclude each other.
+    pub fn resolve(&self, reading: Reading, rows: &RowWords) -> Result<TableOptions, Refusal> {
+        let (limits, sizes) = resolve_limits(&self.limits)?;
+        let missing = Missing::ALL.map(|missing| (missing.name(), missing));
+        let headers = Header::ALL.map(|header| (header.name(), header));
+        let block = self.block.as_deref().map(|text| {
+            let expected = "expected a number from 1, the comment before a block, or all";
+            AskedBlock::parse(text).ok_or_else(|| refused("block", text, expected))
+        });
+        let conditions = rows.where_row.iter().map(|given| {
+            let condition = RowCondition::parse(&given.text(), given.reading(reading), &limits);
+            condition.map_err(|error| Refusal::Value {
+                key: "where_row",
+                text: given.text(),
+                problem: ValueProblem::RowCondition(error),
+            })
+        });
+        Ok(TableOptions {
+            header: named("header", self.header.as_deref(), &headers)?.unwrap_or_default(),
+            sheet: self.sheet.clone(),
+            dialect: self.dialect()?,
+            block: block.transpose()?,
+            missing: named("missing", self.missing.as_deref(), &missing)?.unwrap_or_default(),
+            missing_as: MissingWords::new(self.missing_as.iter().cloned()),
+            rows: rows.set()?,
+            conditions: conditions.collect::<Result<_, _>>()?,
+            reading,
+            limits,
+            sizes,
+            ..TableOptions::default()
+        })
+    }
+
+    fn dialect(&self) -> Result<AskedDialect, Refusal> {
+        let decimals = DecimalMark::ALL.map(|mark| (mark.name(), mark));
+        let groups = Thousands::ALL.map(|mark| (mark.mark(), mark));
+        let decimal = named("decimal", unless_auto(&self.decimal), &decimals)?;
+        let thousands = named("thousands", self.thousands.as_deref(), &groups)?;
+        if let (Some(decimal), Some(thousands)) = (decimal, thousands)
+            && thousands.mark().as_bytes() == [decimal.byte()]
+        {
+            return Err(Refusal::Misuse(Misuse::OneMark));
+        }
+        let comment = self.comment.as_deref().map(|text| {
+            let expected = "expected auto, none or one character such as '#', no letter, digit or blank";
+            CommentMark::parse(text).ok_or_else(|| refused("comment", text, expected))
+        });
+        let encoding = unless_auto(&self.encoding).map(|name| {
+            Encoding::named(name).ok_or_else(|| {
+                let names = Encoding::ALL.map(|encoding| encoding.name().to_lowercase());
+                let problem = ValueProblem::OneOf(iter::once("auto".to_owned()).chain(names).collect());
+                Refusal::Value { key: "encoding", text: name.to_owned(), problem }
+            })
+        });
+        Ok(AskedDialect {
+            encoding: encoding.transpose()?,
+            delimiter: named("delimiter", unless_auto(&self.delimiter), &DELIMITERS)?,
+            decimal,
+            thousands,
+            comment: comment.transpose()?.unwrap_or_default(),
+            skip_lines: self.skip_lines,
+            units_row: self.units_row,
+        })
+    }
+}
+
+impl RowWords {
+    /// The rows by number.
+    fn set(&self) -> Result<RowSet, Refusal> {
+        let rows = RowSet::new(&self.rows.ranges("rows")?, &self.without.ranges("without")?);
+        rows.ok_or_else(|| self.without.refused("without", "no row is left"))
+    }
+}
+
+/// A word that is asked for, unless it leaves the choice to the table.
+fn unless_auto(asked: &Option<String>) -> Option<&str> {
+    asked.as_deref().filter(|text| *text != "auto")
+}
+
+/// What a key asks for by name, if it is there.
+///
+/// # Errors
+/// When nothing has that name.
+pub fn named<T: Clone>(
+    key: &'static str,
+    asked: Option<&str>,
+    names: &[(&str, T)],
+) -> Result<Option<T>, Refusal> {
+    let Some(asked) = asked else { return Ok(None) };
+    let found = names.iter().find(|(name, _)| *name == asked).map(|(_, own)| own.clone());
+    found.map(Some).ok_or_else(|| {
+        let names = names.iter().map(|(name, _)| (*name).to_owned()).collect();
+        Refusal::Value { key, text: asked.to_owned(), problem: ValueProblem::OneOf(names) }
+    })
+}
+
+fn refused(key: &'static str, text: &str, expected: &'static str) -> Refusal {
+    Refusal::Value { key, text: text.to_owned(), problem: ValueProblem::Expected(expected) }
+}

@@ -1,0 +1,127 @@
+use super::*;
+use crate::request::Request;
+use crate::surface::Surface;
+
+/// A surface whose keys are easily told from words.
+struct Keys;
+
+impl Surface for Keys {
+    fn key(&self, key: &str) -> String {
+        format!("<{key}>")
+    }
+
+    fn value(&self, key: &str, text: &str) -> String {
+        format!("<{key}> {text}")
+    }
+
+    fn way(&self, way: &boundfit_formats::Way) -> String {
+        format!("<{}>", way.setting.name())
+    }
+}
+
+fn resolved(json: &str) -> Result<Asked, String> {
+    let resolve = || {
+        let (request, readings) = Request::with_readings(json)?;
+        request.resolve(&readings, readings.table.reading(false)?)
+    };
+    resolve().map_err(|refusal: Refusal| refusal.words(&Keys))
+}
+
+#[test]
+fn words_that_exclude_or_need_each_other_are_refused_by_their_keys() {
+    let range = |own: &str| resolved(&format!("{{\"ask\": \"range\", {own}}}")).map(|_| ());
+    let line = r#""x": "V", "y": "z", "eps": "1""#;
+    let plane = r#""x": ["u", "v"], "y": "z", "eps": "1""#;
+    assert_eq!(range(line), Ok(()));
+    assert_eq!(range(plane), Ok(()));
+    assert_eq!(range(r#""x": "V", "lower": "low""#), Ok(()));
+    for (own, words) in [
+        (r#""y": "z", "eps": "1""#.to_owned(), "<x> is missing"),
+        (r#""x": "V", "eps": "1""#.to_owned(), "<y> is missing: only beside <lower> or <upper>"),
+        (
+            r#""x": "V", "y": "z""#.to_owned(),
+            "the bound on the errors is missing: <eps>, <eps_column>, <lower> or <upper>",
+        ),
+        (format!("{line}, \"upper\": \"high\""), "the errors have one bound: <eps>, or <eps_column>"),
+        (format!("{line}, \"eps_column\": \"e\""), "the errors have one bound: <eps>, or <eps_column>"),
+        (format!("{plane}, \"through_origin\": true"), "<through_origin> is about a line"),
+        (format!("{plane}, \"x_origin\": \"1\""), "<x_origin> is about a line"),
+        (format!("{line}, \"strong\": true"), "<strong> is about errors in x"),
+        (
+            format!("{line}, \"x_eps\": \"1\", \"x_eps_column\": \"e\""),
+            "the errors of x have one bound: <x_eps> or",
+        ),
+        (format!("{line}, \"x_eps\": \"-1\""), "<x_eps> -1: negative (expected"),
+        (
+            format!("{line}, \"decimal\": \"comma\", \"thousands\": \",\""),
+            "<thousands> and <decimal> name one mark",
+        ),
+        (format!("{line}, \"without\": \"1..\""), "<without> 1..: no row is left"),
+        (format!("{line}, \"where\": [\"theta3 > 0\"]"), "<where> theta3 > 0: neither a number"),
+        (format!("{line}, \"missing\": \"drop\""), "<missing> drop: expected one of \"refuse\", \"skip\""),
+        (format!("{line}, \"header\": true"), "<header>: invalid type: boolean"),
+        (format!("{line}, \"limits\": {{\"depth\": 1}}"), "<limits> depth: expected one of \"digits\""),
+        (
+            format!("{line}, \"limits\": {{\"nesting\": 121}}"),
+            "<limits> 121: no limit of nesting (expected an integer from 1 to 120)",
+        ),
+    ] {
+        let refused = range(&own).unwrap_err();
+        assert!(refused.starts_with(words), "{own}: {refused}");
+    }
+    assert!(resolved(r#"{"ask": "linearity", "x": "x", "up": "u", "down": "d"}"#).is_ok());
+    let law = range(r#""x": ["u", "v"], "y": "z", "eps": "1%*|x|""#).unwrap_err();
+    assert_eq!(law, "<eps> 1%*|x|: two regressors have no |x| (expected a law of |y|, range(y) and written)");
+}
+
+#[test]
+fn a_limit_that_a_number_passes_is_a_way_out_and_can_be_raised() {
+    let digits = "7".repeat(20_000);
+    let own = |limits: &str| {
+        resolved(&format!(r#"{{"ask": "range", "x": "V", "y": "z", "eps": "{digits}"{limits}}}"#)).map(|_| ())
+    };
+    assert!(own("").unwrap_err().ends_with("; <digits>"));
+    assert_eq!(own(r#", "limits": {"digits": 20000}"#), Ok(()));
+}
+
+#[test]
+fn exact_numbers_are_what_they_say_under_every_reading() {
+    let epsilon = |eps: &str| {
+        let json = format!(r#"{{"ask": "range", "x": "V", "y": "z", "reading": "binary64", "eps": {eps}}}"#);
+        match resolved(&json).unwrap().question.columns.epsilon {
+            EpsilonColumn::Uniform(number) => number,
+            other => panic!("{other:?}"),
+        }
+    };
+    assert_eq!(epsilon(r#"{"exact": "0.1"}"#), Rational::ratio(1, 10));
+    assert_eq!(Some(epsilon(r#""0.1""#)), Rational::from_f64(0.1));
+    assert_eq!(epsilon("3"), Rational::from(3));
+}
+
+#[test]
+fn what_bounds_errors_of_x_is_a_number_or_else_a_column() {
+    let bounds = |x_eps: &str| {
+        let json = format!(r#"{{"ask": "fit-x-errors", "x": "V", "y": "z", "eps": "1", "x_eps": {x_eps}}}"#);
+        resolved(&json).map(|asked| asked.x_errors.unwrap().bounds)
+    };
+    assert!(matches!(bounds(r#""0.5""#), Ok(AskedXBounds::Uniform(half)) if half == Rational::ratio(1, 2)));
+    assert!(matches!(bounds(r#""ux""#), Ok(AskedXBounds::Column(column)) if *column.text() == *"ux"));
+    assert!(bounds(r#"{"exact": "ux"}"#).is_err());
+}
+
+#[test]
+fn a_request_says_which_question_and_which_readings() {
+    let (request, readings) =
+        Request::with_readings(r#"{"x": "V", "step": 2, "y": null, "ask": "window", "window": 5}"#).unwrap();
+    assert_eq!(request.name(), "window");
+    assert_eq!(readings, Readings { x: Some(Regressors::One("V".to_owned())), ..Readings::default() });
+    for (json, words) in [
+        (r#"{"ask": "rnge"}"#, "<ask> rnge: expected one of \"fit\", \"fit-x-errors\""),
+        (r#"{"x": "V"}"#, "<ask>: it names the question"),
+        (r#"{"ask": "range", "most": 1}"#, "request: unknown field `most`"),
+        ("[]", "request: invalid type"),
+    ] {
+        let refused = Request::with_readings(json).unwrap_err().words(&Keys);
+        assert!(refused.starts_with(words), "{json}: {refused}");
+    }
+}
