@@ -1,4 +1,4 @@
-//! Of which readings something is asked.
+//! The readings that something is asked of.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::misuse::Misuse;
 use crate::refusal::Refusal;
 use crate::tables::Tables;
 
-/// Of which readings something is asked: columns, bounds and conditions, and how the table is read.
+/// The readings that something is asked of: columns, bounds and conditions, and the dialect of the table.
 #[derive(Clone)]
 pub struct Asked {
     /// The columns, the bounds on the errors, and what is known of the parameters besides.

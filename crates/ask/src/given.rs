@@ -21,7 +21,7 @@ pub enum Given {
 }
 
 impl Given {
-    /// How it is read, where those of the table are read like that.
+    /// Returns the reading of the number, where those of the table are read like that.
     pub(crate) fn reading(&self, reading: Reading) -> Reading {
         match self {
             Given::Read(_) => reading,
@@ -48,12 +48,12 @@ impl Given {
         number.map_err(|error| self.refused(key, ValueProblem::Number { error, expected }))
     }
 
-    /// What is wrong with it as the value of a key.
+    /// Returns the refusal of the number as the value of a key.
     pub(crate) fn refused(&self, key: &'static str, problem: ValueProblem) -> Refusal {
         Refusal::Value { key, text: self.text(), problem }
     }
 
-    /// As it was given.
+    /// Returns the text as it was given.
     pub(crate) fn text(&self) -> String {
         match self {
             Given::Read(text) | Given::Exact { exact: text } => text.clone(),

@@ -1,4 +1,4 @@
-//! Why there is no answer, as data. Sentences name keys and limits as the surface does where they are read.
+//! Reasons why there is no answer, as data. Sentences name keys and limits as the surface does where they are read.
 
 use std::io;
 
@@ -13,7 +13,7 @@ use crate::surface::Surface;
 
 pub use crate::value_problem::ValueProblem;
 
-/// Why there is no answer.
+/// A reason why there is no answer.
 #[derive(Debug)]
 pub enum Refusal {
     /// The request is none: what JSON says of it.
@@ -22,16 +22,16 @@ pub enum Refusal {
     Key {
         /// The key.
         key: String,
-        /// What JSON says of it.
+        /// The problem, as the reader of JSON says it.
         problem: String,
     },
-    /// What a key asks for makes no sense.
+    /// The value of a key makes no sense.
     Value {
         /// The key.
         key: &'static str,
-        /// What it asks for.
+        /// The value.
         text: String,
-        /// What is wrong with it.
+        /// The problem with it.
         problem: ValueProblem,
     },
     /// Keys exclude or need each other.
@@ -55,7 +55,7 @@ pub enum Refusal {
     NextError(String),
     /// Outliers are not found.
     Outliers {
-        /// Why.
+        /// The reason.
         why: NoOutliers,
         /// The limit on crossings, where it can be raised.
         steps: Option<u64>,
@@ -71,14 +71,14 @@ pub enum Refusal {
     },
     /// Well-known text has no such set: why.
     Wkt(String),
-    /// There is no proof.
+    /// The answer has no proof.
     NoProof(NoProof),
     /// The answer cannot be written.
     Output(io::Error),
 }
 
 impl Refusal {
-    /// Whether the request is at fault, and not what was found in the data.
+    /// Returns whether the request is at fault, and not what was found in the data.
     pub fn is_misuse(&self) -> bool {
         match self {
             Refusal::NoProof(NoProof::TooMany { .. }) => false,
@@ -95,7 +95,7 @@ impl Refusal {
         }
     }
 
-    /// What can be set so that it is not refused.
+    /// Returns what can be set so that the request is not refused.
     pub fn ways(&self) -> Vec<Way> {
         match self {
             Refusal::Input(error) => error.kind.ways(),

@@ -1,4 +1,4 @@
-//! What is asked, and the way to its answer.
+//! The request, and the way to its answer.
 
 use boundfit_exact::Reading;
 use boundfit_formats::Source;
@@ -26,11 +26,11 @@ use crate::x_errors::FitXErrors;
 pub struct Answer {
     /// The text.
     pub text: String,
-    /// What is said beside it.
+    /// The words beside the answer.
     pub written: Written,
 }
 
-/// From a table to the text of an answer.
+/// Goes from a table to the text of an answer.
 fn ask<Q: Ask>(
     question: &Q,
     asked: &Asked,
@@ -82,7 +82,7 @@ macro_rules! questions {
                 match self { $(Request::$question(_) => $question::FORMS),* }
             }
 
-            /// What is asked of readings whose numbers are read like that.
+            /// Returns what is asked of readings whose numbers are read like that.
             ///
             /// # Errors
             /// When a value makes no sense, or values exclude or need each other.

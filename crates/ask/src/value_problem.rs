@@ -1,4 +1,4 @@
-//! What is wrong with a value of a request.
+//! Problems with a value of a request.
 
 use std::ops::RangeInclusive;
 
@@ -9,49 +9,49 @@ use boundfit_estimation::{
 use boundfit_exact::{Limit, ParseNumberError, ParseNumberErrorKind};
 use boundfit_formats::ParseRowConditionError;
 
-/// What is wrong with a value.
+/// A problem with a value.
 #[derive(Debug)]
 pub enum ValueProblem {
-    /// It is no number, or one beyond a limit.
+    /// The value is no number, or one beyond a limit.
     Number {
-        /// What is wrong with it.
+        /// The problem with it.
         error: ParseNumberError,
-        /// What was expected.
+        /// The expectation.
         expected: &'static str,
     },
     /// A part of it is no number, or one beyond a limit.
     Part {
         /// The part.
         part: String,
-        /// What is wrong with it.
+        /// The problem with it.
         error: ParseNumberError,
-        /// What was expected.
+        /// The expectation.
         expected: &'static str,
     },
-    /// It is a number below 0, where this was expected.
+    /// The number is below 0, where this was expected.
     Negative(&'static str),
-    /// It is no error bound.
+    /// The value is no error bound.
     Bound(ParseBoundError),
-    /// It is a law of |x|, and two regressors have none.
+    /// The value is a law of |x|, and two regressors have none.
     LawOfX,
-    /// It is no condition.
+    /// The value is no condition.
     Condition(ParseConditionError),
-    /// It is no condition on rows.
+    /// The value is no condition on rows.
     RowCondition(ParseRowConditionError),
-    /// It is none of these words.
+    /// The value is none of these words.
     OneOf(Vec<String>),
-    /// It is no number that the limit with this name may be set to.
+    /// The value is no number that the limit with this name may be set to.
     Range {
         /// The limit.
         name: &'static str,
-        /// What it may be.
+        /// The numbers that it may be.
         range: RangeInclusive<u64>,
     },
-    /// It is something else than this.
+    /// The value is something else than this.
     Expected(&'static str),
-    /// It asks for more than a limit allows.
+    /// The value asks for more than a limit allows.
     TooMany {
-        /// How many are allowed.
+        /// The number that is allowed.
         most: usize,
         /// The limit.
         limit: Limit,
@@ -80,7 +80,7 @@ impl ValueProblem {
         }
     }
 
-    /// In words.
+    /// Says the problem in words.
     pub fn words(&self) -> String {
         match self {
             ValueProblem::Number { error, expected } => number_problem(error, expected),
@@ -128,7 +128,7 @@ fn of_condition(error: &ParseConditionError) -> Option<&ParseNumberErrorKind> {
     }
 }
 
-/// What is wrong with a text; where that is a number in it, as it is said of every number.
+/// Returns the problem with a text; where that is a number in it, as it is said of every number.
 fn text_problem<K: TextProblem>(error: &ParseTextError<K>, number: Option<&ParseNumberErrorKind>) -> String {
     match number {
         Some(kind) => {
@@ -140,7 +140,7 @@ fn text_problem<K: TextProblem>(error: &ParseTextError<K>, number: Option<&Parse
     }
 }
 
-/// What is wrong with a number: that it is none, with what was expected, or that it passes a limit.
+/// Returns the problem with a number: that it is none, with what was expected, or that it passes a limit.
 fn number_problem(error: &ParseNumberError, expected: &str) -> String {
     match &error.kind {
         kind if kind.is_limit() => format!("refused: {error}"),

@@ -1,4 +1,4 @@
-//! Where nothing is unpacked: whoever reads a packed file as it is refuses it by name.
+//! Stands in where nothing is unpacked: whoever reads a packed file as it is refuses it by name.
 
 use std::io::Read;
 

@@ -18,7 +18,7 @@ pub fn limits_of_files() -> impl Iterator<Item = Limit> {
     Limit::ALL.into_iter().filter(move |limit| !is_own(limit))
 }
 
-/// What a limit of files may be raised or lowered to.
+/// Returns the numbers that a limit of files may be raised or lowered to.
 pub fn range_of_limit(limit: Limit) -> RangeInclusive<u64> {
     const LONG: u64 = 1_000_000;
     match limit {

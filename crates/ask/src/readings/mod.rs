@@ -1,4 +1,4 @@
-//! Which readings are asked about, as people say it, and the one way from there to what the engine takes.
+//! Readings as people ask about them, and the one way from there to what the engine takes.
 
 mod keys;
 mod limits;
@@ -32,14 +32,14 @@ pub enum Regressors {
 }
 
 impl Regressors {
-    /// Whether there are two.
+    /// Returns whether there are two.
     pub fn are_two(&self) -> bool {
         matches!(self, Regressors::Two(_))
     }
 }
 
 keys::keys! {
-    /// Which readings are asked about: columns, bounds on the errors and what else is known, in the words of people. Columns are
+    /// The readings that are asked about: columns, bounds on the errors and what else is known, in the words of people. Columns are
     /// header names or numbers from 1, and numbers are texts.
     ///
     /// ```
@@ -66,28 +66,28 @@ keys::keys! {
         "lower" lower: Option<String>,
         /// The column with the largest value that the model may have at each reading.
         "upper" upper: Option<String>,
-        /// What the parameters are known to satisfy, such as `theta1 >= 0`.
+        /// Conditions that the parameters are known to satisfy, such as `theta1 >= 0`.
         "where" conditions: Vec<Given>,
-        /// Whether a line has no offset.
+        /// `true` for lines without offset.
         "through_origin" through_origin: bool,
-        /// Where x is counted from.
+        /// The origin that x is counted from.
         "x_origin" x_origin: Option<Given>,
         /// The bound on the errors of x: a number, or else the column with the bound of each reading.
         "x_eps" x_eps: Option<Given>,
         /// The column with the bound on the error of each x.
         "x_eps_column" x_eps_column: Option<String>,
-        /// Whether a line must agree for every x that the errors of x allow.
+        /// `true` if a line must agree for every x that the errors of x allow.
         "strong" strong: bool,
     } with {
-        /// Which rows of the table.
+        /// The rows of the table.
         rows: RowWords,
-        /// How the table is written and read.
+        /// The dialect of the table.
         table: TableWords,
     }
 }
 
 impl Readings {
-    /// What is asked of readings whose numbers are read like that ([`TableWords::reading`]); numbers that are said to be exact are
+    /// Returns what is asked of readings whose numbers are read like that ([`TableWords::reading`]); numbers that are said to be exact are
     /// what they say under every reading.
     ///
     /// # Errors
@@ -96,10 +96,10 @@ impl Readings {
         self.resolved(reading, true)
     }
 
-    /// As [`Readings::resolve`], for a question in which bounds on the errors have no say: they may be left out, and y too.
+    /// Does as [`Readings::resolve`], for a question in which bounds on the errors have no say: they may be left out, and y too.
     ///
     /// # Errors
-    /// Those of [`Readings::resolve`].
+    /// Errors are those of [`Readings::resolve`].
     pub fn resolve_without_bounds(&self, reading: Reading) -> Result<Asked, Refusal> {
         self.resolved(reading, false)
     }
@@ -185,7 +185,7 @@ impl Words<'_> {
         }
     }
 
-    /// Where x is counted from.
+    /// Returns the origin that x is counted from.
     fn form(&self, is_line: bool) -> Result<LineForm, Refusal> {
         let own = self.readings;
         if !is_line && own.through_origin {

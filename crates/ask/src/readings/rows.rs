@@ -24,7 +24,7 @@ pub enum Rows {
 pub enum OfRows {
     /// This row.
     One(usize),
-    /// From one to another, or to the end.
+    /// Rows from one to another, or to the end.
     Range(usize, Option<usize>),
 }
 
@@ -35,7 +35,7 @@ impl Default for Rows {
 }
 
 impl Rows {
-    /// Whether nothing is said.
+    /// Returns whether nothing is said.
     pub fn are_all(&self) -> bool {
         *self == Rows::default()
     }
@@ -59,7 +59,7 @@ impl Rows {
         Refusal::Value { key, text: self.text(), problem: ValueProblem::Expected(problem) }
     }
 
-    /// As it was said, a list in the words of a text.
+    /// Returns the rows as they were said, a list in the words of a text.
     fn text(&self) -> String {
         let list = match self {
             Rows::Text(text) => return text.clone(),

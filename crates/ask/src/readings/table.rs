@@ -1,4 +1,4 @@
-//! How a table is written, and which of its rows are used, as people say it.
+//! The dialect of a table, and the rows of it that are used, as people say both.
 
 use std::iter;
 
@@ -16,7 +16,7 @@ use crate::misuse::Misuse;
 use crate::refusal::{Refusal, ValueProblem};
 
 keys! {
-    /// Which data rows are used.
+    /// The data rows that are used.
     RowWords {
         /// These rows only.
         "rows" rows: Rows,
@@ -28,15 +28,15 @@ keys! {
 }
 
 keys! {
-    /// How a table is written and read, each in the word that every surface has for it.
+    /// The dialect of a table and the reading of its numbers, each in the word that every surface has for it.
     TableWords {
         /// `decimal`, numbers exactly as written, or `binary64`, the nearest double.
         "reading" reading: Option<String>,
-        /// Whether the first row names the columns: `yes`, `no` or `auto`.
+        /// Names of columns in the first row: `yes`, `no` or `auto`.
         "header" header: Option<String>,
         /// The name of an encoding, or `auto`.
         "encoding" encoding: Option<String>,
-        /// What separates the columns: `comma`, `semicolon`, `tab`, `space`, `pipe` or `auto`.
+        /// The delimiter of columns: `comma`, `semicolon`, `tab`, `space`, `pipe` or `auto`.
         "delimiter" delimiter: Option<String>,
         /// The decimal mark: `point`, `comma` or `auto`.
         "decimal" decimal: Option<String>,
@@ -44,11 +44,11 @@ keys! {
         "thousands" thousands: Option<String>,
         /// The character that starts a line of comment, `none` or `auto`.
         "comment" comment: Option<String>,
-        /// How many lines are passed over first.
+        /// The number of lines that are passed over first.
         "skip_lines" skip_lines: u64,
-        /// Whether the row after the header has units.
+        /// `true` if the row after the header has units.
         "units_row" units_row: bool,
-        /// What becomes of rows that lack a number: `refuse` or `skip`.
+        /// Treatment of rows that lack a number: `refuse` or `skip`.
         "missing" missing: Option<String>,
         /// Cells that say that a value is missing.
         "missing_as" missing_as: Vec<String>,
@@ -62,7 +62,7 @@ keys! {
 }
 
 impl TableWords {
-    /// How numbers are read: as is asked for, but where the data store doubles they are these.
+    /// Returns the reading of numbers: the one that is asked for, or that of doubles where the data store doubles.
     ///
     /// # Errors
     /// When there is no such reading.
@@ -72,7 +72,7 @@ impl TableWords {
         Ok(if is_stored { Reading::Binary64 } else { asked })
     }
 
-    /// How such a table is read, whose numbers are read like that, and which of its rows.
+    /// Returns how such a table is read, whose numbers are read like that, and which of its rows.
     ///
     /// # Errors
     /// When a word is none, or words exclude each other.
@@ -154,7 +154,7 @@ fn unless_auto(asked: &Option<String>) -> Option<&str> {
     asked.as_deref().filter(|text| *text != "auto")
 }
 
-/// What a key asks for by name, if it is there.
+/// Returns what a key asks for by name, if it is there.
 ///
 /// # Errors
 /// When nothing has that name.
