@@ -10,7 +10,7 @@ from typing import Any, Literal, TypeAlias, TypedDict, Unpack
 
 from . import _boundfit
 from ._answers import Ask
-from ._columns import Column, Missing, Number, Reading, Rows, asked, in_memory, table
+from ._columns import Column, Missing, Number, Reading, Rows, in_memory, table, texts
 
 #: A column of a file, by its header or its number from 1.
 Name: TypeAlias = "str | int"
@@ -85,25 +85,27 @@ def readings_of_file(
     regressors = [x] if isinstance(x, (str, int)) else list(x)
     if len(regressors) not in (1, 2):
         raise ValueError(f"x names {len(regressors)} columns: expected one, or two of a model with two regressors")
-    names = [*regressors, y, eps_column, lower, upper, x_eps_column]
-    question = asked(
-        regressors=len(regressors),
-        response=y is not None,
-        eps=eps,
-        lower=lower is not None,
-        upper=upper is not None,
-        where=where,
-        through_origin=through_origin,
-        x_origin=x_origin,
-        reading=reading,
-        missing=missing,
-        eps_column=eps_column is not None,
-        x_eps=x_eps,
-        x_eps_column=x_eps_column is not None,
-        strong=strong,
-    )
-    named: list[Any] = [name for name in names if name is not None]
-    return _boundfit.readings_of_file(os.fspath(path), list(map(str, named)), question, table(**how))
+    *phi, y, eps_column, lower, upper, x_eps_column = roles = [
+        None if name is None else str(name) for name in (*regressors, y, eps_column, lower, upper, x_eps_column)
+    ]
+    question = {
+        "x": phi[0] if len(phi) == 1 else phi,
+        "y": y,
+        "eps": eps,
+        "eps_column": eps_column,
+        "lower": lower,
+        "upper": upper,
+        "where": texts(where),
+        "through_origin": through_origin,
+        "x_origin": x_origin,
+        "reading": reading,
+        "missing": missing,
+        "x_eps": x_eps,
+        "x_eps_column": x_eps_column,
+        "strong": strong,
+        **table(**how),
+    }
+    return _boundfit.readings_of_file(os.fspath(path), [name for name in roles if name is not None], question)
 
 
 def ask(

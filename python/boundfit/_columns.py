@@ -1,9 +1,8 @@
-"""From what people have to columns that the compiled part takes, and the words of a call to what it is asked."""
+"""From what people have to columns that the compiled part takes, and the keywords of a call to the words of a request."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any, Literal, TypeAlias
@@ -69,69 +68,14 @@ def named(values: Any, default: str, taken: set[str]) -> str:
     return name
 
 
-def row_ranges(asked: Rows, name: str) -> list[tuple[int, int | None]]:
-    """Ranges of rows, from 1: ``"14..36"``, ``"1..22,24.."`` or row numbers."""
-    if asked is None:
-        return []
-    if not isinstance(asked, str):
-        return [(int(row), int(row)) for row in asked]
-    ranges: list[tuple[int, int | None]] = []
-    for part in asked.split(","):
-        match = re.fullmatch(r"\s*(?:(\d+)|(\d*)\s*\.\.\s*(\d*))\s*", part)
-        if match is None or not part.strip(" ."):
-            raise ValueError(f"{name}={asked!r}: expected rows from 1 such as 14..36, 5, ..10, 10.. or a list of these")
-        only, first, last = match.groups()
-        if only:
-            ranges.append((int(only), int(only)))
-        else:
-            ranges.append((int(first or 1), int(last) if last else None))
-    return ranges
+def quoted(name: str) -> str:
+    """A column's name, also where it looks like a number."""
+    return f'"{name}"'
 
 
-def asked(
-    *,
-    regressors: int,
-    response: bool,
-    eps: Any,
-    lower: bool,
-    upper: bool,
-    where: str | Sequence[str],
-    through_origin: bool,
-    x_origin: Any,
-    reading: str,
-    missing: str,
-    eps_column: bool,
-    x_eps: Any = None,
-    x_eps_column: bool = False,
-    strong: bool = False,
-) -> dict[str, Any]:
-    """What the compiled part is asked. ``eps`` is a number or a text, or a column of its own, and so is ``x_eps``."""
-    if not eps_column and eps is None and not lower and not upper:
-        raise ValueError("nothing bounds the errors: expected eps, or lower and upper")
-    if (eps is not None or eps_column) and (lower or upper):
-        raise ValueError("eps, and lower and upper, both bound the errors: expected one of them")
-    if eps is not None and eps_column:
-        raise ValueError("eps and eps_column both bound the errors: expected one of them")
-    if x_eps is not None and x_eps_column:
-        raise ValueError("x_eps and x_eps_column both bound the errors of x: expected one of them")
-    if not response and (eps is not None or eps_column):
-        raise ValueError("y is missing: expected a column of y, or lower and upper")
-    return {
-        "regressors": regressors,
-        "response": response,
-        "eps": eps,
-        "eps_column": eps_column,
-        "lower": lower,
-        "upper": upper,
-        "conditions": [where] if isinstance(where, str) else list(where),
-        "through_origin": through_origin,
-        "x_origin": x_origin,
-        "reading": reading,
-        "missing": missing,
-        "x_eps": x_eps,
-        "x_eps_column": x_eps_column,
-        "strong": strong,
-    }
+def texts(one_or_more: str | Sequence[str]) -> list[str]:
+    """One text, or several."""
+    return [one_or_more] if isinstance(one_or_more, str) else list(one_or_more)
 
 
 def in_memory(
@@ -153,46 +97,37 @@ def in_memory(
     taken: set[str] = set()
     columns: NamedColumns = []
 
-    def add(values: Any, default: str) -> None:
+    def add(values: Any, default: str) -> str | None:
+        if values is None:
+            return None
         columns.append((named(values, default, taken), cells(values, default, reading)))
+        return quoted(columns[-1][0])
 
     phi = regressors(x)
-    if len(phi) == 1:
-        add(phi[0], "x")
-    else:
-        add(phi[0], "phi1")
-        add(phi[1], "phi2")
-    if y is not None:
-        add(y, "y")
-    eps_column = eps is not None and not is_number(eps)
-    if eps_column:
-        add(eps, "eps")
-    for side, name in ((lower, "lower"), (upper, "upper")):
-        if side is not None:
-            add(side, name)
-    x_eps_column = x_eps is not None and not is_number(x_eps)
-    if x_eps_column:
-        add(x_eps, "x_eps")
-    question = asked(
-        regressors=len(phi),
-        response=y is not None,
-        eps=None if eps_column else eps,
-        lower=lower is not None,
-        upper=upper is not None,
-        where=where,
-        through_origin=through_origin,
-        x_origin=x_origin,
-        reading=reading,
-        missing=missing,
-        eps_column=eps_column,
-        x_eps=None if x_eps_column else x_eps,
-        x_eps_column=x_eps_column,
-        strong=strong,
-    )
-    return columns, question
+    x_names = [add(own, default) for own, default in zip(phi, ["x"] if len(phi) == 1 else ["phi1", "phi2"])]
+    y_name = add(y, "y")
+    eps_name = None if is_number(eps) else add(eps, "eps")
+    lower_name, upper_name = add(lower, "lower"), add(upper, "upper")
+    x_eps_name = None if is_number(x_eps) else add(x_eps, "x_eps")
+    return columns, {
+        "x": x_names[0] if len(x_names) == 1 else x_names,
+        "y": y_name,
+        "eps": None if eps_name else eps,
+        "eps_column": eps_name,
+        "lower": lower_name,
+        "upper": upper_name,
+        "where": texts(where),
+        "through_origin": through_origin,
+        "x_origin": x_origin,
+        "reading": reading,
+        "missing": missing,
+        "x_eps": None if x_eps_name else x_eps,
+        "x_eps_column": x_eps_name,
+        "strong": strong,
+    }
 
 
-DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t", "space": " ", "pipe": "|"}
+DELIMITERS = {",": "comma", ";": "semicolon", "\t": "tab", " ": "space", "|": "pipe"}
 
 
 def table(
@@ -201,37 +136,25 @@ def table(
     without: Rows = None,
     where_row: str | Sequence[str] = (),
     header: bool | None = None,
-    encoding: str | None = None,
     delimiter: str | None = None,
-    decimal: str | None = None,
-    thousands: str | None = None,
-    comment: str | None = None,
     sheet: str | int | None = None,
-    skip_lines: int = 0,
-    units_row: bool = False,
     missing_as: str | Sequence[str] = (),
     block: str | int | None = None,
-    limits: Mapping[str, int] | None = None,
+    **how: Any,
 ) -> dict[str, Any]:
-    """How a file is read."""
-    if delimiter is not None:
-        delimiter = DELIMITERS.get(delimiter, delimiter)
-        if delimiter not in DELIMITERS.values():
-            raise ValueError(f"delimiter={delimiter!r}: expected one of {', '.join(DELIMITERS)}")
+    """How a file is read, in the words of a request."""
+
+    def chosen(asked: Rows) -> Any:
+        return asked if asked is None or isinstance(asked, str) else [int(row) for row in asked]
+
     return {
-        "rows": row_ranges(rows, "rows"),
-        "without": row_ranges(without, "without"),
-        "where_row": [where_row] if isinstance(where_row, str) else list(where_row),
-        "header": header,
-        "encoding": encoding,
-        "delimiter": None if delimiter is None else ord(delimiter),
+        "rows": chosen(rows),
+        "without": chosen(without),
+        "where_row": texts(where_row),
+        "header": None if header is None else "yes" if header else "no",
+        "delimiter": None if delimiter is None else DELIMITERS.get(delimiter, delimiter),
         "sheet": None if sheet is None else str(sheet),
-        "decimal": decimal,
-        "thousands": thousands,
-        "comment": comment,
-        "skip_lines": skip_lines,
-        "units_row": units_row,
         "missing_as": [missing_as] if isinstance(missing_as, str) else [str(word) for word in missing_as],
         "block": None if block is None else str(block),
-        "limits": list((limits or {}).items()),
+        **how,
     }

@@ -11,7 +11,7 @@ from ._answers import Answer, number, point, value
 from ._bounds import Point, decimal
 from ._asking import Name, Table, ask, exact
 from ._cells import cells
-from ._columns import Column, Missing, Number, Reading, asked, named, table
+from ._columns import Column, Missing, Number, Reading, named, quoted, table
 
 if TYPE_CHECKING:
     from .documents import LinearityDocument
@@ -144,14 +144,15 @@ def linearity(
     (Fraction(1, 8), [1, 2, 3, 4])
     """
     taken: set[str] = set()
-    how = _how(reading, missing, y, up, down, direction)
+    _refuse_others(y, up, down, direction)
     given = {"x": x, "y": y, "direction": direction, "up": up, "down": down}
     columns = {key: (named(own, key, taken), cells(own, key, reading)) for key, own in given.items() if own is not None}
     if direction is not None:
         columns["direction"] = (columns["direction"][0], _words(columns["direction"][1]))
-    readings = _boundfit.readings_of_columns(list(columns.values()), how)
-    # A name stands in quotes, also where it looks like a number.
-    return _answer(readings, full_scale, through, {key: f'"{columns[key][0]}"' for key in _KEYS if key in columns})
+    words = {"ask": "linearity", "reading": reading, "missing": missing}
+    words |= {key: quoted(columns[key][0]) for key in ("x", "y") if key in columns}
+    readings = _boundfit.readings_of_columns(list(columns.values()), words)
+    return _answer(readings, full_scale, through, {key: quoted(columns[key][0]) for key in _KEYS if key in columns})
 
 
 def linearity_file(
@@ -169,11 +170,12 @@ def linearity_file(
     **how: Unpack[Table],
 ) -> Linearity:
     """As :func:`linearity`, of columns of a file, by name or number. How it is read is told as in :func:`boundfit.fit_file`."""
-    named = _how(reading, missing, y, up, down, direction)
-    names = [str(own) for own in (x, y) if own is not None]
-    readings = _boundfit.readings_of_file(os.fspath(path), names, named, table(**how))
-    given = {"up": up, "down": down, "direction": direction}
-    return _answer(readings, full_scale, through, {key: str(own) for key, own in given.items() if own is not None})
+    _refuse_others(y, up, down, direction)
+    given = {key: str(own) for key, own in {"x": x, "y": y, "up": up, "down": down, "direction": direction}.items() if own is not None}
+    own = {key: given.pop(key) for key in ("x", "y") if key in given}
+    words = {"ask": "linearity", "reading": reading, "missing": missing, **own, **table(**how)}
+    readings = _boundfit.readings_of_file(os.fspath(path), list(own.values()), words)
+    return _answer(readings, full_scale, through, given)
 
 
 #: Columns besides x and y.
@@ -185,26 +187,10 @@ def _words(column: Any) -> list[str]:
     return ["" if own is None or own != own else str(own) for own in values]
 
 
-def _how(reading: Reading, missing: Missing, y: Any, up: Any, down: Any, direction: Any) -> dict[str, Any]:
-    """What is said besides the columns, in the words of a question within bounds, of which there are none here."""
+def _refuse_others(y: Any, up: Any, down: Any, direction: Any) -> None:
     given = tuple(own is not None for own in (y, up, down, direction))
     if given not in ((True, False, False, False), (True, False, False, True), (False, True, True, False)):
         raise ValueError("expected y, or y and direction, or up and down")
-    question = asked(
-        regressors=1,
-        response=True,
-        eps=0,
-        lower=False,
-        upper=False,
-        where=(),
-        through_origin=False,
-        x_origin=None,
-        reading=reading,
-        missing=missing,
-        eps_column=False,
-    )
-    # Two directions take the place of y.
-    return {**question, "response": y is not None}
 
 
 def _answer(

@@ -16,7 +16,7 @@ from typing import Any
 
 from . import _boundfit
 from ._bounds import Interval, Intervals, ProvedInterval, Term
-from ._columns import Missing, NamedColumns, Number, Reading, asked
+from ._columns import Missing, NamedColumns, Number, Reading, quoted
 from ._fit import Fit
 
 #: How many reductions are put together at a time.
@@ -62,21 +62,21 @@ class Readings:
         """All columns that are looked at, each once."""
         return list(dict.fromkeys([*self.by, *self.reduced_columns]))
 
-    def asked(self) -> dict[str, Any]:
-        """What the compiled part is asked."""
-        return asked(
-            regressors=len(self.x),
-            response=self.y is not None,
-            eps=self.eps,
-            eps_column=self.eps_column is not None,
-            lower=self.lower is not None,
-            upper=self.upper is not None,
-            where=self.where,
-            through_origin=self.through_origin,
-            x_origin=self.x_origin,
-            reading=self.reading,
-            missing=self.missing,
-        )
+    def asked(self, names: Iterable[str] | None = None) -> dict[str, Any]:
+        """What the compiled part is asked of columns with these names, in the order of their roles, or else with their own."""
+        own = iter(self.roles if names is None else names)
+        x = [quoted(next(own)) for _ in self.x]
+        columns = {key: None if getattr(self, key) is None else quoted(next(own)) for key in ("y", "eps_column", "lower", "upper")}
+        return {
+            "x": x[0] if len(x) == 1 else x,
+            **columns,
+            "eps": self.eps,
+            "where": self.where,
+            "through_origin": self.through_origin,
+            "x_origin": self.x_origin,
+            "reading": self.reading,
+            "missing": self.missing,
+        }
 
     def nothing(self) -> bytes:
         """The reduction of no rows. Asking for it finds what is wrong with the question before any row is moved."""
@@ -110,7 +110,7 @@ def readings(
     regressors = _tuple(x)
     if len(regressors) not in (1, 2):
         raise ValueError(f"x names {len(regressors)} columns: expected one, or two of a model with two regressors")
-    own = Readings(
+    return Readings(
         x=regressors,
         y=y,
         eps=eps,
@@ -125,8 +125,6 @@ def readings(
         by=_tuple(by),
         identity=id,
     )
-    own.asked()
-    return own
 
 
 def to_reduce(x: Names, y: str | None, eps: Number | None, fan_in: int, **question: Any) -> Readings:
@@ -166,7 +164,7 @@ def fitted_groups(columns: NamedColumns, own: Readings, codes: Any) -> dict[str,
     name = "group"
     while name in (column for column, _ in columns):
         name += "'"
-    return _boundfit.fit_groups(columns, (name, codes), own.asked())
+    return _boundfit.fit_groups(columns, (name, codes), own.asked(name for name, _ in columns))
 
 
 def columns_of_groups(own: Readings) -> list[str]:
@@ -236,7 +234,7 @@ def merged(texts: Iterable[bytes], own: Readings) -> bytes:
         level = [_as_decimals(text, own) for text in level]
     while len(level) > 1:
         groups = [level[start : start + FAN_IN] for start in range(0, len(level), FAN_IN)]
-        level = [_boundfit.merge_reductions(b"".join(group), own.roles, own.identity, own.asked()) for group in groups]
+        level = [_boundfit.merge_reductions(b"".join(group), own.identity, own.asked()) for group in groups]
     return level[0]
 
 

@@ -1,16 +1,17 @@
 //! Fleets and reductions of columns in memory.
 
-use boundfit::ask::{self, Groups};
-use boundfit::files::{ColumnSelector, GroupFit, Limits, Source};
-use boundfit::{Rational, Reading};
+use boundfit::Rational;
+use boundfit::ask::Groups;
+use boundfit::files::{ColumnSelector, GroupFit, Source};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::asked::{Asked, in_words};
 use crate::cells::{NamedColumn, table};
 use crate::numbers::{outward, refuse};
 use crate::questions;
 use crate::readings::Readings;
+use crate::said::Keywords;
+use crate::words::in_words;
 
 /// A number of every group: what it is called, and which way its double is rounded.
 const NUMBERS: [(&str, Rounded); 11] = [
@@ -137,15 +138,13 @@ pub(crate) fn fit_groups<'py>(
     py: Python<'py>,
     columns: Vec<NamedColumn<'py>>,
     key: NamedColumn<'py>,
-    asked: Asked,
+    asked: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
-    let floats = asked.reading()?;
-    let (question, x_errors) =
-        asked.question(&names, ColumnSelector::name, [floats, Reading::Decimal], &Limits::default())?;
+    let (mut asked, floats) = Keywords(asked).asked_in_memory()?;
     let by = ColumnSelector::name(&key.0);
     let (table, reading) = table(&columns.into_iter().chain([key]).collect::<Vec<_>>(), &names, floats)?;
-    let asked = ask::Asked { x_errors, options: asked.options(reading)?, ..ask::Asked::new(question) };
+    asked.options.table.reading = reading;
     let read =
         py.detach(|| Groups::read(&asked, Source::of_table("readings", table), &by).map(|own| lines(&own)));
     let (lines, per_row) = read.map_err(|refusal| refuse(questions::in_words(&refusal)))?;

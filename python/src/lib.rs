@@ -1,6 +1,5 @@
 //! The compiled part of the Python package `boundfit`: arrays in, exact answers out. What people call is in `boundfit/*.py`.
 
-mod asked;
 mod cells;
 mod claims;
 mod data;
@@ -15,6 +14,8 @@ mod program;
 mod proofs;
 mod questions;
 mod readings;
+mod said;
+mod words;
 
 use pyo3::prelude::*;
 

@@ -101,6 +101,11 @@ impl Given {
         if self.is_text { texts } else { Reading::Decimal }
     }
 
+    /// Whether it is a text.
+    pub(crate) fn is_text(&self) -> bool {
+        self.is_text
+    }
+
     /// The number, if it is one.
     pub(crate) fn number(&self, reading: Reading, name: &str) -> PyResult<Rational> {
         self.number_by(reading, Reading::Decimal, name)

@@ -2,16 +2,18 @@
 
 use std::sync::Arc;
 
-use boundfit::files::{ColumnSelector, Limits, Question, ReducedTable, ScanOptions, Source};
-use boundfit::{Reading, ask};
+use boundfit::Reading;
+use boundfit::ask::Asked;
+use boundfit::files::{ColumnSelector, ReducedTable, ScanOptions, Source};
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::types::{PyBytes, PyDict};
 
-use crate::asked::{Asked, in_words};
 use crate::cells::{NamedColumn, table};
 use crate::data::Data;
 use crate::numbers::refuse;
-use crate::readings::{Made, Readings};
+use crate::readings::Readings;
+use crate::said::Keywords;
+use crate::words::in_words;
 
 /// What reductions are called in messages.
 const NAME: &str = "reductions";
@@ -24,15 +26,13 @@ pub(crate) fn reduce_part<'py>(
     columns: Vec<NamedColumn<'py>>,
     names: Vec<String>,
     identity: Option<String>,
-    asked: Asked,
+    asked: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let question = reducible(&asked, &names)?;
-    let (table, reading) = table(&columns, &names, asked.reading()?)?;
-    let options = ScanOptions {
-        identity: identity.map(|name| ColumnSelector::name(&name)),
-        allow_nothing: true,
-        ..asked.options(reading)?
-    };
+    let (Asked { question, options, .. }, floats) = reducible(asked)?;
+    let (table, reading) = table(&columns, &names, floats)?;
+    let identity = identity.map(|name| ColumnSelector::name(&name));
+    let mut options = ScanOptions { identity, allow_nothing: true, ..options };
+    options.table.reading = reading;
     let text = py.detach(|| written(question.reduce(Source::of_table("readings", table), &options)));
     Ok(PyBytes::new(py, &text.map_err(refuse)?))
 }
@@ -42,13 +42,12 @@ pub(crate) fn reduce_part<'py>(
 pub(crate) fn merge_reductions<'py>(
     py: Python<'py>,
     text: Vec<u8>,
-    names: Vec<String>,
     identity: Option<String>,
-    asked: Asked,
+    asked: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let question = reducible(&asked, &names)?;
+    let (Asked { question, options, .. }, _) = of_reductions(asked, reading_of(&text))?;
     let identity = identity.map(|name| ColumnSelector::name(&name));
-    let options = ScanOptions { identity, ..of_reductions(&asked, reading_of(&text))? };
+    let options = ScanOptions { identity, ..options };
     let text = py.detach(|| written(question.reduce(source(text), &options)));
     Ok(PyBytes::new(py, &text.map_err(refuse)?))
 }
@@ -58,15 +57,13 @@ pub(crate) fn merge_reductions<'py>(
 pub(crate) fn readings_of_reductions(
     text: Vec<u8>,
     names: Vec<String>,
-    asked: Bound<'_, PyAny>,
+    asked: &Bound<'_, PyDict>,
 ) -> PyResult<Readings> {
-    let made = Arc::new(Made { asked: asked.clone().unbind(), table: None });
-    let asked: Asked = asked.extract()?;
-    let (reading, floats) = (reading_of(&text), asked.reading()?);
-    let (question, options) = (reducible(&asked, &names)?, of_reductions(&asked, reading)?);
+    let reading = reading_of(&text);
+    let keywords = Arc::new(asked.clone().unbind());
+    let (asked, floats) = of_reductions(asked, reading)?;
     let data = Data::Text(NAME, text.into());
-    let asked = ask::Asked { options, ..ask::Asked::new(question) };
-    Ok(Readings { data, names, asked, reading, floats, is_stored: false, made })
+    Ok(Readings { data, names, asked, reading, floats, is_stored: false, keywords })
 }
 
 /// How a reduction says that its numbers are read: not as was asked, where that was binary64 and some numbers are no doubles.
@@ -77,32 +74,28 @@ fn reading_of(text: &[u8]) -> Reading {
     if is_stored { Reading::Binary64 } else { Reading::Decimal }
 }
 
-/// The question, if a reduction can answer it.
-fn reducible(asked: &Asked, names: &[String]) -> PyResult<Question> {
-    let (question, _) = asked.question(
-        names,
-        ColumnSelector::name,
-        [asked.reading()?, Reading::Decimal],
-        &Limits::default(),
-    )?;
-    if question.multiple_of_least.is_some() && question.columns.second.is_some() {
+/// What is asked, if a reduction can answer it, and what floats mean.
+fn reducible(asked: &Bound<'_, PyDict>) -> PyResult<(Asked, Reading)> {
+    let (asked, floats) = Keywords(asked).asked_in_memory()?;
+    if asked.question.multiple_of_least.is_some() && asked.question.columns.second.is_some() {
         return Err(refuse(
             "eps: which readings decide under a multiple of the least bound is not known before all of them are, unless the model \
              is a line (expected a number or a law)",
         ));
     }
-    Ok(question)
+    Ok((asked, floats))
 }
 
 fn source(text: Vec<u8>) -> Source {
     Source::new(NAME, std::io::Cursor::new(text))
 }
 
-/// Reductions of columns in memory have commas between their cells, whatever is in these.
-fn of_reductions(asked: &Asked, reading: Reading) -> PyResult<ScanOptions> {
-    let mut options = asked.options(reading)?;
-    options.table.dialect.delimiter = Some(b',');
-    Ok(options)
+/// What is asked of reductions of columns in memory, which have commas between their cells, whatever is in these.
+fn of_reductions(asked: &Bound<'_, PyDict>, reading: Reading) -> PyResult<(Asked, Reading)> {
+    let (mut asked, floats) = reducible(asked)?;
+    asked.options.table.reading = reading;
+    asked.options.table.dialect.delimiter = Some(b',');
+    Ok((asked, floats))
 }
 
 fn written(reduced: Result<ReducedTable, boundfit::files::InputError>) -> Result<Vec<u8>, String> {

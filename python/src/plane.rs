@@ -10,8 +10,8 @@ use boundfit::report::{
 use boundfit::{Polyhedron, Rational, Reading};
 use pyo3::prelude::*;
 
-use crate::asked::in_words;
 use crate::numbers::{Given, Number, pair, refuse};
+use crate::words::in_words;
 
 /// Half-planes with the set that they leave.
 #[pyclass(frozen, module = "boundfit._boundfit")]

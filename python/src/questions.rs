@@ -7,12 +7,12 @@ use boundfit::ask::{Asked, Files, Held, Refusal, Request, Surface, Tables};
 use boundfit::files::{Source, Way};
 use pyo3::prelude::*;
 
-use crate::asked::as_argument;
 use crate::cells::{NamedColumn, table};
 use crate::data::IN_MEMORY;
 use crate::forms::{Form, asked};
 use crate::numbers::{Given, refuse};
 use crate::readings::Readings;
+use crate::words::as_argument;
 
 /// An answer about readings: `request` is what JSON says, such as `{"ask": "range"}`; further `tables` that it names are columns.
 #[pyfunction]
@@ -73,7 +73,7 @@ impl Surface for Arguments {
 /// Why there is no answer.
 pub(crate) fn in_words(refusal: &Refusal) -> String {
     match refusal {
-        Refusal::Input(error) => crate::asked::in_words(error),
+        Refusal::Input(error) => crate::words::in_words(error),
         refusal => refusal.words(&Arguments),
     }
 }

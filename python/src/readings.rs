@@ -4,17 +4,18 @@ use std::sync::Arc;
 
 use boundfit::Reading;
 use boundfit::ask::{self, Ask as _, Asked, Fit, Form, Refusal, Request, Shows};
-use boundfit::files::{ColumnSelector, Limits, Source};
+use boundfit::files::Source;
 use boundfit::report::{Origin, Style};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyTuple};
+use pyo3::types::{PyBytes, PyDict, PyTuple};
 
-use crate::asked::{self, AskedTable, in_words};
 use crate::cells::{NamedColumn, columns_of, table};
 use crate::data::Data;
 use crate::fitted::{Fitted, next_words};
 use crate::numbers::{Given, refuse};
 use crate::questions;
+use crate::said::{Keywords, Texts};
+use crate::words::in_words;
 
 /// Readings, and what is asked of them.
 #[pyclass(frozen, module = "boundfit._boundfit")]
@@ -28,52 +29,38 @@ pub(crate) struct Readings {
     /// What a float means in whatever is asked of them.
     pub(crate) floats: Reading,
     pub(crate) is_stored: bool,
-    /// The arguments that they were made with, for those who make them again.
-    pub(crate) made: Arc<Made>,
-}
-
-/// How readings were asked for, as Python said it.
-pub(crate) struct Made {
-    pub(crate) asked: Py<PyAny>,
-    pub(crate) table: Option<Py<PyAny>>,
+    /// The keywords that they were made with, for those who make them again.
+    pub(crate) keywords: Arc<Py<PyDict>>,
 }
 
 /// Columns in memory, each copied once.
 #[pyfunction]
 pub(crate) fn readings_of_columns(
     columns: Vec<NamedColumn<'_>>,
-    asked: Bound<'_, PyAny>,
+    asked: &Bound<'_, PyDict>,
 ) -> PyResult<Readings> {
-    let made = Arc::new(Made { asked: asked.clone().unbind(), table: None });
-    let asked: asked::Asked = asked.extract()?;
     let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
-    let floats = asked.reading()?;
-    let (question, x_errors) =
-        asked.question(&names, ColumnSelector::name, [floats, Reading::Decimal], &Limits::default())?;
+    let keywords = Arc::new(asked.clone().unbind());
+    let (mut asked, floats) = Keywords(asked).asked_in_memory()?;
     let (table, reading) = table(&columns, &names, floats)?;
-    let options = asked.options(reading)?;
+    asked.options.table.reading = reading;
     let data = Data::Columns(Arc::new(table));
-    let asked = Asked { x_errors, options, ..Asked::new(question) };
-    Ok(Readings { data, names, asked, reading, floats, is_stored: false, made })
+    Ok(Readings { data, names, asked, reading, floats, is_stored: false, keywords })
 }
 
-/// Columns of a file of any format.
+/// Columns of a file of any format; `names` are those of all roles.
 #[pyfunction]
 pub(crate) fn readings_of_file(
     path: String,
     names: Vec<String>,
-    asked: Bound<'_, PyAny>,
-    table: Bound<'_, PyAny>,
+    asked: &Bound<'_, PyDict>,
 ) -> PyResult<Readings> {
-    let made = Arc::new(Made { asked: asked.clone().unbind(), table: Some(table.clone().unbind()) });
-    let (asked, table): (asked::Asked, AskedTable) = (asked.extract()?, table.extract()?);
     let data = Data::File(path);
-    let (reading, is_stored) = data.reading(asked.reading()?).map_err(|error| refuse(in_words(&error)))?;
-    let (question, x_errors) =
-        asked.question(&names, ColumnSelector::name_or_number, [reading; 2], &table.number_limits())?;
-    let options = asked.file_options(&table, reading)?;
-    let asked = Asked { x_errors, options, ..Asked::new(question) };
-    Ok(Readings { data, names, asked, reading, floats: reading, is_stored, made })
+    let reading = data.reading(Keywords(asked).reading()?);
+    let (reading, is_stored) = reading.map_err(|error| refuse(in_words(&error)))?;
+    let keywords = Arc::new(asked.clone().unbind());
+    let asked = Keywords(asked).asked(reading, Texts::AsCells)?;
+    Ok(Readings { data, names, asked, reading, floats: reading, is_stored, keywords })
 }
 
 #[pymethods]
@@ -124,7 +111,7 @@ impl Readings {
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let module = py.import("boundfit._boundfit")?;
         let made = |name: &str, arguments: Bound<'py, PyTuple>| Ok((module.getattr(name)?, arguments));
-        let Made { asked, table } = &*self.made;
+        let asked = &*self.keywords;
         match &self.data {
             Data::Columns(columns) => {
                 let columns = columns_of(py, columns)?;
@@ -134,9 +121,7 @@ impl Readings {
                 let arguments = (PyBytes::new(py, text), &self.names, asked);
                 made("readings_of_reductions", arguments.into_pyobject(py)?)
             }
-            Data::File(path) => {
-                made("readings_of_file", (path, &self.names, asked, table).into_pyobject(py)?)
-            }
+            Data::File(path) => made("readings_of_file", (path, &self.names, asked).into_pyobject(py)?),
         }
     }
 
@@ -188,7 +173,7 @@ impl Readings {
             reading: self.reading,
             floats: self.floats,
             is_stored: self.is_stored,
-            made: Arc::clone(&self.made),
+            keywords: Arc::clone(&self.keywords),
         }
     }
 

@@ -176,7 +176,7 @@ def test_two_regressors_conditions_and_origins() -> None:
         assert boundfit.fit(x, y, "0.1", where=["theta1 + theta2 >= 5"]).vertices == expected
     years = boundfit.fit([1979, 1980, 1981], [4, 7, 8], 1, x_origin=1980)
     assert years.pui is not None and (years.pui.theta2.lower, years.pui.theta2.upper) == (6, 7)
-    with pytest.raises(ValueError, match="two regressors have no constant"):
+    with pytest.raises(ValueError, match="with two regressors there is no offset"):
         boundfit.fit(phi, y, 1, through_origin=True)
     with pytest.raises(ValueError, match="x has 3 columns"):
         boundfit.fit(numpy.zeros((3, 3)), y, 1)
@@ -201,17 +201,17 @@ REFUSALS: list[tuple[dict[str, Any], str]] = [
     ({"x": [], "y": []}, "readings: the columns are empty"),
     ({"x": 1, "y": [0]}, "x is of type int: expected an array or a list"),
     ({"x": [0], "y": numpy.zeros((2, 2))}, "y has 2 dimensions"),
-    ({"x": [0], "y": [0], "eps": -1}, "eps='-1'|eps=\"-1\": negative"),
+    ({"x": [0], "y": [0], "eps": -1}, "eps=-1: negative"),
     ({"x": [0], "y": [0], "eps": [-1]}, r"row 1, column 3 \(eps\): \"-1\": the error bound is negative"),
     ({"x": [0], "y": [0], "eps": math.nan}, "eps="),
     ({"x": [0], "y": [0], "eps": "2%"}, "2% of what"),
-    ({"x": [0], "y": [0], "eps": None}, "nothing bounds the errors"),
+    ({"x": [0], "y": [0], "eps": None}, "the bound on the errors is missing: eps, eps_column, lower or upper"),
     ({"x": [0], "y": None}, "y is missing"),
-    ({"x": [0], "y": [0], "lower": [0]}, "both bound the errors"),
+    ({"x": [0], "y": [0], "lower": [0]}, "the errors have one bound: eps, or eps_column, or lower and upper"),
     ({"x": [0], "y": None, "eps": None, "lower": [None]}, "row 1"),
     ({"x": [0], "y": [0], "where": "theta3 > 0"}, 'where="theta3 > 0"'),
-    ({"x": [0], "y": [0], "reading": "binary"}, 'reading="binary": expected "decimal" or "binary64"'),
-    ({"x": [0], "y": [0], "missing": "drop"}, 'expected "refuse" or "skip"'),
+    ({"x": [0], "y": [0], "reading": "binary"}, 'reading="binary": expected one of "decimal", "binary64"'),
+    ({"x": [0], "y": [0], "missing": "drop"}, 'expected one of "refuse", "skip"'),
     ({"x": [0], "y": [0], "eps": "written"}, "stores numbers without their digits|last digit"),
     ({"x": ["1e999999999"], "y": [0]}, "row 1"),
 ]

@@ -229,7 +229,7 @@ def test_readings_that_are_wrong_are_an_answer() -> None:
 @pytest.mark.parametrize(
     "arguments, message",
     [
-        ({"x": "x", "y": "y"}, "nothing bounds the errors"),
+        ({"x": "x", "y": "y"}, "the bound on the errors is missing"),
         ({"x": ["x", "y", "t"], "y": "y", "eps": 1}, "x names 3 columns"),
         ({"x": "x", "y": "y", "eps": "much"}, 'eps="much"'),
         ({"x": "x", "y": "y", "eps": 1, "where": "theta3 > 1"}, 'where="theta3 > 1"'),

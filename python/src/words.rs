@@ -1,0 +1,32 @@
+//! What is wrong with a table in the words of this package.
+
+use boundfit::engine::exact::Limit;
+use boundfit::files::{InputError, Setting, Way};
+
+/// What is wrong with a table, in the words of this package.
+pub(crate) fn in_words(error: &InputError) -> String {
+    // Columns in memory have this name, and no header.
+    let text = error
+        .to_string()
+        .replace("readings: the file has a header but no data rows", "readings: the columns are empty");
+    let ways: Vec<String> = error.kind.ways().iter().map(as_argument).collect();
+    if ways.is_empty() { text } else { format!("{text}; {}", ways.join(", ")) }
+}
+
+/// A way out as this package has it: `decimal="comma" reads 1,5`.
+pub(crate) fn as_argument(way: &Way) -> String {
+    let Way { setting, value, effect } = way;
+    match setting {
+        // It has an argument of its own.
+        Setting::Limit(Limit::Steps) => format!("max_steps=... {effect}"),
+        Setting::Limit(limit) => format!("limits={{\"{}\": ...}} {effect}", limit.name()),
+        setting => {
+            let value = match *value {
+                "" => "True".to_owned(),
+                number @ "N" => number.to_owned(),
+                text => format!("\"{}\"", text.trim_matches('\'')),
+            };
+            format!("{}={value} {effect}", setting.name().replace(' ', "_"))
+        }
+    }
+}
