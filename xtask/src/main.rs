@@ -4,12 +4,14 @@
 //! |---|---|---|
 //! | `ci [STEP…]` | `ci` | runs the steps of continuous integration, all of them or those named |
 //! | `generate` | `generate` | writes what is made of types and options; `--check` names what is stale |
+//! | `growth` | `growth` | counts how the cost of each command grows with the rows |
 //! | `prose` | `prose` | counts what STYLE.md asks of prose, per folder; the counts may only fall |
 //!
 //! Without its feature `generate` the crate has no dependencies, so that it is built within two seconds.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a tool for people at a terminal")]
 
 mod ci;
+mod growth;
 mod prose;
 
 use std::env;
@@ -22,6 +24,7 @@ cargo xtask TASK
 
   ci [STEP…]    run the steps of continuous integration, all or these; `cargo xtask ci --list` explains them
   generate      write schemas, declarations and references from the types; with --check, name what is stale
+  growth        count instructions per command at N, 2N and 4N rows; `cargo xtask growth --help` says more
   prose         count long sentences and unclear beginnings per folder; `cargo xtask prose --help` says more";
 
 /// The top of the repository.
@@ -35,6 +38,7 @@ fn main() -> ExitCode {
     match task {
         "ci" => ci::main(options),
         "generate" => generate(options),
+        "growth" => growth::main(options),
         "prose" => prose::main(options),
         "" | "help" | "-h" | "--help" => {
             println!("{USAGE}");
