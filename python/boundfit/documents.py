@@ -396,6 +396,8 @@ class VerifyDocument(TypedDict):
     """The question of the proof, whether the proof is true or not."""
     set: ProvedSet | None
     """The proved facts about the feasible set; null unless the proof is true and about one set."""
+    theorem_rows: int | None
+    """The number of rows of a theorem for Coq, all of which are those of the data; null for other proofs."""
     statements: list[Proved] | None
     """The proved statements, in the order of a proof `boundfit/proof/2`; null unless the proof is true and of that kind."""
 

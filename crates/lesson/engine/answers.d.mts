@@ -375,6 +375,8 @@ export interface VerifyDocument {
   about: About;
   /** The proved facts about the feasible set; null unless the proof is true and about one set. */
   set: ProvedSet | null;
+  /** The number of rows of a theorem for Coq, all of which are those of the data; null for other proofs. */
+  theorem_rows: number | null;
   /** The proved statements, in the order of a proof `boundfit/proof/2`; null unless the proof is true and of that kind. */
   statements: Proved[] | null;
 }

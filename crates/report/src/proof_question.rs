@@ -3,6 +3,7 @@
 use boundfit_estimation::{Condition, ErrorBound, Model, Problem};
 use boundfit_exact::{Foreign, Rational, Reading};
 use serde::Serialize;
+use serde_json::json;
 
 /// The question of a proof: which rows of which bytes are read, how, and what they say about the parameters. Numbers are exact
 /// fractions as text.
@@ -102,6 +103,13 @@ impl ProofQuestion {
             response: Vec::new(),
             conditions: problem.conditions.iter().map(condition_json).collect(),
         })
+    }
+
+    /// The question on one line, as JSON of a schema that has nothing else.
+    pub(crate) fn to_line(&self, schema: &str) -> String {
+        let mut fields = json!(self);
+        fields["schema"] = json!(schema);
+        fields.to_string()
     }
 
     /// With errors in x: the column of their bounds, from 1, and how many times each is taken; column 0 holds 1 in every row.

@@ -40,6 +40,7 @@ pub fn verify_text(verdict: &Verdict, proof: &str, data: &str) -> String {
     lines.extend(match &statement.found {
         Found::Set(set) => of_set(set),
         Found::Claims(claims) => of_claims(claims),
+        Found::Rows(count) => of_rows(*count),
     });
     let lines = lines.into_iter().map(|(label, line)| format!("  {label:<7} {line}\n"));
     format!("verified: {proof} is true of {data}\n{}", lines.collect::<String>())
@@ -53,6 +54,15 @@ fn of_set(set: &SetFound) -> Vec<(&'static str, String)> {
         lines.push((name, range(ends)));
     }
     lines
+}
+
+/// What is known of a theorem.
+fn of_rows(count: usize) -> Vec<(&'static str, String)> {
+    let rows = counted(count, "row", "rows");
+    vec![(
+        "agrees",
+        format!("{rows} and all conditions of the theorem, exactly; coqc checks what follows from them"),
+    )]
 }
 
 /// The facts that the checks have shown.

@@ -32,6 +32,10 @@ pub fn verify_json(verdict: &Verdict, about: &About, proof: Option<&str>, data: 
             Some(Found::Set(set)) => Some(ProvedSetJson::new(set, &style)),
             _ => None,
         },
+        theorem_rows: match statement.map(|statement| &statement.found) {
+            Some(Found::Rows(count)) => Some(*count),
+            _ => None,
+        },
         statements: match statement.map(|statement| &statement.found) {
             Some(Found::Claims(claims)) => {
                 Some(claims.iter().map(|claim| ProvedJson::new(claim, &style)).collect())

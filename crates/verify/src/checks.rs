@@ -14,6 +14,7 @@ use crate::half_planes::HalfPlanes;
 use crate::plane::HalfPlane;
 use crate::proof::{Body, Proof};
 use crate::statements::Claim;
+use crate::theorem::Agreed;
 use crate::whole_set::longest;
 
 /// The statement of a true proof, and the question that it answers.
@@ -38,6 +39,8 @@ pub enum Found {
     Set(SetFound),
     /// Claims about the sets that parts of the rows leave, in their order.
     Claims(Vec<Claim>),
+    /// The number of rows of a theorem for Coq, all of which are those of the data.
+    Rows(usize),
 }
 
 impl Proof {
@@ -89,6 +92,10 @@ impl Proof {
                 count += about.conditions_by_name().count();
                 let found = Found::Claims(check_statements(data, statements, &kept, open, limits)?);
                 Ok(Statement { about, rows_total, names, half_planes: count, found })
+            }
+            Body::Theorem(theorem) => {
+                let Agreed { rows_total, names, half_planes } = theorem.check(data, open()?, limits)?;
+                Ok(Statement { about, rows_total, names, half_planes, found: Found::Rows(theorem.count()) })
             }
         }
     }

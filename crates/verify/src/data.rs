@@ -33,6 +33,21 @@ impl Data {
         Ok((look.rows_total, look.names))
     }
 
+    /// Reads all data as [`Data::first_look`] does. A falsehood about a row comes before another hash.
+    pub(crate) fn look_by_rows<R: Read>(
+        &self,
+        data: R,
+        limits: &DataLimits,
+        read: impl FnOnce(&About, &mut Rows<R>) -> Result<(), Failure>,
+    ) -> Result<(u64, BTreeMap<u64, Foreign>), Failure> {
+        let look = self.look(data, limits, read)?;
+        look.found?;
+        if look.hash != self.sha256 {
+            return Err(Falsehood::OtherData.into());
+        }
+        Ok((look.rows_total, look.names))
+    }
+
     /// Reads all data once more.
     pub(crate) fn look_again<R: Read>(
         &self,

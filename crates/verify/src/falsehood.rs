@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use boundfit_exact::{Foreign, ParseNumberError};
+use boundfit_exact::{Foreign, ParseNumberError, Rational};
 
 use crate::name::Name;
 
@@ -102,6 +102,38 @@ pub enum Falsehood {
     NotShownToBeEnough(Vec<u64>),
     /// That at least no row has to be left out says nothing.
     NoRowsToLeaveOut,
+    /// A theorem has another number in a row than the data.
+    OtherNumber(Box<OtherNumber>),
+    /// A theorem has another number of rows than are wanted of the data.
+    OtherCount {
+        /// Rows of the theorem.
+        theorem: usize,
+        /// Wanted rows of the data.
+        data: u64,
+    },
+    /// This condition of a theorem, from 1, is not that of its question.
+    OtherCondition(usize),
+}
+
+/// A number that a theorem and the data have in one place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OtherNumber {
+    /// The data row, from 1.
+    pub row: u64,
+    /// The name of the number in the theorem.
+    pub name: &'static str,
+    /// The number of the theorem; `None` where it has none.
+    pub theorem: Option<Rational>,
+    /// The number of the data; `None` where they have none.
+    pub data: Option<Rational>,
+}
+
+impl fmt::Display for OtherNumber {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = |own: &Option<Rational>| own.as_ref().map_or("no number".to_owned(), Rational::to_string);
+        let (theorem, data) = (text(&self.theorem), text(&self.data));
+        write!(f, "row {}, {}: {theorem} in the theorem, {data} in the data", self.row, self.name)
+    }
 }
 
 impl fmt::Display for Falsehood {
@@ -152,6 +184,11 @@ impl fmt::Display for Falsehood {
             Falsehood::NotShownToBeEnough(rows) => {
                 write!(f, "sets: no statement shows that anything is left without {}", listed(rows))
             }
+            Falsehood::OtherNumber(other) => write!(f, "{other}"),
+            Falsehood::OtherCount { theorem, data } => {
+                write!(f, "rows: {theorem} in the theorem, {data} in the data")
+            }
+            Falsehood::OtherCondition(number) => write!(f, "condition {number}: is not that of the question"),
             Falsehood::NoRowsToLeaveOut => write!(f, "least: 0 says nothing without sets"),
         }
     }

@@ -18,12 +18,13 @@ mod scope;
 mod shape;
 mod sides;
 mod statements;
+mod theorem;
 mod whole_set;
 
 pub use about::About;
 pub use checks::{Found, Statement};
 pub use failure::{DataLimits, Failure, Refusal};
-pub use falsehood::Falsehood;
+pub use falsehood::{Falsehood, OtherNumber};
 pub use found::{Extent, SetFound};
 pub use name::{End, Name};
 pub use proof::Proof;

@@ -4,8 +4,9 @@ use boundfit_exact::Limits;
 
 use crate::about::About;
 use crate::data::Data;
-use crate::shape::{NotAProof, Shape, needed};
+use crate::shape::{NotAProof, Shape, check_digits, needed};
 use crate::statements::Statement;
+use crate::theorem::Theorem;
 use crate::whole_set::WholeSet;
 
 /// A proof, whose statements may be true or false.
@@ -22,16 +23,22 @@ pub(crate) enum Body {
     Whole(WholeSet),
     /// Version 2: statements, each by itself.
     Statements(Vec<Statement>),
+    /// The rows of a theorem for Coq.
+    Theorem(Theorem),
 }
 
 impl Proof {
-    /// Reads a proof from its file, whose numbers may have ten times as many digits as those of the data: they are computed
-    /// from several of these. Cost: linear in the file but for very long numbers.
+    /// Reads a proof, or the rows of a theorem for Coq, from its file. Its numbers may have ten times as many digits as those
+    /// of the data: they are computed from several of these. Cost: linear in the file but for very long numbers.
     ///
     /// # Errors
     /// What keeps it from being a proof.
     pub fn read(text: &[u8], limits: &Limits) -> Result<Self, NotAProof> {
-        let mut shape = Shape::read(text, limits.digits.saturating_mul(10))?;
+        let most_digits = limits.digits.saturating_mul(10);
+        if text.trim_ascii_start().starts_with(b"(*") {
+            return Proof::of_theorem(text, most_digits);
+        }
+        let mut shape = Shape::read(text, most_digits)?;
         let body = match shape.schema.raw() {
             "boundfit/proof/1" => Body::Whole(WholeSet::read(&mut shape)?),
             "boundfit/proof/2" => {
@@ -48,6 +55,18 @@ impl Proof {
         }
         let sha256 = shape.sha256.raw().to_owned();
         Ok(Proof { data: Data { sha256, about: About::read(shape) }, body })
+    }
+
+    /// Reads the file of a theorem, whose comments come first.
+    fn of_theorem(text: &[u8], most_digits: usize) -> Result<Self, NotAProof> {
+        check_digits(text, most_digits)?;
+        let text = std::str::from_utf8(text).map_err(NotAProof::new)?;
+        let (shape, theorem) = Theorem::read(text, most_digits)?;
+        if shape.has_more(false) {
+            return Err(NotAProof::new("a field of another version"));
+        }
+        let sha256 = shape.sha256.raw().to_owned();
+        Ok(Proof { data: Data { sha256, about: About::read(shape) }, body: Body::Theorem(theorem) })
     }
 
     /// Returns what it is about, whether it is true or not.

@@ -133,11 +133,7 @@ impl Shape {
         if !is_object {
             return Err(NotAProof::new("it does not begin with {"));
         }
-        if text.split(|byte| !byte.is_ascii_digit()).any(|run| run.len() > most_digits) {
-            let reason =
-                format!("refused: a number with more than {most_digits} digits (10 times the limit)");
-            return Err(NotAProof { limit: Some(Limit::Digits), ..NotAProof::new(reason) });
-        }
+        check_digits(text, most_digits)?;
         serde_json::from_slice(text).map_err(NotAProof::new)
     }
 
@@ -151,6 +147,15 @@ impl Shape {
         let has_new = self.x_error.is_some() || self.response.is_some();
         has_set || self.statements.is_some() || !is_of_statements && has_new
     }
+}
+
+/// Refuses a number of more digits than this.
+pub(crate) fn check_digits(text: &[u8], most_digits: usize) -> Result<(), NotAProof> {
+    if text.split(|byte| !byte.is_ascii_digit()).any(|run| run.len() > most_digits) {
+        let reason = format!("refused: a number with more than {most_digits} digits (10 times the limit)");
+        return Err(NotAProof { limit: Some(Limit::Digits), ..NotAProof::new(reason) });
+    }
+    Ok(())
 }
 
 /// A field that what it stands in must have.

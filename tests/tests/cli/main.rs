@@ -44,6 +44,7 @@ mod statement_proofs;
 mod status;
 mod sweep;
 mod taken_for;
+mod theorem_rows;
 mod theorems;
 mod ties;
 mod verify;

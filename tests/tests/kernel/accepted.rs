@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{Fit, Problem, fit};
+use boundfit_exact::Reading;
 use boundfit_geometry::Polyhedron;
 use boundfit_report::{Theory, kernel_fit, kernel_half_planes};
 use boundfit_tests::generate::{rational_system, seeded, system, tangents};
@@ -23,7 +24,7 @@ fn all_are_accepted(name: &str, theorems: &[String]) {
 fn theorem(problem: &Problem, kinds: &mut BTreeMap<&'static str, usize>) -> String {
     let fit = fit(problem);
     *kinds.entry(fit.fps.polyhedron().region().kind().name()).or_default() += 1;
-    kernel_fit(problem, &fit, Theory::Installed).unwrap()
+    kernel_fit(problem, &fit, Reading::Decimal, Theory::Installed).unwrap()
 }
 
 #[test]
@@ -81,7 +82,8 @@ fn answered() -> (Problem, Fit) {
 #[test]
 fn a_file_on_its_own_assumes_nothing_over_the_rational_numbers() {
     let (problem, fit) = answered();
-    let text = kernel_fit(&problem, &fit, Theory::Included).unwrap() + "Print Assumptions the_real_set.\n";
+    let text = kernel_fit(&problem, &fit, Reading::Decimal, Theory::Included).unwrap()
+        + "Print Assumptions the_real_set.\n";
     let directory = tempfile::tempdir().unwrap();
     std::fs::write(directory.path().join("answer.v"), &text).unwrap();
     let output = run(directory.path(), "coqc", &["-q", "answer.v"]).unwrap();
@@ -99,7 +101,7 @@ fn a_file_on_its_own_assumes_nothing_over_the_rational_numbers() {
 #[test]
 fn the_second_kernel_of_coq_accepts_the_theory() {
     let (problem, fit) = answered();
-    let text = kernel_fit(&problem, &fit, Theory::Installed).unwrap();
+    let text = kernel_fit(&problem, &fit, Reading::Decimal, Theory::Installed).unwrap();
     compiled("Checked", &text).unwrap();
     let own = ["Reader", "Checker", "Convex", "Sound", "Rationals", "RealNumbers", "Checked"];
     let names: Vec<String> = own.iter().map(|name| format!("Boundfit.{name}")).collect();

@@ -21,10 +21,15 @@ pub(super) const NOTES: Notes = Notes {
             "Is it about the question that was asked?",
             "boundfit verify proof.json transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3",
         ),
+        (
+            "Does a theorem for Coq have the readings of these data?",
+            "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof answer.v\n\
+             boundfit verify answer.v transducer.csv",
+        ),
         ("The check without boundfit", "python3 tests/verify.py proof.json transducer.csv"),
     ],
     statuses: &[
-        (0, "every statement of the proof is true of these data"),
+        (0, "every statement of the proof is true of these data, or the rows of the theorem are theirs"),
         (1, "a file that cannot be read or written, is not a proof, or is beyond a limit"),
         BAD_USAGE,
         (
@@ -41,6 +46,9 @@ pub(super) const NOTES: Notes = Notes {
 /// conditions and rows. With options of 'fit' the question must be theirs. With --x and an error bound everything is
 /// compared, and an omitted option means what it means in 'fit' (every row, no conditions); otherwise only the given
 /// options are compared. docs/proof.md defines the proof and explains why the checks suffice.
+///
+/// Of a theorem for Coq (a file that begins with a comment of Coq) it compares the rows and conditions with the data,
+/// number by number; coqc checks what follows from them.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_group("EpsilonArguments", |group| group.required(false)))]
 pub(crate) struct VerifyArguments {

@@ -43,15 +43,22 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         }
         answer.next_words = Some(next_words);
         let Some((theory, file)) = theory.zip(arguments.proof.as_deref()) else { return Ok(None) };
-        let text = theorem(&asked.problem, &answer.fit, theory, arguments.data.file_name())?;
+        let text =
+            theorem(&asked.problem, &answer.fit, (origin.reading, theory), arguments.data.file_name())?;
         Ok(Some((text.into_bytes(), file)))
     })
 }
 
 /// The theorem about a fit.
-fn theorem(problem: &Problem, fit: &Fit, theory: Theory, file: Foreign<&str>) -> Result<String, Failure> {
+fn theorem(
+    problem: &Problem,
+    fit: &Fit,
+    (reading, theory): (Reading, Theory),
+    file: Foreign<&str>,
+) -> Result<String, Failure> {
     // Readings of a table are all in memory, as they are asked for.
-    kernel_fit(problem, fit, theory).ok_or_else(|| Failure::of(&Refusal::NoProof(NoProof::Reduction), file))
+    kernel_fit(problem, fit, reading, theory)
+        .ok_or_else(|| Failure::of(&Refusal::NoProof(NoProof::Reduction), file))
 }
 
 impl FitArguments {

@@ -30,7 +30,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> CommandResult {
     let proof = Proof::read(text.as_bytes(), &limits.number()).map_err(|problem| {
         let raised = problem.limit().map(|limit| format!("; {}", raises(limit))).unwrap_or_default();
         Failure::data(format_args!(
-            "{}: not a proof: {problem} (expected JSON of schema boundfit/proof/1 or boundfit/proof/2){raised}",
+            "{}: not a proof: {problem} (expected JSON of schema boundfit/proof/1 or boundfit/proof/2, or a theorem of boundfit for Coq){raised}",
             Foreign::of(named(proof_file))
         ))
     })?;

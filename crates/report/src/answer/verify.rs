@@ -29,6 +29,8 @@ pub struct VerifyJson<'a> {
     pub about: AboutJson,
     /// The proved facts about the feasible set; null unless the proof is true and about one set.
     pub set: Option<ProvedSetJson>,
+    /// The number of rows of a theorem for Coq, all of which are those of the data; null for other proofs.
+    pub theorem_rows: Option<usize>,
     /// The proved statements, in the order of a proof `boundfit/proof/2`; null unless the proof is true and of that kind.
     pub statements: Option<Vec<ProvedJson>>,
 }

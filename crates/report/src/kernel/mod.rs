@@ -7,9 +7,10 @@ mod rows;
 use std::fmt::Write;
 
 use boundfit_estimation::{Fit, Problem};
-use boundfit_exact::{Interval, Rational};
+use boundfit_exact::{Interval, Rational, Reading};
 use boundfit_geometry::{Polyhedron, System};
 
+use crate::proof_question::ProofQuestion;
 use evidence::{Evidence, Number, contradiction};
 use numbers::{column, literal, pieces};
 use rows::Statement;
@@ -35,14 +36,15 @@ pub enum Theory {
 
 /// The theorem about a fit. `None` when some of its readings are not in memory. Exact; its size is linear in the readings and
 /// vertices.
-pub fn kernel_fit(problem: &Problem, fit: &Fit, theory: Theory) -> Option<String> {
+pub fn kernel_fit(problem: &Problem, fit: &Fit, reading: Reading, theory: Theory) -> Option<String> {
     let (statement, numbers) = Statement::of_problem(problem)?;
     let polyhedron = fit.fps.polyhedron();
     let ranges = fit.pui_intervals();
     let number = |index: usize| numbers.get(&fit.fps.name(index)).copied();
     let sha256 = problem.measurements.sha256();
     let rows = problem.measurements.fitted_rows();
-    theorem(&statement, polyhedron, ranges, &number, &head(sha256, rows), theory)
+    let question = ProofQuestion::new(problem, reading);
+    theorem(&statement, polyhedron, ranges, &number, &head(sha256, rows, question), theory)
 }
 
 /// The theorem about a set of half-planes. `None` never happens for the set of these half-planes.
@@ -58,19 +60,20 @@ pub fn kernel_half_planes(
         polyhedron,
         polyhedron.bounding_box(),
         &|index| Some(index + 1),
-        &head(sha256, &[]),
+        &head(sha256, &[], None),
         theory,
     )
 }
 
 /// The first lines: what is proved, how to check it, and what is outside.
-fn head(sha256: Option<&str>, rows: &[[usize; 2]]) -> String {
+fn head(sha256: Option<&str>, rows: &[[usize; 2]], question: Option<ProofQuestion>) -> String {
     let mut text = String::from(
         "(* What is proved: the last theorems of this file. Their statements need the definitions of rows, feasible and\n   \
          vertices below, and those of read, hull and is_range in the theory.\n   \
          How to check: coqc FILE (Coq 8.16). It ends by printing what the theorem over the rational numbers assumes:\n   \
          nothing. The one over the real numbers assumes the axioms of Coq's real numbers.\n   \
-         What is outside: that the rows are those of the data.\n",
+         What is outside: that the rows are those of the data.\n   \
+         'boundfit verify FILE DATA' compares both where the question stands here.\n",
     );
     if let Some(sha256) = sha256 {
         let _ = writeln!(text, "   The data have the SHA-256 {sha256}.");
@@ -80,6 +83,9 @@ fn head(sha256: Option<&str>, rows: &[[usize; 2]]) -> String {
             |&[from, to]: &[usize; 2]| if from == to { from.to_string() } else { format!("{from}..{to}") };
         let _ =
             writeln!(text, "   Rows of the data: {}.", rows.iter().map(range).collect::<Vec<_>>().join(","));
+    }
+    if let Some(question) = question {
+        let _ = writeln!(text, "   The question: {}", question.to_line("boundfit/theorem/1"));
     }
     text + "*)\n"
 }

@@ -1,0 +1,177 @@
+//! `boundfit verify FILE.v DATA`: the rows of a theorem are those of the data, or the place where they are not.
+
+use std::fs;
+
+use boundfit_estimation::fit;
+use boundfit_exact::{Limits, Reading};
+use boundfit_report::{Theory, kernel_fit};
+use boundfit_tests::cli::{boundfit, boundfit_with_input, directory_with};
+use boundfit_tests::generate::seeded;
+use boundfit_tests::proofs::{Question, bounded, generated, questions};
+use boundfit_verify::{DataLimits, Failure, Falsehood, Found, Proof, Statement};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+const DATA: &str = "x,y,e,lo,up,w\n1,2,1,1.5,2.5,0\n2,3.1,1/2,NA,3.5,1\n3,3.9,0.25,3,,2\n4,5,1,4,6,1\n";
+
+/// The theorem about a fit, without the theory.
+fn theorem(question: &Question) -> Option<String> {
+    let problem = question.problem().ok()?;
+    kernel_fit(&problem, &fit(&problem), question.options.reading, Theory::Installed)
+}
+
+fn verified(text: &str, data: &[u8]) -> Result<Statement, Failure> {
+    let proof = Proof::read(text.as_bytes(), &Limits::default()).unwrap();
+    proof.verify(|| Ok(data), &DataLimits::default())
+}
+
+/// The text between the quotes of the rows, and the places around it.
+fn rows(text: &str) -> [&str; 3] {
+    let start = text.find("Definition rows : list row := read [\"").unwrap() + 37;
+    let end = start + text[start..].find("\"]%text").unwrap();
+    [&text[..start], &text[start..end], &text[end..]]
+}
+
+/// The theorem with its rows changed: a number, or a row dropped, repeated or exchanged with another one.
+fn forged(rng: &mut ChaCha8Rng, text: &str) -> String {
+    let [before, rows, after] = rows(text);
+    let joined = rows.replace("\";\n\"", "");
+    let mut lines: Vec<String> = joined.lines().map(ToOwned::to_owned).collect();
+    let (one, other) = (rng.random_range(0..lines.len()), rng.random_range(0..lines.len()));
+    match rng.random_range(0..6) {
+        0 => drop(lines.remove(one)),
+        1 => lines.insert(other, lines[one].clone()),
+        2 => lines.swap(one, other),
+        _ => {
+            let mut cells: Vec<String> = lines[one].split(',').map(ToOwned::to_owned).collect();
+            let cell = rng.random_range(0..cells.len());
+            cells[cell] = match rng.random_range(0..3) {
+                0 => "7/3".to_owned(),
+                1 if cells[cell].starts_with('-') => cells[cell][1..].to_owned(),
+                1 => format!("-{}", cells[cell]),
+                _ => "0".to_owned(),
+            };
+            lines[one] = cells.join(",");
+        }
+    }
+    format!("{before}{}{after}", lines.into_iter().map(|line| line + "\n").collect::<String>())
+}
+
+/// The cells as numbers.
+fn numbers(text: &str) -> Vec<String> {
+    let cell = |cell: &str| match Reading::Decimal.read(cell, &Limits::default()) {
+        Ok(number) => number.to_string(),
+        Err(_) => format!("?{cell}"),
+    };
+    rows(text)[1]
+        .replace("\";\n\"", "")
+        .lines()
+        .map(|line| line.split(',').map(cell).collect::<Vec<_>>().join(","))
+        .collect()
+}
+
+#[test]
+fn rows_of_every_theorem_agree_and_of_no_forgery() {
+    let mut rng = seeded(3104);
+    let more: Vec<Question> = std::iter::repeat_with(|| generated(&mut rng)).take(60).collect();
+    let (mut agree, mut refused) = (0, 0);
+    for question in questions().into_iter().chain(bounded()).chain(more) {
+        let Some(text) = theorem(&question) else { continue };
+        let count = numbers(&text).len();
+        let statement =
+            verified(&text, &question.data).unwrap_or_else(|error| panic!("{}: {error}", question.name));
+        assert_eq!(statement.found, Found::Rows(count), "{}", question.name);
+        agree += 1;
+        for _ in 0..10 {
+            let forgery = forged(&mut rng, &text);
+            // Another spelling of the same numbers is no forgery.
+            if numbers(&forgery) == numbers(&text) {
+                continue;
+            }
+            let is_refused = match Proof::read(forgery.as_bytes(), &Limits::default()) {
+                Err(_) => true,
+                Ok(proof) => matches!(
+                    proof.verify(|| Ok(&question.data[..]), &DataLimits::default()),
+                    Err(Failure::False(Falsehood::OtherNumber(_) | Falsehood::OtherCount { .. }))
+                ),
+            };
+            assert!(is_refused, "{}: {}", question.name, rows(&forgery)[1]);
+            refused += 1;
+        }
+    }
+    assert!(agree > 120 && refused > 700, "{agree} {refused}");
+}
+
+#[test]
+fn what_agrees_and_where_it_does_not_is_said_in_a_line() {
+    let directory = directory_with(&[("a.csv", DATA.as_bytes())]);
+    let run = boundfit(
+        directory.path(),
+        "fit a.csv --x x --y y --eps 0.2 --rows 2..4 --where theta1<=3 --proof a.v",
+    );
+    assert_eq!(run.status, 0, "{run:?}");
+    let run =
+        boundfit(directory.path(), "verify a.v a.csv --x x --y y --eps 0.2 --rows 2..4 --where theta1<=3");
+    assert_eq!(run.status, 0, "{run:?}");
+    assert!(
+        run.stdout.starts_with("verified: a.v is true of a.csv\n  model   y = theta1*x + theta2 + e\n"),
+        "{}",
+        run.stdout
+    );
+    let last =
+        "  agrees  3 rows and all conditions of the theorem, exactly; coqc checks what follows from them\n";
+    assert!(run.stdout.ends_with(last), "{}", run.stdout);
+    let other = boundfit(directory.path(), "verify a.v a.csv --x x --y y --eps 0.3");
+    assert_eq!(other.status, 4, "{other:?}");
+    let json = boundfit(directory.path(), "verify a.v a.csv --format json").stdout;
+    assert!(json.contains("\"theorem_rows\": 3"), "{json}");
+
+    let text = fs::read_to_string(directory.path().join("a.v")).unwrap();
+    let changed = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        let run =
+            boundfit_with_input(directory.path(), "verify - a.csv", text.replacen(from, to, 1).as_bytes());
+        (run.status, format!("{}{}", run.stdout, run.stderr))
+    };
+    for (from, to, place) in [
+        ("3,3.9\n", "3,3.8\n", "row 3, y: 19/5 in the theorem, 39/10 in the data"),
+        ("3,3.9\n", "2.5,3.9\n", "row 3, x: 5/2 in the theorem, 3 in the data"),
+        (":= (1 # 5).", ":= (1 # 4).", "row 2, eps: 1/4 in the theorem, 1/5 in the data"),
+        ("4,5.0\n", "", "rows: 2 in the theorem, 3 in the data"),
+        ("4,5.0\n", "4,5.0\n4,5.0\n", "rows: 4 in the theorem, 3 in the data"),
+        ("2,3.1\n3,3.9\n", "3,3.9\n2,3.1\n", "row 2, x: 3 in the theorem, 2 in the data"),
+        ("1,0,,3\n", "1,0,,4\n", "condition 1: is not that of the question"),
+        ("\"rows\":[2,4]", "\"rows\":[1,3]", "row 1, x: 2 in the theorem, 1 in the data"),
+        ("The data have", "No data have", "verified: "),
+    ] {
+        let (status, said) = changed(from, to);
+        assert!(said.contains(place), "{from}: {said}");
+        assert_eq!(status, if place == "verified: " { 0 } else { 4 }, "{from}: {said}");
+    }
+    for (from, to, problem) in [
+        ("Definition rows :", "(* \"\nDefinition rows :", "the rows stand in a comment"),
+        (
+            "<= eps r",
+            "<= 2 * eps r",
+            "what the rows say of this theorem are not written as boundfit writes them",
+        ),
+        (
+            "   The question: ",
+            "   A question: ",
+            "the head of this theorem does not say how its rows were read from data",
+        ),
+        ("3,3.9\n", "3,3.9,1\n", "a row with other cells"),
+        (
+            "Definition y (r : row) : Q := number 1 r.",
+            "Definition y (r : row) : Q := number 0 r.",
+            "what the rows say",
+        ),
+    ] {
+        let (status, said) = changed(from, to);
+        assert!(status == 1 && said.contains(problem), "{from}: {said}");
+    }
+    let moved = DATA.replace("4,5,1,4,6,1\n", "4,5,1,4,6,1\n5,6,1,1,1,1\n");
+    fs::write(directory.path().join("more.csv"), moved).unwrap();
+    let run = boundfit(directory.path(), "verify a.v more.csv");
+    assert!(run.status == 4 && run.stdout.contains("sha256: is not that of the data"), "{run:?}");
+}
