@@ -56,7 +56,7 @@ fn of_set(set: &SetFound) -> Vec<(&'static str, String)> {
     lines
 }
 
-/// What is known of a theorem.
+/// Returns what is known of a theorem.
 fn of_rows(count: usize) -> Vec<(&'static str, String)> {
     let rows = counted(count, "row", "rows");
     vec![(

@@ -47,8 +47,8 @@ pub(super) const NOTES: Notes = Notes {
 /// compared, and an omitted option means what it means in 'fit' (every row, no conditions); otherwise only the given
 /// options are compared. docs/proof.md defines the proof and explains why the checks suffice.
 ///
-/// Of a theorem for Coq (a file that begins with a comment of Coq) it compares the rows and conditions with the data,
-/// number by number; coqc checks what follows from them.
+/// A theorem for Coq begins with a comment of Coq. Its rows and conditions are compared with the data, number by number. coqc checks
+/// what follows from them.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_group("EpsilonArguments", |group| group.required(false)))]
 pub(crate) struct VerifyArguments {
