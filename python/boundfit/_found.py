@@ -304,7 +304,8 @@ class NextReading(Answer["NextReadingDocument"]):
     @property
     def is_certain_within(self) -> bool | None:
         """``True`` if a reading certainly makes the set smaller somewhere in that range."""
-        return self._document["certain_within"]
+        certain: bool | None = self._document["certain_within"]
+        return certain
 
     @property
     def best(self) -> list[Best]:

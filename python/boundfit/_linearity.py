@@ -149,7 +149,7 @@ def linearity(
     columns = {key: (named(own, key, taken), cells(own, key, reading)) for key, own in given.items() if own is not None}
     if direction is not None:
         columns["direction"] = (columns["direction"][0], _words(columns["direction"][1]))
-    words = {"ask": "linearity", "reading": reading, "missing": missing}
+    words: dict[str, Any] = {"ask": "linearity", "reading": reading, "missing": missing}
     words |= {key: quoted(columns[key][0]) for key in ("x", "y") if key in columns}
     readings = _boundfit.readings_of_columns(list(columns.values()), words)
     return _answer(readings, full_scale, through, {key: quoted(columns[key][0]) for key in _KEYS if key in columns})
@@ -173,7 +173,7 @@ def linearity_file(
     _refuse_others(y, up, down, direction)
     given = {key: str(own) for key, own in {"x": x, "y": y, "up": up, "down": down, "direction": direction}.items() if own is not None}
     own = {key: given.pop(key) for key in ("x", "y") if key in given}
-    words = {"ask": "linearity", "reading": reading, "missing": missing, **own, **table(**how)}
+    words: dict[str, Any] = {"ask": "linearity", "reading": reading, "missing": missing, **own, **table(**how)}
     readings = _boundfit.readings_of_file(os.fspath(path), list(own.values()), words)
     return _answer(readings, full_scale, through, given)
 
@@ -194,7 +194,7 @@ def _refuse_others(y: Any, up: Any, down: Any, direction: Any) -> None:
 
 
 def _answer(
-    readings: _boundfit.Readings, full_scale: Number | None, through: tuple[Number, Number], columns: dict[str, str]
+    readings: _boundfit.Readings, full_scale: Number | None, through: tuple[Number, Number], columns: dict[str, Any]
 ) -> Linearity:
     if len(through) != 2:
         raise ValueError(f"through={through!r}: expected a point, such as (0, 0)")
