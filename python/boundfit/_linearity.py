@@ -172,7 +172,7 @@ def linearity_file(
     """As :func:`linearity`, of columns of a file, by name or number. How it is read is told as in :func:`boundfit.fit_file`."""
     _refuse_others(y, up, down, direction)
     given = {key: str(own) for key, own in {"x": x, "y": y, "up": up, "down": down, "direction": direction}.items() if own is not None}
-    own = {key: given.pop(key) for key in ("x", "y") if key in given}
+    own: dict[str, Any] = {key: given.pop(key) for key in ("x", "y") if key in given}
     words: dict[str, Any] = {"ask": "linearity", "reading": reading, "missing": missing, **own, **table(**how)}
     readings = _boundfit.readings_of_file(os.fspath(path), list(own.values()), words)
     return _answer(readings, full_scale, through, given)
