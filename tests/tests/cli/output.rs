@@ -213,6 +213,8 @@ mod unix {
             "verify: Set-membership fit",
             "verify: verified: proof.json is true of transducer.csv",
             "verify: verified: proof.json is true of transducer.csv",
+            "verify: Set-membership fit",
+            "verify: verified: answer.v is true of transducer.csv",
             "polygon: Half-planes of square.ine, 4 rows",
             "polygon: ",
             "polygon: Generators of corners.ext, 4 rows",

@@ -51,8 +51,7 @@ pub enum NoLeastFactor {
 }
 
 impl LeastFactor {
-    /// The least factor of readings with errors in x. Exact. Cost: O(n log n) once, and O(k log k) for each step, with k rows on the
-    /// hulls of readings that have equal bounds. A few steps suffice in practice.
+    /// The least factor of readings with errors in x. Exact. Cost: O(n log n) for each step, of which a few suffice in practice.
     ///
     /// # Errors
     /// When there is none.
