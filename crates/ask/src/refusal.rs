@@ -174,7 +174,7 @@ fn of_outliers(why: &NoOutliers, steps: Option<u64>, surface: &dyn Surface) -> S
             surface.key("most")
         ),
         NoOutliers::Corners => {
-            format!("the set has more than 150000 corners (expected a smaller {})", surface.key("most"))
+            format!("the set has more than 100000 corners (expected a smaller {})", surface.key("most"))
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::{Rational, Rounding};
+use crate::{Fraction, Integer, Rational, Rounding};
 
 /// The fewest significant digits, from `least` to 40, that are enough where more digits are never less so: as a decimal of so many
 /// digits is one of more digits too, rounding to more never adds more. `least` where 40 are not enough. Cost: `is_enough` of 40 digits
@@ -114,16 +114,17 @@ impl Interval {
     /// reader is better served by the exact fractions, and it is `least` again; also when there is no width. Cost: that of
     /// [`fewest_digits`], with two roundings for each number of digits.
     pub fn resolving_digits(&self, least: usize) -> usize {
-        const TWENTY: i64 = 20;
         let Some((lower, upper)) = self.ends().filter(|(lower, upper)| lower != upper) else { return least };
         if self.is_far_wider_than_digits(least) {
             return least;
         }
-        let room = (upper - lower) * Rational::ratio(1, TWENTY);
-        let added = |digits: usize| {
-            (lower - lower.rounded(digits, Rounding::Down)) + (upper.rounded(digits, Rounding::Up) - upper)
+        // Not in lowest terms: the common divisors of long ends would cost more than all the rest.
+        let ([first, last], common) = Rational::over_common_denominator([lower, upper]);
+        let most = Fraction::new((last - first) * Integer::from(21), common * Integer::from(20));
+        let rounded = |digits: usize| {
+            Fraction::from(&(upper.rounded(digits, Rounding::Up) - lower.rounded(digits, Rounding::Down)))
         };
-        fewest_digits(least, |digits| added(digits) <= room)
+        fewest_digits(least, |digits| most.as_ref().is_some_and(|most| rounded(digits) <= *most))
     }
 
     /// Returns whether a twentieth of the width is certainly more than rounding the ends outward adds, which is less than a unit of the last

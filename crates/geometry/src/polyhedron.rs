@@ -231,9 +231,12 @@ impl Polyhedron {
 
     /// Returns whether a point satisfies every inequality, and with how much to spare. Exact. Cost: linear.
     pub fn membership(&self, theta: &[Rational; 2]) -> Membership {
-        let slacks = self.system.inequalities().iter().map(|inequality| inequality.slack(theta));
+        let (theta, common) = Rational::over_common_denominator([&theta[0], &theta[1]]);
+        let slacks =
+            self.system.inequalities().iter().map(|inequality| inequality.slack_over(&theta, &common));
         let tightest = slacks.enumerate().reduce(|best, next| if next.1 < best.1 { next } else { best });
         let (tightest, slack) = tightest.unzip();
+        let slack = slack.flatten().and_then(|slack| Rational::from(slack).checked_div(&common.into()));
         Membership { slack, tightest }
     }
 

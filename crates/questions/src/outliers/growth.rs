@@ -215,6 +215,9 @@ impl Visitor for Near {
             self.edges.push(NearEdge { line, ends, on, left, right, is_first_of_cell });
         }
     }
+    fn has_room(&self) -> bool {
+        self.missed.len() <= MOST_KEPT
+    }
 }
 
 impl Lines {

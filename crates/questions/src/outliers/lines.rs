@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::HashMap;
 
-use boundfit_exact::{Integer, Sign};
+use boundfit_exact::{Fraction, Integer, Sign};
 use boundfit_geometry::constructions::{foot, meet};
 use boundfit_geometry::{Constraint, HalfPlane, Point};
 
@@ -51,13 +51,18 @@ pub(super) trait Visitor {
     fn crossing(&mut self, place: Place, missed: u64);
     /// An edge.
     fn edge(&mut self, edge: Edge);
+    /// Returns whether it has room for what comes next: the walk ends where it has none.
+    fn has_room(&self) -> bool {
+        true
+    }
 }
 
 /// Where a boundary crosses the one that is walked along.
 struct Crossing {
-    /// Its place along the way is this fraction.
-    above: Integer,
-    below: Integer,
+    /// Its place along the way.
+    place: Fraction,
+    /// The double nearest to it. Rounding keeps the order: where these differ, the places do.
+    nearest: f64,
     line: u32,
     /// How many are missed beyond it, before the crossing and behind.
     before: u64,
@@ -115,6 +120,9 @@ impl Lines {
     pub(super) fn walk(&self, visitor: &mut impl Visitor) {
         let mut crossings = Vec::new();
         for line in 0..self.0.len() as u32 {
+            if !visitor.has_room() {
+                return;
+            }
             self.walk_along(line, &mut crossings, visitor);
         }
     }
@@ -135,7 +143,7 @@ impl Lines {
                 None => missed += crossed.missed_on(&line.below),
             }
         }
-        crossings.sort_unstable_by(|p, q| (&p.above * &q.below).cmp(&(&q.above * &p.below)));
+        crossings.sort_unstable_by(Crossing::by_place);
         let goes_right = !line.below.a2().is_zero();
         // Where it goes to the right, what lies to the left is above.
         let [left, right] = if goes_right {
@@ -152,8 +160,7 @@ impl Lines {
             is_first_of_cell,
         };
         let (mut last, mut has_steeper) = (None, false);
-        let is_one = |p: &Crossing, q: &Crossing| &p.above * &q.below == &q.above * &p.below;
-        for group in crossings.chunk_by(is_one) {
+        for group in crossings.chunk_by(|p, q| p.by_place(q).is_eq()) {
             let place = first_two(own, group);
             visitor.edge(edge([last, Some(place)], missed, has_steeper));
             missed -= group.iter().map(|crossing| crossing.before).sum::<u64>();
@@ -187,10 +194,16 @@ impl Lines {
         } else {
             [crossed.missed_above, crossed.missed_below]
         };
-        let (above, below) = if is_positive { (above, weight) } else { (-above, -weight) };
+        let place = Fraction::new(above, weight)?;
         // By slopes -a1/a2; a vertical boundary is the steepest.
         let is_steeper = g.a2().is_zero() || is_positive;
-        Some(Crossing { above, below, line: other, before, behind, is_steeper })
+        Some(Crossing { nearest: place.to_f64(), place, line: other, before, behind, is_steeper })
+    }
+}
+
+impl Crossing {
+    fn by_place(&self, other: &Self) -> Ordering {
+        self.nearest.total_cmp(&other.nearest).then_with(|| self.place.cmp(&other.place))
     }
 }
 
