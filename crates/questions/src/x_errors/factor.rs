@@ -51,7 +51,8 @@ pub enum NoLeastFactor {
 }
 
 impl LeastFactor {
-    /// The least factor of readings with errors in x. Exact. Cost: O(n log n) for each step, of which a few suffice in practice.
+    /// The least factor of readings with errors in x. Exact. Cost: O(n log n) once, and O(k log k) for each step, of which a few suffice
+    /// in practice, with k rows on the hulls of readings that have equal bounds.
     ///
     /// # Errors
     /// When there is none.

@@ -7,6 +7,7 @@
 //! set (Cerone, "Feasible parameter set for linear models with bounded errors in all variables", *Automatica* 29, 1993; Shary's
 //! united and tolerable solution sets of interval systems).
 
+mod deciding;
 mod demands;
 mod factor;
 mod half_planes;
@@ -215,8 +216,8 @@ impl XErrorProblem {
         }
     }
 
-    /// Computes everything. Exact. Cost: O(n log n) for the sets, and about as much for each of the few steps to the least
-    /// factor.
+    /// Computes everything. Exact. Cost: O(n log n) for the sets and the rows that decide at some factor, which alone each of the few
+    /// steps to the least factor looks at.
     pub fn fit(&self) -> XErrorFit {
         let mut sides: Vec<SideSet> = self.sides().into_iter().map(|side| SideSet::new(self, side)).collect();
         let central = union_box(&sides).and_then(|own| central_of(&own));

@@ -15,21 +15,21 @@ use boundfit_estimation::{BoundName, conditions_by_name, growing_half_planes};
 use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, Point, Region, envelope};
 
-use super::{Agreement, Side, XErrorProblem};
+use super::{Agreement, Side, XErrorProblem, deciding};
 
 /// A half-plane that moves with the factor.
 #[derive(Debug, Clone)]
-struct Row {
+pub(super) struct Row {
     /// Of t.
-    slope: Rational,
+    pub(super) slope: Rational,
     /// Of θ2.
-    offset: Rational,
+    pub(super) offset: Rational,
     /// At factor 0.
-    bound: Rational,
+    pub(super) bound: Rational,
     /// How fast the bound grows because of the error in y; not negative.
-    of_y: Rational,
+    pub(super) of_y: Rational,
     /// And for each unit of t because of the error in x; negative under strong agreement.
-    of_x: Rational,
+    pub(super) of_x: Rational,
 }
 
 impl Row {
@@ -71,7 +71,7 @@ pub(super) enum Seen {
     Below(Point),
 }
 
-/// The rows of one side, with |θ1| as a variable.
+/// The rows of one side that decide at some factor, with |θ1| as a variable.
 pub(super) struct SideRows {
     pub(super) side: Side,
     pub(super) names: Vec<BoundName>,
@@ -97,7 +97,7 @@ impl SideRows {
             let (of_y, of_x) = (Rational::zero(), Rational::zero());
             (name, Row { slope: towards(&slope), offset, bound, of_y, of_x })
         });
-        let (names, rows): (Vec<BoundName>, Vec<Row>) = readings.chain(conditions).unzip();
+        let (names, rows) = deciding::of(readings.chain(conditions));
         // of_y·(1 - λ) + of_x·λ ≥ 0
         let tops = rows.iter().filter(|row| row.of_x.is_negative());
         let tops = tops.filter_map(|row| row.of_y.checked_div(&(&row.of_y - &row.of_x)));
@@ -105,7 +105,7 @@ impl SideRows {
         SideRows { side, names, rows, top }
     }
 
-    /// The positions of all rows.
+    /// The positions of all these rows.
     pub(super) fn every(&self) -> Vec<usize> {
         (0..self.rows.len()).collect()
     }
