@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use boundfit_estimation::BoundName;
 use boundfit_exact::Sign;
 
-use super::rows::Row;
+use super::row::Row;
 
 /// So many rows are kept before some are left out.
 const FEWEST: usize = 1024;

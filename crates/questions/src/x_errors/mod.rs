@@ -11,6 +11,7 @@ mod deciding;
 mod demands;
 mod factor;
 mod half_planes;
+mod row;
 mod rows;
 
 use boundfit_estimation::{

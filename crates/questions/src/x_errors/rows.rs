@@ -1,13 +1,4 @@
-//! The half-planes of one side as functions of a factor on all bounds.
-//!
-//! A row is a half-plane that moves with a factor s, in homogeneous form:
-//!
-//! ```text
-//! slope·t + offset·θ2 - bound·τ ≤ s·(of_y·τ + of_x·t),   t = |θ1| ≥ 0, τ ≥ 0
-//! ```
-//!
-//! which is that of t and θ2 themselves at τ = 1. With t = λ and τ = 1 - λ it is a half-plane of (λ, v), 0 ≤ λ < 1: all slopes
-//! fit into one interval. No line has λ = 1, but ever steeper lines come arbitrarily close to it.
+//! The half-planes of one side, and what they leave at a factor on all bounds.
 
 use std::iter;
 
@@ -15,51 +6,8 @@ use boundfit_estimation::{BoundName, conditions_by_name, growing_half_planes};
 use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, Point, Region, envelope};
 
+use super::row::Row;
 use super::{Agreement, Side, XErrorProblem, deciding};
-
-/// A half-plane that moves with the factor.
-#[derive(Debug, Clone)]
-pub(super) struct Row {
-    /// Of t.
-    pub(super) slope: Rational,
-    /// Of θ2.
-    pub(super) offset: Rational,
-    /// At factor 0.
-    pub(super) bound: Rational,
-    /// How fast the bound grows because of the error in y; not negative.
-    pub(super) of_y: Rational,
-    /// And for each unit of t because of the error in x; negative under strong agreement.
-    pub(super) of_x: Rational,
-}
-
-impl Row {
-    /// The half-plane of (λ, v) at a factor.
-    fn at(&self, factor: &Rational) -> Inequality {
-        let along = &self.slope + &self.bound - factor * (&self.of_x - &self.of_y);
-        Inequality::new(along, self.offset.clone(), &self.bound + factor * &self.of_y)
-    }
-
-    /// Returns whether the half-plane grows with the factor at this λ.
-    fn grows(&self, lambda: &Rational) -> bool {
-        self.grows_at([lambda, &Rational::one()])
-    }
-
-    /// Returns whether it does at λ = x/w.
-    fn grows_at(&self, [x, w]: [&Rational; 2]) -> bool {
-        !(&self.of_y * w + x * (&self.of_x - &self.of_y)).is_zero()
-    }
-
-    /// Returns whether it does at a point (x/w, y/w) that lies on its boundary.
-    fn is_touched(&self, factor: &Rational, [x, y, w]: &[Rational; 3]) -> bool {
-        let Inequality { a: [along, offset], b: bound } = self.at(factor);
-        self.grows_at([x, w]) && along * x + offset * y == bound * w
-    }
-
-    /// Returns whether (1, v) lies on the boundary whatever the factor is, though a line close to it may not.
-    fn is_asymptote(&self, v: &Rational) -> bool {
-        self.of_x.is_zero() && !self.offset.is_zero() && (&self.slope + &self.offset * v).is_zero()
-    }
-}
 
 /// Where the least factor of some rows lies, seen from another factor.
 pub(super) enum Seen {
@@ -98,6 +46,7 @@ impl SideRows {
             (name, Row { slope: towards(&slope), offset, bound, of_y, of_x })
         });
         let (names, rows) = deciding::of(readings.chain(conditions));
+        let rows: Vec<Row> = rows.iter().map(Row::over_integers).collect();
         // of_y·(1 - λ) + of_x·λ ≥ 0
         let tops = rows.iter().filter(|row| row.of_x.is_negative());
         let tops = tops.filter_map(|row| row.of_y.checked_div(&(&row.of_y - &row.of_x)));
