@@ -11,16 +11,17 @@ impl Problem {
     /// response and bounds, the conditions, and in each of these rows some other numbers that meet all of them. Cost: linear.
     pub fn work(&self, others: &[&Rational]) -> Work {
         let mut work = Work::default();
+        let of_others: u64 = others.iter().map(|number| number.bits()).sum();
+        let of_some = |number: &Option<Rational>| number.as_ref().map_or(0, Rational::bits);
         for reading in self.measurements.kept() {
             let [first, second] = &reading.regressor;
-            let bounds: [Option<&Rational>; 3] = match &reading.bounds {
-                Bounds::Around { response, epsilon } => [Some(response), Some(epsilon), None],
+            let of_bounds = match &reading.bounds {
+                Bounds::Around { response, epsilon } => response.bits() + epsilon.bits(),
                 Bounds::Between { lower, upper, response } => {
-                    [lower.as_ref(), upper.as_ref(), response.as_ref()]
+                    of_some(lower) + of_some(upper) + of_some(response)
                 }
             };
-            let numbers = [first, second].into_iter().chain(bounds.into_iter().flatten());
-            work.add(reading.row, numbers.chain(others.iter().copied()));
+            work.add_bits(reading.row, first.bits() + second.bits() + of_bounds + of_others);
         }
         for condition in &self.conditions {
             let inequality = condition.inequality();

@@ -123,14 +123,20 @@ impl Work {
         self.longest = self.longest.max(other.longest);
     }
 
-    fn add_bits(&mut self, row: usize, bits: u64) {
+    /// As [`add`](Self::add), of numbers whose [bits](Rational::bits) add up to so many.
+    #[inline]
+    pub fn add_bits(&mut self, row: usize, bits: u64) {
+        if bits > SHORT_WORDS * u64::from(u64::BITS) {
+            self.add_long(row, bits);
+        }
+    }
+
+    fn add_long(&mut self, row: usize, bits: u64) {
         let words = bits.div_ceil(u64::BITS.into());
-        if words > SHORT_WORDS {
-            self.all_squares = self.all_squares.saturating_add(words.saturating_pow(2));
-            self.not_short += 1;
-            if bits > self.longest.0 {
-                self.longest = (bits, row);
-            }
+        self.all_squares = self.all_squares.saturating_add(words.saturating_pow(2));
+        self.not_short += 1;
+        if bits > self.longest.0 {
+            self.longest = (bits, row);
         }
         if words > FREE_WORDS {
             self.squares = self.squares.saturating_add((words - FREE_WORDS).saturating_pow(2));

@@ -266,6 +266,7 @@ impl Integer {
     }
 
     /// Number of bits of the absolute value; 0 for 0.
+    #[inline]
     pub fn bits(&self) -> u64 {
         match &self.0 {
             Small(value) => u64::from(u128::BITS - value.get().unsigned_abs().leading_zeros()),
