@@ -6,7 +6,7 @@
 
 use std::cmp::Ordering;
 
-use boundfit_exact::{Fraction, Integer, Rational, Scaled, Sign};
+use boundfit_exact::{Fraction, Integer, Rational, Scaled, Sign, multiples};
 use boundfit_geometry::grid::{
     GridPoint, doubled_area, touching, touching_of_columns, touching_places_of_columns,
 };
@@ -67,21 +67,25 @@ impl Extremes {
 
     /// On machine integers: the coordinates of a grid are small enough for every decision.
     pub(crate) fn on_grid(grid: &Grid) -> Self {
-        Extremes::of_columns(&grid.phi1, &grid.response)
+        Extremes::of_columns(grid.phi1.counts(), grid.response.counts())
     }
 
-    fn of_columns(x: &Scaled<i64>, y: &Scaled<i64>) -> Self {
-        if x.counts().len() >= FEWEST_TO_FILTER {
+    fn of_columns(x: &[i64], y: &[i64]) -> Self {
+        if x.len() >= FEWEST_TO_FILTER {
             let row = |row: usize| row as u64;
-            return Extremes::of_touching(touching_of_columns(x.counts(), y.counts(), &row, usize::MAX));
+            return Extremes::of_touching(touching_of_columns(x, y, &row, usize::MAX));
         }
-        let points = (0..).zip(x.counts().iter().zip(y.counts()));
+        let points = (0..).zip(x.iter().zip(y));
         let points = points.map(|(row, (&x, &y))| GridPoint::of_row(x, y, row)).collect();
         Extremes::of_touching(touching(points, usize::MAX))
     }
 
-    /// For numbers of any size.
+    /// For numbers of any size. Those of few digits, as 1.25e300, are machine integers on a unit of their own.
     pub(crate) fn in_general(rows: &[Measurement]) -> Self {
+        let x = multiples(rows.iter().map(|row| &row.regressor[0]));
+        if let Some((x, y)) = x.zip(multiples(rows.iter().map(|row| row.y_and_epsilon().0))) {
+            return Extremes::of_columns(&x, &y);
+        }
         Extremes::of_touching(touching_as_one(exact_places(rows), ExactPlace::orientation, usize::MAX))
     }
 
@@ -142,7 +146,7 @@ pub(crate) fn touching_a_hull(
     let columns = Scaled::of_numbers(rows.iter().map(|row| &row.regressor[0]))
         .zip(Scaled::of_numbers(rows.iter().map(|row| row.y_and_epsilon().0)));
     let extremes = match columns {
-        Some((x, y)) if edges_as_one => Extremes::of_columns(&x, &y),
+        Some((x, y)) if edges_as_one => Extremes::of_columns(x.counts(), y.counts()),
         Some((x, y)) => {
             let row = |row: usize| row as u64;
             Extremes::of_touching(touching_places_of_columns(x.counts(), y.counts(), &row, usize::MAX))
