@@ -13,9 +13,9 @@ use crate::numbers::{shortest_text, stored_text};
 /// A column with its name.
 pub(crate) type NamedColumn<'py> = (String, Bound<'py, PyAny>);
 
-/// A table of columns, and how its numbers are read. In the columns with these names floats are what `reading` says, and everything
-/// else is exact: where an exact number is no double, all stored doubles become the decimals that they are, which the decimal
-/// reading reads.
+/// A table of columns, and how its numbers are read. In the columns with these names, floats are read as `reading`
+/// says, and everything else is exact. If an exact number is no double, all stored doubles become the decimals that
+/// they are, which the decimal reading reads.
 pub(crate) fn table(
     columns: &[NamedColumn<'_>],
     names: &[String],
@@ -43,7 +43,7 @@ pub(crate) fn table(
     Ok((table, if are_doubles { reading } else { Reading::Decimal }))
 }
 
-/// Whether every number is a double: then the binary64 reading leaves it as it is.
+/// Returns whether every number is a double: then the binary64 reading leaves it as it is.
 fn are_doubles(numbers: &MemoryNumbers) -> bool {
     match numbers {
         MemoryNumbers::Doubles(_) | MemoryNumbers::Floats(_) => true,
@@ -51,7 +51,7 @@ fn are_doubles(numbers: &MemoryNumbers) -> bool {
             integers.iter().all(|&integer| (integer as f64) as i128 == i128::from(integer))
         }
         MemoryNumbers::Exact(numbers) => numbers.iter().all(is_double),
-        // What is no number is missing, or refused under either reading.
+        // A text that is no number is missing, or refused under either reading.
         MemoryNumbers::Texts(texts) => texts.iter().all(|text| {
             Reading::Decimal.read(text, &Limits::default()).map_or(true, |number| is_double(&number))
         }),

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use crate::fitted::Fitted;
 use crate::numbers::{Number, exact, refuse};
 
-/// What a claimed end is worth: which end, the verdict, the true end, the claimed one, and how far that is outside.
+/// The judgement of a claimed end: the end, the verdict, the true end, the claimed one, and the distance outside.
 type Judged<'py> = (
     &'static str,
     &'static str,

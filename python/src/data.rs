@@ -1,4 +1,4 @@
-//! Where readings come from, to be read as often as they are asked about.
+//! The source of readings, to be read as often as they are asked about.
 
 use std::sync::Arc;
 
@@ -7,10 +7,10 @@ use boundfit::engine::exact::Foreign;
 use boundfit::files::{Header, InputError, MemoryTable, ScanOptions, Source};
 use boundfit::report::Origin;
 
-/// What people are told of tables that are no file.
+/// The name in messages of tables that are no file.
 pub(crate) const IN_MEMORY: &str = "columns in memory";
 
-/// Where readings come from.
+/// The source of readings.
 #[derive(Clone)]
 pub(crate) enum Data {
     Columns(Arc<MemoryTable>),
@@ -37,7 +37,7 @@ impl Data {
         }
     }
 
-    /// How numbers of them are read, if that is asked for: what is stored in binary is as it is stored.
+    /// Returns the reading of their numbers, if one is asked for: numbers stored in binary stay as they are stored.
     pub(crate) fn reading(&self, asked: Reading) -> Result<(Reading, bool), InputError> {
         let is_stored = self.path().is_some() && self.source()?.is_stored();
         Ok((if is_stored { Reading::Binary64 } else { asked }, is_stored))
@@ -52,12 +52,13 @@ impl Data {
         (Data::Text("readings.csv", table.to_csv(reading).into()), options)
     }
 
-    /// Where they come from, for programs.
+    /// Returns the source of the readings, for programs.
     pub(crate) fn origin(&self, reading: Reading, is_stored: bool) -> Origin<'_> {
         Origin { file: self.path().map(Foreign::of), reading, is_stored }
     }
 
-    /// Where they come from, for people: what comes from no file is not from standard input either.
+    /// Returns the source of the readings, for people: readings without a file do not come from standard input
+    /// either.
     pub(crate) fn shown_origin(&self, reading: Reading, is_stored: bool) -> Origin<'_> {
         let file = Some(Foreign::of(self.path().unwrap_or(IN_MEMORY)));
         Origin { file, ..self.origin(reading, is_stored) }

@@ -69,7 +69,8 @@ impl Fitted {
         Ok(String::from_utf8_lossy(&text).into_owned())
     }
 
-    /// As [`Fitted::origin`], for people: what comes from no file is not from standard input either.
+    /// Returns the source as [`Fitted::origin`] does, for people: readings without a file do not come from standard
+    /// input either.
     fn shown_origin(&self) -> Origin<'_> {
         Origin { file: Some(Foreign::of(self.file.as_deref().unwrap_or(IN_MEMORY))), ..self.origin() }
     }

@@ -33,7 +33,8 @@ enum Rounded {
     Down,
     Nearest,
     Up,
-    /// Up, after what the nearest double of the number before is off is added: both doubles together say what the two numbers do.
+    /// A number that is rounded up after the error of the nearest double of the number before is added: both doubles
+    /// together state what the two numbers do.
     Around,
 }
 
@@ -78,7 +79,7 @@ impl Numbers {
     }
 }
 
-/// What is said of some groups.
+/// The lines about some groups.
 #[derive(Default)]
 struct Lines {
     keys: Vec<String>,
@@ -160,7 +161,7 @@ pub(crate) fn fit_groups<'py>(
     Ok(dict)
 }
 
-/// What is said of every group, and whether each reading has its own bound.
+/// Returns the lines about every group, and whether each reading has its own bound.
 fn lines(groups: &Groups) -> (Lines, bool) {
     let (question, fleet) = (groups.question(), groups.fleet());
     let mut all = Lines::default();

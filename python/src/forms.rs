@@ -1,4 +1,4 @@
-//! In which words an answer is given.
+//! The forms of an answer.
 
 pub(crate) use boundfit::ask::Form;
 use boundfit::report::Style;

@@ -1,4 +1,5 @@
-//! The compiled part of the Python package `boundfit`: arrays in, exact answers out. What people call is in `boundfit/*.py`.
+//! The compiled part of the Python package `boundfit`: arrays in, exact answers out. The public functions are in
+//! `boundfit/*.py`.
 
 mod cells;
 mod claims;

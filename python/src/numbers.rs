@@ -88,7 +88,8 @@ impl<'py> FromPyObject<'_, 'py> for Given {
 }
 
 impl Given {
-    /// What is to be read as a decimal: of a float under the binary64 reading all digits of what is stored.
+    /// Returns the text to read as a decimal: for a float under the binary64 reading, all digits of the stored
+    /// double.
     pub(crate) fn text(&self, reading: Reading) -> String {
         match (self.stored, reading) {
             (Some(double), Reading::Binary64) => stored_text(double),
@@ -96,12 +97,13 @@ impl Given {
         }
     }
 
-    /// How [`Given::text`] is read, where `texts` says how texts are: exactly, or beside a file as its cells.
+    /// Returns the reading of [`Given::text`], where `texts` tells how texts are read: exactly, or beside a file as
+    /// its cells.
     pub(crate) fn read_by(&self, texts: Reading) -> Reading {
         if self.is_text { texts } else { Reading::Decimal }
     }
 
-    /// Whether it is a text.
+    /// Returns whether it is a text.
     pub(crate) fn is_text(&self) -> bool {
         self.is_text
     }

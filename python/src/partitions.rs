@@ -15,7 +15,7 @@ use crate::readings::Readings;
 use crate::said::Keywords;
 use crate::words::in_words;
 
-/// What reductions are called in messages.
+/// The name of reductions in messages.
 const NAME: &str = "reductions";
 
 /// Reduces columns in memory, of which those with `names` have the roles that are asked about, to the rows that decide, each with its
@@ -66,7 +66,8 @@ pub(crate) fn readings_of_reductions(
     Ok(Readings { data, names, asked, reading, floats, is_stored: false, keywords })
 }
 
-/// How a reduction says that its numbers are read: not as was asked, where that was binary64 and some numbers are no doubles.
+/// Returns the reading that a reduction states for its numbers: another than asked for, if that was binary64 and some
+/// numbers are no doubles.
 fn reading_of(text: &[u8]) -> Reading {
     let line = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
     let stored = br#""reading":"binary64""#;
@@ -74,7 +75,7 @@ fn reading_of(text: &[u8]) -> Reading {
     if is_stored { Reading::Binary64 } else { Reading::Decimal }
 }
 
-/// What is asked, if a reduction can answer it, and what floats mean.
+/// Returns the question, if a reduction can answer it, and the meaning of floats.
 fn reducible(asked: &Bound<'_, PyDict>) -> PyResult<(Asked, Reading)> {
     let (asked, floats) = Keywords(asked).asked_in_memory()?;
     if asked.question.multiple_of_least.is_some() && asked.question.columns.second.is_some() {
@@ -90,7 +91,8 @@ fn source(text: Vec<u8>) -> Source {
     Source::new(NAME, std::io::Cursor::new(text))
 }
 
-/// What is asked of reductions of columns in memory, which have commas between their cells, whatever is in these.
+/// Returns the question about reductions of columns in memory, which have commas between their cells, whatever the
+/// cells hold.
 fn of_reductions(asked: &Bound<'_, PyDict>, reading: Reading) -> PyResult<(Asked, Reading)> {
     let (mut asked, floats) = reducible(asked)?;
     asked.options.table.reading = reading;

@@ -1,4 +1,4 @@
-//! What is asked of readings beyond their fit.
+//! The questions about readings beyond their fit.
 
 use std::sync::Arc;
 
@@ -51,7 +51,7 @@ pub(crate) fn number_text(number: Given, reading: &str) -> String {
     number.text(if reading == Reading::Binary64.name() { Reading::Binary64 } else { Reading::Decimal })
 }
 
-/// What is asked in the words of arguments.
+/// The names of settings in the words of arguments.
 struct Arguments;
 
 impl Surface for Arguments {
@@ -70,7 +70,7 @@ impl Surface for Arguments {
     }
 }
 
-/// Why there is no answer.
+/// Returns the reason why there is no answer.
 pub(crate) fn in_words(refusal: &Refusal) -> String {
     match refusal {
         Refusal::Input(error) => crate::words::in_words(error),

@@ -177,12 +177,12 @@ impl Readings {
         }
     }
 
-    /// Where they come from, for programs.
+    /// Returns the source of the readings, for programs.
     pub(crate) fn origin(&self) -> Origin<'_> {
         self.data.origin(self.reading, self.is_stored)
     }
 
-    /// Where they come from, for people.
+    /// Returns the source of the readings, for people.
     pub(crate) fn shown_origin(&self) -> Origin<'_> {
         self.data.shown_origin(self.reading, self.is_stored)
     }

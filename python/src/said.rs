@@ -17,17 +17,17 @@ const NUMBERS: [&str; 5] = ["eps", "x_eps", "x_origin", "where", "where_row"];
 #[derive(Clone, Copy)]
 pub(crate) struct Keywords<'a, 'py>(pub(crate) &'a Bound<'py, PyDict>);
 
-/// What texts among the numbers of a call mean.
+/// The meaning of texts among the numbers of a call.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Texts {
     /// Exactly what they say: beside columns in memory.
     Exact,
-    /// What they would in the file.
+    /// The meaning that they would have in the file.
     AsCells,
 }
 
 impl Keywords<'_, '_> {
-    /// What floats mean: how numbers are read, where nothing else is stored.
+    /// Returns the meaning of floats: the reading of numbers, where nothing else is stored.
     pub(crate) fn reading(self) -> PyResult<Reading> {
         let words = TableWords { reading: self.named("reading")?, ..TableWords::default() };
         words.reading(false).map_err(|refusal| refuse(in_words(&refusal)))
@@ -55,7 +55,8 @@ impl Keywords<'_, '_> {
         }
     }
 
-    /// What is asked in these words. Where they name a question, it tells whether bounds on the errors have a say.
+    /// Returns the question in these words. Where they name a question, it tells whether bounds on the errors have a
+    /// say.
     pub(crate) fn asked(self, reading: Reading, texts: Texts) -> PyResult<Asked> {
         let words = self.words(reading, texts)?;
         let asked = match self.named("ask")? {
@@ -66,7 +67,8 @@ impl Keywords<'_, '_> {
         asked.map_err(|refusal| refuse(in_words(&refusal)))
     }
 
-    /// What is asked of columns in memory, and what floats mean. All that is said of them is exact, whatever the columns are read as.
+    /// Returns the question about columns in memory, and the meaning of floats. All that is said of them is exact,
+    /// whatever the columns are read as.
     pub(crate) fn asked_in_memory(self) -> PyResult<(Asked, Reading)> {
         let floats = self.reading()?;
         let asked = self.asked(floats, Texts::Exact)?;

@@ -1,9 +1,9 @@
-//! What is wrong with a table in the words of this package.
+//! The faults of a table in the words of this package.
 
 use boundfit::engine::exact::Limit;
 use boundfit::files::{InputError, Setting, Way};
 
-/// What is wrong with a table, in the words of this package.
+/// Returns the fault of a table, in the words of this package.
 pub(crate) fn in_words(error: &InputError) -> String {
     // Columns in memory have this name, and no header.
     let text = error

@@ -1,4 +1,4 @@
-//! From columns to touching points, beside the time it takes merely to sum the columns.
+//! Measures the way from columns to touching points, beside the time of merely summing the columns.
 
 use std::hint::black_box;
 
@@ -8,7 +8,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 /// Two columns.
 type Columns = (Vec<i64>, Vec<i64>);
 
-/// How many numbers of rows are listed of each point.
+/// The number of rows that are listed for each point.
 const MOST: usize = 1000;
 
 /// Pseudo-random numbers below 2³¹.

@@ -39,7 +39,8 @@ pub struct Boxes {
 type Boundary = [Q; 3];
 
 impl BoxReading {
-    /// With all bounds multiplied; one without both bounds on y, or with bounds that cross, keeps these.
+    /// Returns the reading with all bounds multiplied; a reading without both bounds on y, or with bounds that cross,
+    /// keeps its bounds.
     fn times(&self, factor: &Q) -> BoxReading {
         let mut own = BoxReading { width: &self.width * factor, ..self.clone() };
         if let (Some(lower), Some(upper)) = (&self.lower, &self.upper)
@@ -55,7 +56,7 @@ impl BoxReading {
 }
 
 impl Boxes {
-    /// With all bounds multiplied.
+    /// Returns the boxes with all bounds multiplied.
     pub fn times(&self, factor: &Q) -> Boxes {
         let readings = self.readings.iter().map(|reading| reading.times(factor)).collect();
         Boxes { readings, ..self.clone() }

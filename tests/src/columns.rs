@@ -27,7 +27,7 @@ pub enum Shape {
     Decades,
     /// Coordinates around ±2⁶¹, ±2⁶² and the ends of 64 bits.
     Edges,
-    /// On a line of huge numbers, but for the last bits, which no float sees.
+    /// Points on a line of huge numbers, except the last bits, which no float sees.
     LastBits,
 }
 
@@ -45,7 +45,7 @@ impl Shape {
         Shape::LastBits,
     ];
 
-    /// So many points of this shape.
+    /// Returns this many points of the shape.
     pub fn columns(self, rng: &mut ChaCha8Rng, count: usize) -> Columns {
         let levels = rng.random_range(1..=6);
         let slope = rng.random_range(-5..=5);

@@ -12,7 +12,7 @@ use boundfit_lp::{ExchangeFormat, Model, ModelLimits, model_text, read_model};
 
 use crate::lp_cases::hard_case;
 
-/// How long a solver may work on one program.
+/// The time that a solver may work on one program.
 const TIME_LIMIT: Duration = Duration::from_secs(60);
 
 /// Returns how far an answer may be off, in widths of an interval or parts of a size.

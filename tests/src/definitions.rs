@@ -136,7 +136,8 @@ type End = Option<(Rational, Vec<Multiplier>)>;
 /// A least error bound, its minimiser if it is the only one, and the proof.
 type Least = (Rational, Option<[Rational; 2]>, Vec<(BoundName, Rational)>);
 
-/// What a fit says, all parameters over a unit: the same for a problem and for it [in another unit](in_unit).
+/// The statements of a fit, all parameters over a unit: the same for a problem and for the problem [in another
+/// unit](in_unit).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
     least_squares: Option<([Rational; 2], Option<[Interval; 2]>)>,

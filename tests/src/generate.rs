@@ -13,8 +13,8 @@ pub fn seeded(seed: u64) -> ChaCha8Rng {
     ChaCha8Rng::seed_from_u64(seed)
 }
 
-/// One to twelve integer half-planes, degenerate more often than not: small coefficients make ties, three lines
-/// through a point, parallels and zero normals; some rows repeat, scale, oppose or shift an earlier one.
+/// Returns one to twelve integer half-planes, degenerate more often than not. Small coefficients make ties, three
+/// lines through a point, parallels and zero normals. Some rows repeat, scale, oppose or shift an earlier row.
 pub fn half_planes(rng: &mut ChaCha8Rng) -> Vec<Row> {
     let count = rng.random_range(1..=12);
     let size: i128 = [1, 2, 4, 30][rng.random_range(0..4)];

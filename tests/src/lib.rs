@@ -1,4 +1,4 @@
-//! What the end-to-end and cross-crate tests share: generators with fixed seeds and a brute-force oracle.
+//! Code that the end-to-end and cross-crate tests share: generators with fixed seeds and a brute-force oracle.
 
 pub mod boxes;
 #[allow(missing_docs, reason = "fields and variants of what a report says are named as in the report")]

@@ -103,7 +103,7 @@ pub fn line_problem(readings: &[(Rational, Rational)], epsilon: &Rational) -> Pr
     Problem { measurements, conditions: Vec::new() }
 }
 
-/// So many readings of a line with errors of up to 0.93 under the error bound 1.
+/// Returns this many readings of a line with errors of up to 0.93 under the error bound 1.
 pub fn long_problem(readings: usize) -> Problem {
     // A multiplicative sequence: cheap, and the same everywhere.
     let noise = |index: usize| (index as i64 * 7919) % 1901 - 950;

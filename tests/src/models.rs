@@ -9,9 +9,10 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::oracle::{self, Row};
 
-/// A model of at most two columns that are not fixed, and up to two fixed ones, degenerate more often than not: rows through
-/// one point, repeated, scaled, parallel and opposite ones, equations, ranges, rows without coefficients or bounds, bounds that
-/// cross, columns without rows.
+/// Returns a model of at most two free columns and up to two fixed ones, degenerate more often than not.
+/// - Rows go through one point, repeat, are scaled, parallel or opposite.
+/// - Some rows are equations, ranges, or lack coefficients or bounds.
+/// - Some bounds cross, and some columns have no rows.
 pub fn model(rng: &mut ChaCha8Rng) -> Model {
     let left = [2, 2, 2, 2, 2, 1, 1, 0][rng.random_range(0..8)];
     let fixed = [0, 0, 0, 1, 2][rng.random_range(0..5)];
@@ -117,7 +118,7 @@ fn row(rng: &mut ChaCha8Rng, model: &Model, point: &[Rational], index: usize) ->
     ModelRow { name: format!("r{index}").into(), coefficients, bounds: bounds_at(rng, &value) }
 }
 
-/// What is true of a model, in the plane of the columns that bounds do not fix.
+/// The truth about a model, in the plane of the columns that bounds do not fix.
 #[derive(Debug)]
 pub struct Truth {
     /// `optimal`, `infeasible` or `unbounded`.

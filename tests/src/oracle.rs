@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 /// `a1·θ1 + a2·θ2 ≤ b`.
 pub type Row = [i128; 3];
 
-/// What the oracle finds.
+/// The result of the oracle.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub struct Answer {
     /// The kind's name in reports.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use boundfit_exact::Rational;
 
-/// What a reading says: lower ≤ a1·θ1 + a2·θ2 ≤ upper, as far as the bounds are there.
+/// The statement of a reading: lower ≤ a1·θ1 + a2·θ2 ≤ upper, as far as the bounds exist.
 #[derive(Debug, Clone)]
 pub struct Strip {
     /// a1 and a2.
@@ -25,12 +25,12 @@ pub struct Case {
     pub conditions: Vec<Strip>,
 }
 
-/// What the q-relaxed set is like.
+/// The form of the q-relaxed set.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Relaxed {
-    /// How many connected parts it has.
+    /// The number of its connected parts.
     pub pieces: usize,
-    /// How many bounded parts its complement has.
+    /// The number of bounded parts of its complement.
     pub holes: usize,
     /// The ends of both ranges.
     pub ranges: Option<[[Option<Rational>; 2]; 2]>,
@@ -91,7 +91,8 @@ impl Case {
         places
     }
 
-    /// Over all subsets of the rows: the size of the least without which something is left, and all of that size.
+    /// Returns, over all subsets of the rows, the size of the least subset whose removal leaves a point, and all
+    /// subsets of that size.
     pub fn least(&self) -> Option<(usize, BTreeSet<Vec<usize>>)> {
         let missed: Vec<u32> = self
             .places()
@@ -108,8 +109,8 @@ impl Case {
     }
 }
 
-/// A vertical line through the plane: where boundaries cross it, and whether what lies there belongs to the set, from the
-/// lowest gap over the lowest crossing to the highest gap.
+/// A vertical line through the plane. It has the places where boundaries cross it, and tells whether each gap and
+/// crossing belongs to the set, from the lowest gap to the highest.
 struct Column {
     x: Rational,
     heights: Vec<Rational>,

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::OnceLock;
 
-/// How a run ended.
+/// The end of a run.
 #[derive(Debug)]
 pub struct Run {
     /// Exit status.

@@ -16,8 +16,8 @@ pub fn small_rational(rng: &mut ChaCha8Rng) -> Rational {
     Rational::ratio(rng.random_range(-20..=20), denominator)
 }
 
-/// One to twelve readings of a line or of two regressors, under a uniform error bound or one per reading, some with
-/// conditions; repeated x, repeated rows and exact fits occur.
+/// Returns one to twelve readings of a line or of two regressors, under a uniform error bound or one per reading,
+/// some with conditions. Repeated x, repeated rows and exact fits occur.
 pub fn problem(rng: &mut ChaCha8Rng) -> Problem {
     let line = rng.random_bool(0.6);
     let uniform = rng.random_bool(0.6);

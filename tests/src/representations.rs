@@ -15,8 +15,8 @@ pub struct GeneratorRow {
     pub linear: bool,
 }
 
-/// Up to ten generators, degenerate more often than not: points that repeat or are in line, directions that repeat,
-/// oppose each other or are zero, files without a point or without any row.
+/// Returns up to ten generators, degenerate more often than not. Points repeat or are in line. Directions repeat,
+/// oppose each other or are zero. Files lack a point or any row.
 pub fn generator_rows(rng: &mut ChaCha8Rng) -> Vec<GeneratorRow> {
     let count = if rng.random_bool(0.02) { 0 } else { rng.random_range(1..=10) };
     let size: i128 = [1, 2, 4, 30][rng.random_range(0..4)];

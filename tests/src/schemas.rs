@@ -122,7 +122,7 @@ impl<'a> Checker<'a> {
                 self.found.push(format!("{path}.{name} is missing"));
             }
         }
-        // What variants describe.
+        // The keys that variants describe.
         let variants = keywords.get("anyOf").and_then(Value::as_array).into_iter().flatten();
         let variants: BTreeSet<&str> = variants.filter_map(Value::as_object).flat_map(keys).collect();
         for (key, value) in fields {

@@ -30,7 +30,7 @@ pub struct Truth {
 /// The verdict on one end, and to what it was rounded if that is what it is: doubles, or so many digits.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
-    /// As in the table.
+    /// The verdict, as in the table.
     pub verdict: &'static str,
     /// `Some(None)` for doubles.
     pub rounded_to: Option<Option<usize>>,
@@ -108,7 +108,7 @@ pub fn judge_end(said: &Said, truth: &Truth, is_upper: bool) -> Finding {
     {
         return Finding { verdict: "rounded", rounded_to: Some(Some(*digits)) };
     }
-    // Of the width; where that is 0 or there is none, of the end itself; where that is 0 too, of ε.
+    // The sizes are the width, then the end itself where the width is 0 or missing, then ε where the end is 0 too.
     let sizes = [truth.width.clone(), Some(truth.end.abs()), truth.epsilon.clone()];
     let unit = sizes.into_iter().flatten().find(|size| !size.is_zero());
     if unit.is_some_and(|unit| error <= unit * &truth.tolerance) {
@@ -126,8 +126,8 @@ pub fn is_inverted(lower: &Said, upper: &Said, findings: [Option<&Finding>; 2]) 
     lower.value > upper.value && !findings.into_iter().all(is_fine)
 }
 
-/// Whether a point may exceed a row by so much: by the tolerance in units of ε (of the size of its own terms where the row has
-/// no ε), or by what the rounding of its coordinates does to the row.
+/// Returns whether a point may exceed a row by so much. The tolerance excuses it, in units of ε or, where the row has
+/// no ε, of the size of the row's own terms. The rounding of the point's coordinates excuses it, too.
 pub fn is_excused(
     [a1, a2]: &[Rational; 2],
     b: &Rational,

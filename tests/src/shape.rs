@@ -1,4 +1,4 @@
-//! What a region is as a set of points, and what forms and multipliers amount to: computed here, without the engine.
+//! The point set of a region, and the values of forms and multipliers, computed without the engine.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ use boundfit_geometry::{
 /// A region as a set: everything about it but the indices of inequalities. Equal exactly for equal sets.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Shape {
-    /// Which of the ten kinds.
+    /// The kind, one of ten.
     pub kind: RegionKind,
     /// The vertices.
     pub points: Vec<Point>,
@@ -18,7 +18,7 @@ pub struct Shape {
     pub rays: Vec<Direction>,
     /// A basis of the lineality space.
     pub lines: Vec<Direction>,
-    /// Where a region without vertices lies.
+    /// The boundaries of a region without vertices.
     pub boundaries: Vec<HalfPlane>,
 }
 
@@ -75,7 +75,7 @@ pub fn with(system: &System, inequality: Inequality) -> System {
     more
 }
 
-/// How often each case of a test came up.
+/// The number of times that each case of a test came up.
 #[derive(Debug, Default)]
 pub struct Tally(BTreeMap<&'static str, usize>);
 

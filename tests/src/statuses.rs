@@ -20,7 +20,7 @@ pub struct Reading {
 pub type Standing = (Option<Rational>, Option<Rational>, &'static str);
 
 impl Reading {
-    /// Its half-planes.
+    /// Returns the half-planes of the set.
     pub fn rows(&self) -> impl Iterator<Item = Row> {
         let [u, v] = self.regressor;
         let upper = self.upper.map(|upper| [u, v, upper]);

@@ -3,7 +3,7 @@
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-/// What the readings of a table are like.
+/// The kind of readings in a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TableKind {
     /// A line with uniform noise, to a fixed number of decimals.
@@ -98,7 +98,7 @@ fn mixed_decimal(rng: &mut ChaCha8Rng) -> String {
     }
 }
 
-/// Near the whole numbers up to one of them, more or less.
+/// Returns a number near the whole numbers up to one of them, more or less.
 fn many_digits(rng: &mut ChaCha8Rng, most: i64) -> String {
     let digits = [3, 15, 17, 19, 25, 37, 40, 70][rng.random_range(0..8)];
     let part: String = (0..digits).map(|_| char::from(b'0' + rng.random_range(0..=9_u8))).collect();

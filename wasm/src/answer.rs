@@ -1,4 +1,4 @@
-//! From a table and a question to the words of the answer.
+//! The way from a table and a question to the words of the answer.
 
 use boundfit::Problem;
 use boundfit::ask::{self, Ask, Asked, Fittable, Form, Misuse, Paper, Request};
@@ -14,7 +14,7 @@ use crate::refusal::Refusal;
 
 /// An answer of the program, or what is wrong.
 pub(crate) fn run(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
-    // What is not reached is left out of the module; both have the same names, and one script of JavaScript.
+    // Unreachable code is left out of the module; both modules have the same names, and one script of JavaScript.
     if cfg!(not(feature = "questions")) {
         return Err("this is the module of a page, which answers no question".to_owned().into());
     }
@@ -60,7 +60,7 @@ fn numbered(
     answered().map_err(|refusal| Refusal::of_file(options.file(), refusal))
 }
 
-/// What the page of `boundfit lesson` shows, or what is wrong.
+/// Returns the content of the page of `boundfit lesson`, or the refusal.
 pub(crate) fn lesson(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
     let options = Options::parse(options)?;
     options.refuse_words_of_report()?;

@@ -12,21 +12,21 @@ use serde::Serialize;
 use crate::options::TableAlone;
 use crate::refusal::Refusal;
 
-/// What no header has: a column is found missing when the names of all others are known.
+/// A name that no header has: a column is found missing when the names of all others are known.
 const NOBODY: &str = "\u{1}";
-/// Of tables with more columns the numeric ones are not told: each is looked for on its own.
+/// The number of columns above which the numeric ones are not told: each is looked for on its own.
 const MOST_TOLD: usize = 30;
 
 /// The columns of a table, as JSON.
 #[derive(Debug, Serialize)]
 struct ColumnsJson {
-    /// Their names, `col1` and so on where there are none.
+    /// The names of the columns, `col1` and so on where there are none.
     columns: Vec<String>,
-    /// Whether the first row names them.
+    /// `true` if the first row names the columns.
     header: bool,
-    /// Whether each has a number, where they were looked for.
+    /// The columns that have a number, where they were looked for.
     numeric: Option<Vec<bool>>,
-    /// What the table was taken for, as reports have it.
+    /// The detected format of the table, as reports have it.
     table: Option<TableJson>,
 }
 
@@ -66,7 +66,7 @@ pub(crate) fn columns(table: Vec<u8>, options: &str) -> Result<String, Refusal> 
             |batch: Batch| batch.keys.is_some_and(|keys| (0..keys.len()).any(|row| is_number(keys.get(row))));
         let mut some = false;
         let read = scan(source(), &[], &ScanOptions { key, ..asked.clone() }, has_one, |more| some |= more);
-        // What cannot be told may be one.
+        // A column that cannot be read may have one.
         read.is_err() || some
     };
     let found: Vec<Option<Scanned>> = if told { (1..=count).map(read).collect() } else { Vec::new() };
@@ -91,7 +91,7 @@ pub(crate) fn columns(table: Vec<u8>, options: &str) -> Result<String, Refusal> 
     serde_json::to_string(&found).map_err(|error| error.to_string().into())
 }
 
-/// Whether a cell is a number, with either mark and digits in groups or not.
+/// Returns whether a cell is a number, with either mark and digits in groups or not.
 fn is_number(cell: &str) -> bool {
     let groups = || Thousands::ALL.into_iter().map(Some).chain([None]);
     let mut notations = DecimalMark::ALL
@@ -100,7 +100,7 @@ fn is_number(cell: &str) -> bool {
     notations.any(|notation| Reading::Decimal.read_written(cell, notation, &Limits::default()).is_ok())
 }
 
-/// Whether a cell of the first row names a column, and is no number, nor what stands for one.
+/// Returns whether a cell of the first row names a column, and is neither a number nor a word for a missing one.
 fn is_name(cell: &str) -> bool {
     let is_number = cell.starts_with(|first: char| first.is_ascii_digit() || "+-−.,".contains(first));
     !cell.is_empty() && !is_number && !["nan", "na", "n/a", "inf"].contains(&cell.to_lowercase().as_str())

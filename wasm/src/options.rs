@@ -1,4 +1,4 @@
-//! What is asked, as JSON says it: the readings and the question in the words of every surface, and what is about the answer.
+//! The question, as JSON: the readings and the question in the words of every surface, and the options of the answer.
 
 use boundfit::ask::{self, Form, OfRows, Readings, Request, RowWords, TableWords, named, take_key};
 use boundfit::engine::exact::Foreign;
@@ -10,7 +10,7 @@ use serde_json::{Map, Value};
 
 use crate::refusal::Refusal;
 
-/// What a table without a name is called in messages.
+/// The name in messages of a table without a name.
 const NO_FILE: &str = "standard input";
 
 /// The keys of the object that are neither readings nor the question.
@@ -46,7 +46,7 @@ pub(crate) struct Options {
     question: Map<String, Value>,
 }
 
-/// How a table is written, where nothing is asked of it yet.
+/// The format of a table, before a question about it.
 #[derive(Debug)]
 pub(crate) struct TableAlone {
     file: Option<String>,
@@ -70,7 +70,7 @@ impl TableAlone {
         self.file.as_deref().unwrap_or(NO_FILE)
     }
 
-    /// How the table is read.
+    /// Returns the options for reading the table.
     pub(crate) fn options(&self) -> Result<TableOptions, Refusal> {
         Ok(self.words.resolve(self.words.reading(false)?, &RowWords::default())?)
     }
@@ -172,7 +172,7 @@ impl Options {
         refuse_any(&asked, "is about a lesson, and this is a report")
     }
 
-    /// What the page says of the readings besides what follows from them.
+    /// Returns the page's statements about the readings besides those that follow from them.
     ///
     /// # Errors
     /// With a key that is about a report alone, or a number of readings that no page has.
@@ -188,7 +188,7 @@ impl Options {
             x_unit: foreign(&self.x_unit).or(x_unit.cloned()),
             y_unit: foreign(&self.y_unit).or(y_unit.cloned()),
             most_rows: self.max_readings.map_or(MOST_ROWS, usize::from),
-            // Of the page, not of what it shows.
+            // The other options concern the page, not its content.
             ..LessonOptions::default()
         })
     }
@@ -218,13 +218,13 @@ impl Options {
         self.file.as_deref().unwrap_or(NO_FILE)
     }
 
-    /// What is written.
+    /// Returns the form of the answer.
     pub(crate) fn form(&self) -> Result<Form, Refusal> {
         let names = Form::ALL.map(|form| (form.name(), form));
         Ok(named("format", self.format.as_deref(), &names)?.unwrap_or(Form::Json))
     }
 
-    /// How numbers are written.
+    /// Returns the style of numbers.
     pub(crate) fn style(&self) -> Result<Style, Refusal> {
         if self.digits.is_some_and(|digits| !(1..=1000).contains(&digits)) {
             return Err("digits: expected a number from 1 to 1000".to_owned().into());
@@ -285,7 +285,7 @@ impl Numbering {
         Some(Numbering { numbers, runs })
     }
 
-    /// How many numbers there are up to this one.
+    /// Returns how many numbers there are up to this one.
     fn up_to(&self, number: usize) -> usize {
         let run = self.runs.partition_point(|([first, _], _)| *first <= number).checked_sub(1);
         run.map_or(0, |run| {

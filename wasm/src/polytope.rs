@@ -2,7 +2,7 @@
 
 use boundfit::lesson::{PolytopeOptions, polytope as answer};
 
-/// What there is to say about half-planes, or what is wrong.
+/// Returns the facts about half-planes, or the fault.
 pub(crate) fn polytope(text: Vec<u8>, options: &str) -> Result<String, String> {
     let text = String::from_utf8(text).map_err(|_| "the half-planes are no text in UTF-8")?;
     let options: PolytopeOptions =

@@ -1,4 +1,5 @@
-//! What is refused: in words with the keys that lead on for whoever asks, and as data for the page, which has words and ways out of its own.
+//! Refusals: in words with the keys that help the caller, and as data for the page, which has words and remedies of
+//! its own.
 
 use boundfit::ask::{self, Surface, ValueProblem};
 use boundfit::engine::estimation::{ParseBoundErrorKind, ParseConditionErrorKind, TextProblem};
@@ -9,20 +10,20 @@ use boundfit::lesson::LessonError;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-/// Why there is no answer.
+/// The reason why there is no answer.
 #[derive(Debug)]
 pub(crate) struct Refusal {
-    /// As the program says it, with keys in the place of its options.
+    /// The program's message, with keys in the place of its options.
     pub(crate) message: String,
     problem: Box<Problem>,
 }
 
-/// What is wrong, as data.
+/// The fault, as data.
 #[derive(Debug, Default, Serialize)]
 struct Problem {
     /// The name of what is wrong; the page has words for those that it knows.
     kind: &'static str,
-    /// In English, without what could be done elsewhere.
+    /// The fault in English, without remedies on other surfaces.
     words: String,
     /// The key of the options.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -34,13 +35,13 @@ struct Problem {
     column: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     name: Option<String>,
-    /// What stands there.
+    /// The text at the place.
     #[serde(skip_serializing_if = "Option::is_none")]
     text: Option<String>,
     /// The character in it, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     position: Option<usize>,
-    /// What a sentence about it needs.
+    /// The values that a sentence about it needs.
     #[serde(skip_serializing_if = "Option::is_none")]
     values: Option<Value>,
 }
@@ -54,7 +55,7 @@ impl Refusal {
         serde_json::to_string(&self.problem).unwrap_or_else(|_| "null".to_owned())
     }
 
-    /// Why a question about a file has no answer.
+    /// Returns the refusal of a question about a file.
     pub(crate) fn of_file(file: &str, refusal: ask::Refusal) -> Self {
         let says_file = matches!(refusal, ask::Refusal::Input(_)) || refusal.is_misuse();
         let own = Refusal::from(refusal);
@@ -68,7 +69,7 @@ impl From<String> for Refusal {
     }
 }
 
-/// What is asked in the words of keys.
+/// The names of settings in the words of keys.
 struct Keys;
 
 impl Surface for Keys {
@@ -113,7 +114,7 @@ impl From<InputError> for Refusal {
     }
 }
 
-/// What is wrong with a table.
+/// Returns the fault of a table.
 fn of_error(error: InputError) -> Problem {
     let Place { line, column, text, .. } = *error.place;
     let (kind, values) = of_input(&error.kind);
@@ -135,7 +136,7 @@ fn of_error(error: InputError) -> Problem {
     }
 }
 
-/// What is wrong with a value of the options, at a character of it if that is known.
+/// Returns the fault of a value of the options, at a character of it if that is known.
 fn of_value(key: &'static str, text: String, problem: &ValueProblem) -> Problem {
     let (named, position, words) = match problem {
         ValueProblem::Bound(error) => {
@@ -153,7 +154,7 @@ fn of_value(key: &'static str, text: String, problem: &ValueProblem) -> Problem 
 }
 
 impl Refusal {
-    /// Why there is no lesson about a file.
+    /// Returns the reason why there is no lesson about a file.
     pub(crate) fn of_lesson(file: &str, error: &LessonError) -> Self {
         let (kind, values) = match error {
             LessonError::TooManyRows { rows, limit } => {
@@ -236,7 +237,7 @@ fn position_of(kind: &ParseNumberErrorKind, position: usize) -> Option<usize> {
     matches!(kind, MissingDigit | UnexpectedCharacter(_)).then_some(position + 1)
 }
 
-/// What is wrong with an error bound.
+/// Returns the fault of an error bound.
 fn of_bound(kind: &ParseBoundErrorKind) -> Named {
     use ParseBoundErrorKind as Kind;
     match kind {
@@ -252,7 +253,7 @@ fn of_bound(kind: &ParseBoundErrorKind) -> Named {
     }
 }
 
-/// What is wrong with a condition.
+/// Returns the fault of a condition.
 fn of_condition(kind: &ParseConditionErrorKind) -> Named {
     use ParseConditionErrorKind as Kind;
     match kind {

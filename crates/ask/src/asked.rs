@@ -19,9 +19,9 @@ pub struct Asked {
     pub question: Question,
     /// The errors of x, where it has any.
     pub x_errors: Option<XErrors>,
-    /// How the table is read, and the limits.
+    /// The options for reading the table, and the limits.
     pub options: ScanOptions,
-    /// Where further tables are found that a question names; none unless it is said.
+    /// The place of further tables that a question names; none by default.
     pub tables: Option<Arc<dyn Tables>>,
 }
 
@@ -30,7 +30,7 @@ pub struct Asked {
 pub struct XErrors {
     /// The bounds.
     pub bounds: AskedXBounds,
-    /// Whether a line agrees for some x that the bounds allow, or for all of them.
+    /// The agreement that is asked for: for some x that the bounds allow, or for all of them.
     pub agreement: Agreement,
 }
 
@@ -52,17 +52,17 @@ impl Asked {
         Asked { question, x_errors: None, options: ScanOptions::default(), tables: None }
     }
 
-    /// Where further tables are found.
+    /// Returns the place of further tables.
     pub(crate) fn tables(&self) -> Result<&dyn Tables, Refusal> {
         self.tables.as_deref().ok_or(Refusal::Misuse(Misuse::NoTables))
     }
 
-    /// How much work on long numbers is done at most.
+    /// Returns the limit on the work on long numbers.
     pub fn most_work(&self) -> u64 {
         self.options.table.sizes.work
     }
 
-    /// How the table is read where every reading is held in so many bytes.
+    /// Returns the options for reading the table if every reading is held in so many bytes.
     pub(crate) fn held(&self, row_cost: usize, shows: Shows) -> ScanOptions {
         let own = self.options.clone();
         let (hash, list_rows) = (own.hash && shows >= Shows::Hash, own.list_rows && shows == Shows::Rows);
@@ -102,7 +102,7 @@ impl Asked {
         }
     }
 
-    /// As [`Asked::every_reading`], of which equal ones are kept once where there are many.
+    /// Reads as [`Asked::every_reading`] does; equal readings are kept once where there are many.
     pub(crate) fn counted_readings(
         &self,
         source: Source,

@@ -22,19 +22,19 @@ use crate::refusal::{Refusal, ValueProblem};
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Fit {
-    /// Whether to leave out what would take further looks at more readings than are kept in memory.
+    /// `true` skips results that need further passes over more readings than are kept in memory.
     pub no_eui: bool,
     /// The factors on the error bounds, `FROM..TO`, for which the sets are found too.
     pub sweep: Option<String>,
-    /// With which confidence it is said which share of further readings lies in the band of ε_min.
+    /// The confidence of the statement about the share of further readings that lies in the band of ε_min.
     pub confidence: Option<Given>,
-    /// Whether to keep every reading in memory, and which rows they are: a theorem is about all of them.
+    /// `true` keeps every reading in memory, with the numbers of the rows: a theorem is about all of them.
     pub every_reading: bool,
-    /// Whether the report has ten lines only.
+    /// `true` makes the report ten lines.
     pub brief: bool,
-    /// Whether the report has everything: also what proves each end, every estimate, and least squares in doubles.
+    /// `true` makes the report complete: with the proof of each end, every estimate, and least squares in doubles.
     pub full: bool,
-    /// Whether the report has the inverse line also where 0 is in the interval of θ1.
+    /// `true` adds the inverse line also where 0 is in the interval of θ1.
     pub inverse: bool,
 }
 
@@ -61,7 +61,8 @@ pub struct Fitted {
     pub fit: estimation::Fit,
     family: Option<Family>,
     guarantee: Option<Guarantee>,
-    /// What an LP solver makes of the same data, where a surface has one and asked it: a line of the report as text.
+    /// The verdict on an LP solver's answer to the same data, if a surface has one and asked it: a line of the report
+    /// as text.
     pub verdict: Option<String>,
     /// The surface's words for the next steps where the set is empty; the report as text names them.
     pub next_words: Option<fn(&NextStep) -> Option<String>>,

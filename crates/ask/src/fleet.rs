@@ -53,7 +53,7 @@ impl Groups {
         &self.fleet
     }
 
-    /// What is asked of each.
+    /// Returns the question about each group.
     pub fn question(&self) -> &Question {
         &self.question
     }
@@ -71,7 +71,7 @@ impl Groups {
         Ok(work.check(times::FIT, most_work)?)
     }
 
-    /// What the answers stand and fall with, as a line; nothing where the error bound is given.
+    /// Returns the assumption that the answers depend on, as a line; nothing where the error bound is given.
     fn assumption(&self) -> String {
         let times = |factor: &Rational| match *factor == Rational::one() {
             true => String::new(),
@@ -195,7 +195,7 @@ impl Ask for Fleet {
         let mut summary = FleetSummary::default();
         write_groups(groups, &paper.style, out, &mut summary)?;
         let is_empty = summary.has_empty();
-        // What the text ends with.
+        // The text form itself ends with the summary.
         let is_beside = form != Form::Text;
         let summary = if is_beside { summary.to_text() + &groups.assumption() } else { String::new() };
         Ok(Written { is_empty, summary })

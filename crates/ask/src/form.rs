@@ -1,8 +1,8 @@
-//! How answers are written.
+//! The forms of answers.
 
 use boundfit_report::{Origin, Style};
 
-/// How an answer is written.
+/// The form of an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Form {
     /// A report for people.
@@ -45,7 +45,7 @@ impl Form {
         Form::Proof,
     ];
 
-    /// Its name: that of its variant, in small letters.
+    /// Returns the name of the form: that of its variant, in small letters.
     pub const fn name(self) -> &'static str {
         match self {
             Form::Text => "text",
@@ -62,7 +62,7 @@ impl Form {
         }
     }
 
-    /// What the answer shows of the data.
+    /// Returns the part of the data that the answer shows.
     pub fn shows(self) -> Shows {
         match self {
             Form::Json => Shows::Hash,
@@ -71,13 +71,13 @@ impl Form {
         }
     }
 
-    /// Whether the answer says what the table was taken for.
+    /// Returns whether the answer states the detected format of the table.
     pub fn has_input(self) -> bool {
         matches!(self, Form::Text | Form::Latex | Form::Markdown | Form::Json)
     }
 }
 
-/// What an answer shows of the data themselves.
+/// The part of the data themselves that an answer shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Shows {
     /// Nothing that takes memory for each row.
@@ -88,26 +88,26 @@ pub enum Shows {
     Rows,
 }
 
-/// Where an answer is written, and how: what forms need beside the answer.
+/// The paper of an answer: the facts that forms need beside the answer.
 #[derive(Debug, Clone, Copy)]
 pub struct Paper<'a> {
-    /// Where the readings come from.
+    /// The source of the readings.
     pub origin: Origin<'a>,
-    /// How numbers are shown.
+    /// The style of numbers.
     pub style: Style,
 }
 
-/// What a form says of the answer beside its text.
+/// The facts that a form reports about the answer beside its text.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Written {
-    /// Whether nothing is left: the set is empty.
+    /// `true` if the set is empty.
     pub is_empty: bool,
     /// A summary for people, where the form itself has no place for it.
     pub summary: String,
 }
 
 impl Written {
-    /// What an answer says that is one set.
+    /// Returns the facts about an answer that is one set.
     pub(crate) fn of_set(is_empty: bool) -> Self {
         Written { is_empty, summary: String::new() }
     }

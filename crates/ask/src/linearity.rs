@@ -1,4 +1,4 @@
-//! How far a sensor is from a straight line.
+//! The distance of a sensor from a straight line.
 
 use boundfit_exact::{Limits, Rational, Reading, Work};
 use boundfit_formats::{Again, ColumnSelector, Source, TableNotes, TableOptions};
@@ -29,7 +29,7 @@ pub struct Linearity {
     pub down: Option<String>,
     /// The column that says whether x was rising, beside y.
     pub direction: Option<String>,
-    /// What percents are of; the span of y unless it is said.
+    /// The full scale of percents; the span of y by default.
     pub full_scale: Option<Given>,
     /// The point that the line of zero-based linearity goes through; 0,0 unless it is said.
     pub through: Option<Through>,

@@ -1,10 +1,10 @@
-//! What excludes or needs each other, and why there is no proof.
+//! Keys that exclude or need each other, and the reasons why there is no proof.
 
 use crate::surface::Surface;
 
 macro_rules! misuses {
     ($($(#[$meaning:meta])* $name:ident: $words:literal),* $(,)?) => {
-        /// What excludes or needs each other.
+        /// Keys that exclude or need each other.
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum Misuse {
             $($(#[$meaning])* $name),*
@@ -20,13 +20,13 @@ macro_rules! misuses {
 }
 
 misuses! {
-    /// It is not said which column has x.
+    /// The column of x is missing.
     NoX: "{x} is missing: it names the column of x, or those of two regressors",
-    /// It is not said which column has y, and errors have bounds around it.
+    /// The column of y is missing, and errors have bounds around it.
     NoResponse: "{y} is missing: only beside {lower} or {upper} it may be left out",
-    /// It is not said how large errors may be.
+    /// The size of the errors is missing.
     NoBound: "the bound on the errors is missing: {eps}, {eps_column}, {lower} or {upper}",
-    /// It is said in more ways than one how large errors may be.
+    /// The size of the errors is given in more than one way.
     SeveralBounds: "the errors have one bound: {eps}, or {eps_column}, or {lower} and {upper}",
     /// Two regressors have no offset.
     OffsetOfTwoRegressors: "{through_origin} is about a line: with two regressors there is no offset, and the model passes \
@@ -44,11 +44,11 @@ misuses! {
         "{window_x} is about a line: two regressors have no x to look back along; {window} counts readings",
     /// A window reaches back so many readings, or so far in x.
     TwoWindows: "{window} and {window_x} both say how far a window reaches back: give one of them",
-    /// It is not said how far a window reaches back.
+    /// The reach of a window is missing.
     NoWindow: "{window} or {window_x} says how far a window reaches back: give one of them",
-    /// It is said how far a window moves on, and not which.
+    /// The step of a window is given without its reach.
     StepAlone: "{step} says how far a window moves on: say which with {window} or {window_x}",
-    /// It is not said how large the errors of x may be.
+    /// The size of the errors of x is missing.
     NoXErrors: "{x_eps} is missing: it says how large the errors of x may be",
     /// Lines agree for every x that errors allow, and x has none.
     StrongAlone: "{strong} is about errors in x: say how large they may be with {x_eps} or {x_eps_column}",
@@ -89,13 +89,13 @@ misuses! {
         "{new} is about every reading, and the file is a reduction: judge the table that it was made from",
     /// No table is at hand but the first one.
     NoTables: "no other table is at hand here: give the values themselves",
-    /// It is not said, or said twice, in which columns a calibration is.
+    /// The columns of a calibration are missing, or given twice.
     Response: "expected {y}, or {y} and {direction}, or {up} and {down}",
     /// Two regressors are no characteristic.
     LinearityOfTwoRegressors: "linearity is about a line: two regressors have no characteristic",
 }
 
-/// Why there is no proof.
+/// The reason why there is no proof.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoProof {
     /// The readings are not those of plain delimited text.
@@ -104,13 +104,13 @@ pub enum NoProof {
     Reduction,
     /// The data would have to be read once more.
     ReadOnce,
-    /// Not each row is a point of its own.
+    /// Some points stand for several rows.
     Points,
-    /// It would take more than this.
+    /// The proof would have more parts than this.
     TooMany {
-        /// How many.
+        /// The largest number of parts.
         most: usize,
-        /// Of what.
+        /// The kind of parts.
         of: &'static str,
     },
 }

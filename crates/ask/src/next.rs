@@ -1,4 +1,5 @@
-//! Where the next reading certainly makes the set smaller, and which x of a range leaves the least at worst.
+//! The place where the next reading certainly makes the set smaller, and the x of a range that leaves the least at
+//! worst.
 
 use boundfit_estimation::{Fit, Keep, Problem, fit};
 use boundfit_exact::{Limits, Rational};
@@ -14,7 +15,8 @@ use crate::misuse::Misuse;
 use crate::question::{Ask, Out, document, put};
 use crate::refusal::{Refusal, ValueProblem};
 
-/// Where the next reading of a line certainly makes the set smaller, and which x of a range makes its worst outcome best.
+/// The question where the next reading of a line certainly makes the set smaller, and which x of a range makes its
+/// worst outcome best.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Next {

@@ -18,11 +18,11 @@ use crate::refusal::Refusal;
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Outliers {
-    /// Up to how many readings may be missed where the answer says how the set grows.
+    /// The number of missed readings up to which the answer shows the growth of the set.
     pub most: Option<usize>,
-    /// How many sets of readings to leave out are listed.
+    /// The number of sets of readings to leave out that are listed.
     pub max_sets: Option<usize>,
-    /// How many crossings of bounds are looked at.
+    /// The limit on the crossings of bounds that the search looks at.
     pub max_steps: Option<u64>,
 }
 
@@ -72,7 +72,7 @@ impl Ask for Outliers {
         };
         let growth = match &outliers {
             Ok(outliers) => match outliers.growth(problem, self.most.unwrap_or(outliers.least), &limits) {
-                // What nobody asked for is left out where it takes too much.
+                // A part that the question did not ask for is omitted if it takes too much.
                 Err(_) if self.most.is_none() => Vec::new(),
                 growth => growth.map_err(refused)?,
             },

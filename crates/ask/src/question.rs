@@ -1,4 +1,4 @@
-//! What every question says of itself.
+//! The interface of every question.
 
 use std::io::Write;
 
@@ -9,18 +9,18 @@ use crate::asked::Asked;
 use crate::form::{Form, Paper, Shows, Written};
 use crate::refusal::Refusal;
 
-/// Where an answer is written.
+/// The place where an answer is written.
 pub type Out<'a> = dyn Write + Send + 'a;
 
 /// A question about readings.
 pub trait Ask {
-    /// Its name: the value of `ask`, and the command.
+    /// The name of the question: the value of `ask`, and the command.
     const NAME: &'static str;
     /// The forms of its answer.
     const FORMS: &'static [Form];
-    /// Whether bounds on the errors have a say in it.
+    /// `true` if bounds on the errors have a say in the question.
     const HAS_BOUNDS: bool = true;
-    /// What is asked about: readings, read as the question needs them.
+    /// The subject of the question: readings, read as the question needs them.
     type Problem;
     /// The answer, from which every form is written.
     type Answer;
@@ -31,7 +31,7 @@ pub trait Ask {
     /// Why there is no answer.
     fn read(&self, asked: &Asked, source: Source, shows: Shows) -> Result<Self::Problem, Refusal>;
 
-    /// What the table was taken for.
+    /// Returns the detected format of the table.
     fn table<'a>(&self, problem: &'a Self::Problem) -> Option<&'a TableNotes>;
 
     /// Finds the answer. Exact.

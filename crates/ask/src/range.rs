@@ -1,4 +1,4 @@
-//! Which runs of readings some parameters agree with.
+//! The runs of readings that some parameters agree with.
 
 use boundfit_estimation::{Fit, Problem, fit};
 use boundfit_formats::{Source, TableNotes};

@@ -131,10 +131,10 @@ impl Request {
         Request::of_keys(object(json)?)
     }
 
-    /// As [`Request::parse`], of what is parsed.
+    /// Reads a request as [`Request::parse`] does, from parsed JSON.
     ///
     /// # Errors
-    /// Those of [`Request::parse`].
+    /// The errors of [`Request::parse`].
     pub fn of_json(json: Value) -> Result<Self, Refusal> {
         Request::of_keys(serde_json::from_value(json).map_err(no_request)?)
     }
@@ -142,7 +142,7 @@ impl Request {
     /// Reads a request together with the readings that it is about: `{"ask": "range", "by": "row", "x": "V", "y": "z", "eps": "1/2"}`.
     ///
     /// # Errors
-    /// Those of [`Request::parse`].
+    /// The errors of [`Request::parse`].
     pub fn with_readings(json: &str) -> Result<(Self, Readings), Refusal> {
         let mut keys = object(json)?;
         let readings = Readings::take(&mut keys)?;
@@ -152,7 +152,7 @@ impl Request {
     /// The question that an object asks, in which no other keys are.
     ///
     /// # Errors
-    /// Those of [`Request::parse`].
+    /// The errors of [`Request::parse`].
     pub fn of_keys(mut keys: Map<String, Value>) -> Result<Self, Refusal> {
         match take_key::<Option<String>>(&mut keys, "ask")? {
             Some(name) => Request::of_name(&name, Value::Object(keys)),

@@ -1,8 +1,8 @@
-//! How surfaces name what they take.
+//! The names of keys on each surface.
 
 use boundfit_formats::Way;
 
-/// How a surface names what it takes.
+/// The names by which a surface calls its keys.
 pub trait Surface {
     /// A key: an option, a keyword, a key of an object.
     fn key(&self, key: &str) -> String;

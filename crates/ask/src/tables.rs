@@ -5,7 +5,7 @@ use boundfit_formats::{Again, RowSet, ScanOptions, Source, TableNotes, TableOpti
 
 use crate::refusal::Refusal;
 
-/// Where further tables are found that a question names: readings to be judged, values to be predicted at.
+/// The place of further tables that a question names: readings to be judged, values for predictions.
 pub trait Tables: Send + Sync {
     /// Opens one, all rows of it, and says how it is read.
     ///
@@ -37,9 +37,9 @@ impl Tables for Files {
 pub struct Held {
     /// The tables.
     pub tables: Vec<(String, Again, Reading)>,
-    /// What reports call them, if anything.
+    /// The name of the tables in reports, if any.
     pub shown: Option<&'static str>,
-    /// How all are read, but for their numbers.
+    /// The options for reading all tables, except for their numbers.
     pub files: Files,
 }
 
@@ -59,7 +59,7 @@ impl Tables for Held {
     }
 }
 
-/// How a further table is read: as the first one, but all of it.
+/// Returns the options for reading a further table: as the first one, but all of it.
 fn of_all_rows(options: &ScanOptions, reading: Reading) -> ScanOptions {
     let table =
         TableOptions { rows: RowSet::default(), conditions: Vec::new(), reading, ..options.table.clone() };

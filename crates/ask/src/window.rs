@@ -17,16 +17,16 @@ use crate::refusal::{Refusal, ValueProblem};
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Window {
-    /// How many readings a window has, in order of rows.
+    /// The number of readings in a window, in order of rows.
     pub window: Option<usize>,
-    /// How far a window reaches back in x from its newest reading, in order of x.
+    /// The reach of a window back in x from its newest reading, in order of x.
     pub window_x: Option<Given>,
-    /// How many readings a window moves on; 1 unless it is said.
+    /// The number of readings that a window moves on; 1 by default.
     pub step: Option<usize>,
 }
 
 impl Window {
-    /// How far a window reaches back, and how far it moves on, where its numbers are read like those of the table.
+    /// Returns the reach of a window and its step, with numbers read like those of the table.
     ///
     /// # Errors
     /// When it is not said, said twice, or no number.

@@ -46,9 +46,9 @@ pub fn check<N: Number>(problem: &Problem, claimed: &[[N; 2]; 2]) -> Result<[[Ju
     Ok(judge(problem, &claims))
 }
 
-/// Judges claims of any kind, as [`check`](fn@check) does: also that a parameter has no bound or that there is no feasible
-/// point, with the point or the multipliers that a solver shows for it, and
-/// with the precision of numbers that were printed ([`Printed`]).
+/// Judges claims of any kind, as [`check`](fn@check) does. Further claims say that a parameter has no bound or that
+/// there is no feasible point, with the point or the multipliers of a solver. Numbers may have the precision with
+/// which they were printed ([`Printed`]).
 pub fn judge(problem: &Problem, claims: &[[BoundClaim; 2]; 2]) -> [[Judgement; 2]; 2] {
     let rows = ProgramRows::new(problem);
     let referee = Referee::new(rows.rows().to_vec(), Rational::ratio(1, 1_000_000));

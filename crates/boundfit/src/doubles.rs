@@ -8,8 +8,9 @@ use crate::observations::{Error, same_length};
 
 /// The problem of readings of a line, y = theta1*x + theta2 + e with |e| ≤ eps, in slices of doubles of any length.
 ///
-/// A double stands for itself under [`Reading::Binary64`]; under [`Reading::Decimal`] for the shortest decimal that is read as
-/// it, which is what was written where readings were printed with up to 15 digits and parsed: 0.1 is 1/10.
+/// Under [`Reading::Binary64`] a double stands for itself. Under [`Reading::Decimal`] it stands for the shortest
+/// decimal that is read as it: 0.1 is 1/10. That is the written number where readings were printed with up to 15
+/// digits and parsed.
 ///
 /// The answers are those of [`Observations::line`](crate::Observations::line) and
 /// [`error_bound`](crate::Observations::error_bound). For more than 10,000 readings, the function keeps only

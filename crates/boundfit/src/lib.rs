@@ -59,13 +59,13 @@
 //! # Ok::<(), boundfit::Error>(())
 //! ```
 //!
-//! Many readings in slices of doubles are best handed over as such: [`fit_doubles`] takes 10⁶ of them in a few hundredths of a second,
-//! each for itself or for the shortest decimal that is read as it.
+//! Many readings in slices of doubles have a function of their own: [`fit_doubles`] takes 10⁶ of them in a few
+//! hundredths of a second. Each double stands for itself or for the shortest decimal that is read as it.
 //!
 //! # Models, bounds and prior knowledge
 //!
-//! [`Observations`] are readings of a line or of a model with two regressors; with one error bound, or with one for each
-//! reading, they become a [`Problem`], to which linear conditions on the parameters can be added:
+//! [`Observations`] are readings of a line or of a model with two regressors. With one error bound, or with one for
+//! each reading, they become a [`Problem`], to which linear conditions on the parameters can be added:
 //!
 //! ```
 //! use boundfit::Observations;

@@ -1,4 +1,4 @@
-//! What is asked of readings beyond the set of all parameters that agree with them, each answered exactly.
+//! The questions about readings beyond the set of all parameters that agree with them, each answered exactly.
 //!
 //! ```
 //! use boundfit::Observations;

@@ -26,8 +26,9 @@ pub struct CheckOptions {
     pub time_limit: Duration,
     /// The directions in which the set is compared; none when `None`.
     pub directions: Option<AskedDirections>,
-    /// True if the programs have the rows of all readings. Otherwise those of more than [`MOST_READINGS`] readings of a line
-    /// under a uniform error bound, of which most cannot bound anything, have the rows of the readings on a hull only.
+    /// True if the programs have the rows of all readings. Otherwise the programs may have only the rows of the
+    /// readings on a hull. That holds for more than [`MOST_READINGS`] readings of a line under a uniform error bound,
+    /// of which most cannot bound anything.
     pub all_rows: bool,
 }
 
@@ -64,8 +65,9 @@ impl JudgedAnswer {
 /// Everything that was found.
 #[derive(Debug, Clone)]
 pub struct Check {
-    /// Every answer: against the data as read, then against the binary64 numbers that a solver receives, unless these
-    /// overflow or are the same, or the source did not work with them.
+    /// Every answer, judged against the data as read, then against the binary64 numbers that a solver receives. The
+    /// second judgement is missing if these numbers overflow or are the same, or if the source did not work with
+    /// them.
     pub answers: Vec<JudgedAnswer>,
     /// The set beside its approximations by linear programs.
     pub directions: Option<Directions>,

@@ -1,4 +1,4 @@
-//! How the program ends.
+//! The end of the program.
 
 use std::fmt::Display;
 
@@ -28,7 +28,7 @@ impl From<Exit> for ExitCode {
     }
 }
 
-/// What is refused: what can be set so that it is not.
+/// A refusal, with the settings that would avoid it.
 pub(crate) trait Refused: Display {
     fn ways(&self) -> Vec<Way>;
 }
@@ -73,12 +73,12 @@ pub(crate) fn words(way: &Way) -> String {
     }
 }
 
-/// How this program raises a limit.
+/// Returns the option with which this program raises a limit.
 pub(crate) fn raises(limit: Limit) -> String {
     words(&Way::raises(limit))
 }
 
-/// What is asked for in the words of options.
+/// The names of settings in the words of options.
 struct Options;
 
 impl Surface for Options {
@@ -117,7 +117,7 @@ fn value(option: &str, value: &str) -> String {
     format!("invalid value '{}' for '{option}'", Foreign::from(shown))
 }
 
-/// Why there is no answer.
+/// The reason why there is no answer.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// Status 1: bad data, or a file that cannot be read or written.
@@ -127,7 +127,7 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
-    /// What is wrong.
+    /// Returns the fault in words.
     pub(crate) fn message(&self) -> &str {
         let (Failure::Data(message) | Failure::Usage(message)) = self;
         message
@@ -138,14 +138,14 @@ impl Failure {
         Failure::Data(problem.to_string())
     }
 
-    /// What is refused, with what this program does about it.
+    /// Reports a refusal, with this program's remedy.
     pub(crate) fn refused(problem: impl Refused) -> Self {
         let ways: Vec<String> = problem.ways().iter().map(words).collect();
         let ways = if ways.is_empty() { String::new() } else { format!("; {}", ways.join(", ")) };
         Failure::Data(format!("{problem}{ways}"))
     }
 
-    /// What is refused of a file.
+    /// Reports a refusal of a file.
     pub(crate) fn refused_of(file: Foreign<&str>, problem: impl Refused) -> Self {
         match Failure::refused(problem) {
             Failure::Data(message) => Failure::Data(format!("{file}: {message}")),
@@ -153,7 +153,7 @@ impl Failure {
         }
     }
 
-    /// Why a question about a file has no answer.
+    /// Returns the reason why a question about a file has no answer.
     pub(crate) fn of(refusal: &Refusal, file: Foreign<&str>) -> Self {
         let words = refusal.words(&Options);
         match refusal {
@@ -163,7 +163,7 @@ impl Failure {
         }
     }
 
-    /// What excludes or needs each other.
+    /// Reports options that exclude or need each other.
     pub(crate) fn misuse(misuse: Misuse) -> Self {
         Failure::Usage(Refusal::Misuse(misuse).words(&Options))
     }
@@ -173,8 +173,8 @@ impl Failure {
         Failure::Usage(format!("{}: {problem}", value(option, text)))
     }
 
-    /// Writes the message to standard error and gives the status. What names texts from outside has made them visible already; of
-    /// what has not, nothing but line ends is left as it is.
+    /// Writes the message to standard error and gives the status. Names of texts from outside have been made visible
+    /// already; in all other texts only line ends are left as they are.
     pub(crate) fn report(self) -> ExitCode {
         let (message, hint, status) = match self {
             Failure::Data(message) => (message, "", 1),

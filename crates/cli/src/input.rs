@@ -40,7 +40,7 @@ pub(crate) fn read_text(file: &str, largest: u64) -> Result<String, Failure> {
     text.ok_or_else(|| fail("this is no text in UTF-8".to_owned()))
 }
 
-/// How many bytes tell whether a file is text.
+/// The number of bytes that tell whether a file is text.
 const START: u64 = 1 << 16;
 
 fn read_at_most(file: &str, most: u64) -> Result<Vec<u8>, Failure> {

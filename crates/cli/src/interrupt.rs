@@ -4,10 +4,10 @@ use std::io::Write;
 
 use crate::{output, progress};
 
-/// What a shell reports for a program that Ctrl-C ended: 128 and the number of the signal.
+/// The status that a shell reports for a program that Ctrl-C ended: 128 and the number of the signal.
 const INTERRUPTED: i32 = 130;
 
-/// From now on an interrupted program leaves no unfinished file and no progress bar behind.
+/// Makes sure that an interrupted program leaves no unfinished file and no progress bar behind.
 pub(crate) fn leave_nothing_behind() {
     // Where no handler can be set, the system's own way of stopping remains.
     let _ = ctrlc::set_handler(|| {

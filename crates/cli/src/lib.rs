@@ -32,8 +32,13 @@ use clap::CommandFactory;
 use crate::arguments::{Arguments, Command};
 use crate::exit::Exit;
 
-/// Runs the command that the program's arguments ask for and gives the exit status: 0 an answer, 1 bad data or
-/// I/O, 2 bad usage, 3 an empty set, 4 a refuted claim or proof, 130 an interruption.
+/// Runs the command that the program's arguments ask for and returns the exit status.
+/// - 0: an answer
+/// - 1: bad data or I/O
+/// - 2: bad usage
+/// - 3: an empty set
+/// - 4: a refuted claim or proof
+/// - 130: an interruption
 pub fn main() -> ExitCode {
     let arguments = usage::parse();
     interrupt::leave_nothing_behind();

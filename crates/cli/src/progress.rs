@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use boundfit_formats::Progress;
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// What is done sooner than this shows no progress.
+/// The time below which work shows no progress.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// The bar on the terminal, if there is one.
@@ -30,7 +30,7 @@ fn showing(bar: ProgressBar) -> ProgressBar {
     bar
 }
 
-/// How far the reading of a file is.
+/// The progress of reading a file.
 pub(crate) struct ReadingProgress {
     started: Instant,
     bytes: AtomicU64,
@@ -84,7 +84,7 @@ impl Drop for ReadingProgress {
 
 /// Does some work, with a sign of life and its name once it takes long.
 pub(crate) fn while_working<T>(name: &'static str, work: impl FnOnce() -> T) -> T {
-    /// How often a spinner turns.
+    /// The time between turns of a spinner.
     const TURN: Duration = Duration::from_millis(100);
     let (done, is_done) = mpsc::channel::<()>();
     thread::scope(|scope| {

@@ -1,4 +1,4 @@
-//! What is said about a command line that is not understood.
+//! The messages about a command line that is not understood.
 
 use std::path::Path;
 
@@ -9,10 +9,11 @@ use clap::{CommandFactory, FromArgMatches};
 
 use crate::arguments::{Arguments, with_short_help};
 
-/// What short options may be meant for. There are none for these, since a table may have columns of any name.
+/// The options that short options may be meant for. There are none for these, since a table may have columns of any
+/// name.
 const MEANT: [(&str, &str); 3] = [("-x", "--x"), ("-y", "--y"), ("-e", "--eps")];
 
-/// What the values of y at other x may be is a picture, not a list.
+/// The answer to a request for y at other x, which is a picture, not a list.
 const PREDICTED: &str =
     "the values that y may have at any x are the corridor: 'boundfit plot ... --figure corridor' draws it";
 
@@ -35,7 +36,7 @@ fn visible(mut error: clap::Error) -> clap::Error {
         ContextKind::TrailingArg,
     ];
     let shown = |text: &String| Foreign::of(text).to_string();
-    // What clap suggests repeats it.
+    // The suggestion of clap repeats the text.
     if matches!(error.get(ContextKind::InvalidArg), Some(ContextValue::String(text)) if shown(text) != *text)
     {
         error.remove(ContextKind::Suggested);

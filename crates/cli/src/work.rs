@@ -8,8 +8,8 @@ use boundfit_questions::times::check_outliers;
 use crate::arguments::LimitArguments;
 use crate::exit::{Failure, raises};
 
-/// How often a command does what a fit does, as far as long numbers are concerned: what it takes for readings of thousands of
-/// digits, divided by what `fit` takes.
+/// The cost of each command relative to a fit, as far as long numbers are concerned. It is the work for readings of
+/// thousands of digits, divided by the work of `fit`.
 pub(crate) mod times {
     pub(crate) use boundfit_questions::times::FIT;
 

@@ -11,9 +11,9 @@ use crate::terms::{ParseBoundError, ParseBoundErrorKind};
 pub enum AskedBound {
     /// This number; not negative.
     Number(Rational),
-    /// What a law says of each reading.
+    /// A bound that a law gives for each reading.
     Law(Box<Law>),
-    /// So many times ε_min of these very readings; positive.
+    /// A positive multiple of ε_min of the same readings.
     TimesLeast(Rational),
 }
 

@@ -12,7 +12,7 @@ pub enum ParameterBound {
     Bounded {
         /// The end of the interval.
         value: Rational,
-        /// At most two readings or conditions that prove it, and where it is attained.
+        /// The proof of the bound, at most two readings or conditions, and the place where the bound is attained.
         proof: BoundProof,
     },
     /// The parameter goes on without end.

@@ -17,7 +17,7 @@ pub struct Condition {
 /// The reason why a text is not a condition, and where.
 pub type ParseConditionError = ParseTextError<ParseConditionErrorKind>;
 
-/// What is wrong with a text that should be a condition.
+/// The kind of mistake in a text that should be a condition.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ParseConditionErrorKind {
     /// Neither a number nor theta1 nor theta2.
@@ -73,7 +73,7 @@ impl Condition {
     /// as well.
     ///
     /// # Errors
-    /// Those of [`Condition::parse`].
+    /// The errors of [`Condition::parse`].
     pub fn parse_in_plane(
         text: &str,
         reading: Reading,
@@ -124,7 +124,7 @@ impl Condition {
     }
 }
 
-/// What stands between the two sides of a condition.
+/// The sign between the two sides of a condition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Relation {
     AtMost,
@@ -132,9 +132,9 @@ enum Relation {
     Equal,
 }
 
-/// What θ1 and θ2 may be called.
+/// The names of θ1 and θ2.
 const PARAMETERS: &[&str] = &["theta1", "θ1", "theta2", "θ2"];
-/// What they may be called where nothing but the plane is spoken of.
+/// The names of θ1 and θ2 where the text speaks only of the plane.
 const COORDINATES: &[&str] = &["theta1", "θ1", "θ₁", "x", "theta2", "θ2", "θ₂", "y"];
 
 struct Parser<'a> {

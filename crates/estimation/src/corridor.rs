@@ -1,8 +1,8 @@
 //! The corridor of a line model: where the lines of all feasible parameters run.
 //!
-//! At an abscissa x the feasible lines reach from min θ1·x + θ2 to max θ1·x + θ2 over the FPS. As functions of x these
-//! are piecewise linear, the upper one convex and the lower one concave; each piece is the line of one vertex, and the
-//! pieces meet where the form (x, 1) is perpendicular to an edge.
+//! At an abscissa x the feasible lines reach from min θ1·x + θ2 to max θ1·x + θ2 over the FPS. As functions of x,
+//! these bounds are piecewise linear: the upper one is convex, the lower one concave. Each piece is the line of one
+//! vertex. Pieces meet where the form (x, 1) is perpendicular to an edge.
 
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::predicates::lexicographic;

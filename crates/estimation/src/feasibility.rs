@@ -1,4 +1,4 @@
-//! Whether least squares is one of the answers.
+//! A test of whether least squares is one of the feasible answers.
 
 use boundfit_geometry::Point;
 use boundfit_geometry::predicates::{Side, side};

@@ -15,13 +15,13 @@ use crate::minimax::Minimax;
 use crate::problem::Problem;
 use crate::reduction::NoLeastSquares;
 
-/// The answer. What does not exist for a problem is `None`; [`Fit::least_squares`] says why.
+/// The answer. A part that does not exist for a problem is `None`; [`Fit::least_squares`] says why.
 #[derive(Debug, Clone)]
 pub struct Fit {
     /// The least-squares estimate with its EUI.
     pub least_squares: Result<LeastSquares, NoLeastSquares>,
-    /// The feasible parameter set. Of a line under a uniform error bound it has the half-planes that can be active only;
-    /// [`Fit::with_every_half_plane`] has all of them.
+    /// The feasible parameter set. For a line under a uniform error bound it has only the half-planes that can be
+    /// active; [`Fit::with_every_half_plane`] has all of them.
     pub fps: Fps,
     /// The parameter uncertainty intervals; `None` when the FPS is empty.
     pub pui: Option<[ParameterInterval; 2]>,
@@ -143,7 +143,7 @@ impl Fit {
         Some(self.share_of_box(&measures)?.exact())
     }
 
-    /// As [`Fit::tightness`], of the measures of the FPS.
+    /// Returns the value of [`Fit::tightness`] from the measures of the FPS.
     pub fn share_of_box<'a>(&self, measures: &'a Measures) -> Option<Measure<'a>> {
         measures.share_of(&self.box_area()?)
     }
@@ -159,11 +159,12 @@ impl Fit {
         self.box_area().is_some_and(|area| area.is_positive())
     }
 
-    /// For an empty FPS, at most three half-planes with positive multipliers whose sum is `0 ≤ negative`. Of a line under a
-    /// uniform bound these are the readings that ask for the largest one; of anything else the first half-plane that contradicts
-    /// those before it, of those that can be active at all, with these. Under a uniform bound conditions that contradict each
-    /// other come first. So it does not depend on which half-planes that are never active the FPS has, nor on whether all
-    /// readings are in memory. Exact.
+    /// Returns, for an empty FPS, at most three half-planes with positive multipliers whose sum is `0 ≤ negative`.
+    /// For a line under a uniform bound these are the readings that need the largest bound. In all other cases they
+    /// are the first half-plane, among those that can be active, that contradicts earlier ones, and the half-planes
+    /// that it contradicts. Under a uniform bound conditions that contradict each other come first. So it does not
+    /// depend on which half-planes that are never active the FPS has, nor on whether all readings are in memory.
+    /// Exact.
     pub fn contradiction(&self, error_bound: &ErrorBound) -> Option<Vec<(BoundName, Rational)>> {
         let certificate = self.fps.polyhedron().region().certificate()?;
         let Some(epsilon) = error_bound.uniform() else { return self.fps.first_contradiction() };
@@ -179,8 +180,8 @@ impl Fit {
         }
     }
 
-    /// For conditions that contradict each other whatever the readings are, at most three of them with positive multipliers
-    /// whose sum is `0 ≤ negative`. Exact.
+    /// Returns at most three conditions with positive multipliers whose sum is `0 ≤ negative`, if conditions
+    /// contradict each other whatever the readings are. Exact.
     pub fn contradiction_of_conditions(&self) -> Option<Vec<(BoundName, Rational)>> {
         let named = self.fps.names().iter().zip(self.fps.polyhedron().system().inequalities());
         let (names, system): (Vec<BoundName>, Vec<Inequality>) = named

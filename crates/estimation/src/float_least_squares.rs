@@ -19,10 +19,10 @@ pub struct FloatEstimate {
 /// Least squares as it is computed in binary64: Φ and y are rounded to the nearest doubles first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloatLeastSquares {
-    /// By Householder QR, as MATLAB's `Phi\y`. `None` when it does not come out finite.
+    /// The estimate by Householder QR, as MATLAB's `Phi\y`. `None` when it does not come out finite.
     pub qr: Option<FloatEstimate>,
-    /// By the pseudo-inverse from a singular value decomposition, as MATLAB's `pinv(Phi)*y`: singular values below
-    /// max(N, 2)·σ_max·2⁻⁵² count as zero. `None` when it does not come out finite.
+    /// The estimate by the pseudo-inverse from a singular value decomposition, as MATLAB's `pinv(Phi)*y`. Singular
+    /// values below max(N, 2)·σ_max·2⁻⁵² count as zero. `None` when it does not come out finite.
     pub pseudo_inverse: Option<FloatEstimate>,
 }
 

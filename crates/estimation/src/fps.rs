@@ -19,7 +19,7 @@ use crate::ties::{ActiveBounds, Ties};
 pub struct Fps {
     polyhedron: Polyhedron,
     names: Vec<BoundName>,
-    /// Which readings these half-planes stand for beside their own.
+    /// The readings that these half-planes stand for beside their own.
     ties: Ties,
     /// True if the readings are of a line under a uniform error bound.
     has_hulls: bool,
@@ -28,12 +28,12 @@ pub struct Fps {
 }
 
 impl Fps {
-    /// The FPS of readings and conditions. Of a line under a uniform error bound it has the half-planes that can be active
-    /// only: the upper bounds of the readings on the lower hull of (x, y), the lower bounds of those on the upper one, of
-    /// readings at one corner or strictly within one edge those of the first, and the conditions. Vertices, the names that are
-    /// [active](Fps::active), bounds and the tightest half-planes of a point are those of
-    /// [`Fps::of_every_half_plane`]; what may differ is which of several proofs there is of a bound, or of emptiness.
-    /// Exact. Cost: O(N log N).
+    /// The FPS of readings and conditions. For a line under a uniform error bound it has only the half-planes that
+    /// can be active, and the conditions. These are upper bounds of readings on the lower hull of (x, y) and lower
+    /// bounds of readings on the upper hull. The first reading represents readings at one corner or strictly within
+    /// one edge. Vertices, [active](Fps::active) names, bounds and the tightest half-planes of a point are the same
+    /// as for [`Fps::of_every_half_plane`]. Only the choice among several proofs of a bound or of emptiness may
+    /// differ. Exact. Cost: O(N log N).
     pub fn new(measurements: &Measurements, conditions: &[Condition]) -> Self {
         Fps::with_extremes(measurements, conditions, Extremes::of(measurements).as_ref())
     }
@@ -105,9 +105,9 @@ impl Fps {
         self.has_tightest
     }
 
-    /// Of an empty FPS the first half-plane, in the order of rows and then of conditions, that contradicts those before it, with
-    /// these and their multipliers; of the readings only those half-planes are looked at that touch an envelope, so that it
-    /// does not depend on which others there are. Exact. Cost: O(N log N).
+    /// Returns the first half-plane of an empty FPS, in the order of rows and then of conditions, that contradicts
+    /// earlier half-planes, with these and their multipliers. Only readings' half-planes that touch an envelope
+    /// count, so that the answer does not depend on other half-planes. Exact. Cost: O(N log N).
     pub(crate) fn first_contradiction(&self) -> Option<Vec<(BoundName, Rational)>> {
         self.polyhedron.region().certificate()?;
         let is_condition = |name: &&BoundName| !matches!(name, BoundName::Upper(_) | BoundName::Lower(_));
@@ -131,8 +131,8 @@ impl Fps {
         &self.names
     }
 
-    /// The bounds that are active where these inequalities of the system are, those that they stand for included: at most so
-    /// many by name, sorted, and how many there are beside them.
+    /// Returns the bounds that are active where these inequalities of the system are active, with the bounds that
+    /// they stand for. At most `most` bounds appear by name, sorted; the others are counted.
     ///
     /// # Panics
     /// When an index is out of range.
@@ -183,9 +183,9 @@ pub fn half_planes(measurement: &Measurement) -> impl Iterator<Item = (BoundName
     [upper(measurement, measurement.upper()), lower(measurement, measurement.lower())].into_iter().flatten()
 }
 
-/// The half-planes of a reading as they move with a factor on its error bound: at factor 0, and how fast the right-hand side
-/// grows. A reading with both bounds grows about their middle by half of their distance; one with a single bound, or with
-/// bounds that cross or coincide, says the same at every factor. Exact.
+/// The half-planes of a reading as they move with a factor on its error bound: at factor 0, and how fast the
+/// right-hand side grows. A reading with both bounds grows about their middle by half of their distance. A reading
+/// with a single bound, or with bounds that cross or coincide, says the same at every factor. Exact.
 pub fn growing_half_planes(
     measurement: &Measurement,
 ) -> impl Iterator<Item = (BoundName, GrowingInequality)> {

@@ -6,8 +6,8 @@ use crate::meaning::{ErrorBound, Model};
 use crate::measurement::Measurement;
 use crate::measurements::Measurements;
 
-/// The columns of the readings in memory, each on a unit of its own. What is the same for every reading, φ2 of a line and
-/// a uniform ε, has none.
+/// The columns of the readings in memory, each on a unit of its own. Numbers that are the same for every reading,
+/// such as φ2 of a line and a uniform ε, have no column.
 #[derive(Debug, Clone)]
 pub(crate) struct Grid {
     pub(crate) phi1: Scaled<i64>,

@@ -1,4 +1,4 @@
-//! What a fleet says of a group in one line.
+//! The line that a report about a fleet has for each group.
 
 use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::RegionKind;
@@ -14,7 +14,7 @@ pub struct GroupFit {
     pub rows: usize,
     /// The row of the first of them in the file.
     pub first_row: Option<usize>,
-    /// Which kind of set the FPS is.
+    /// The kind of set that the FPS is.
     pub kind: RegionKind,
     /// The parameter uncertainty intervals; `None` when the FPS is empty.
     pub pui: Option<[Interval; 2]>,

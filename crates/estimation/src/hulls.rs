@@ -1,8 +1,8 @@
-//! Which readings of a line can bound anything, from the two hulls of the readings, and ε_min.
+//! The readings of a line that can bound anything, from the two hulls of the readings, and ε_min.
 //!
-//! A line within ε of every reading passes above the upper hull of (x, y - ε) and below the lower hull of (x, y + ε), so
-//! the smallest ε is half of the largest vertical distance between the upper and the lower hull of (x, y). It is found
-//! between a vertex of one hull and an edge of the other, and those three readings prove it.
+//! A line within ε of every reading passes above the upper hull of (x, y - ε) and below the lower hull of (x, y + ε).
+//! So the smallest ε is half of the largest vertical distance between the upper and the lower hull of (x, y). It is
+//! found between a vertex of one hull and an edge of the other, and those three readings prove it.
 
 use std::cmp::Ordering;
 
@@ -18,7 +18,7 @@ use crate::measurement::Measurement;
 use crate::measurements::Measurements;
 use crate::ties::TiedReading;
 
-/// From so many readings on, those inside are discarded before the others are sorted.
+/// The number of readings from which on readings inside are discarded before the others are sorted.
 const FEWEST_TO_FILTER: usize = 64;
 
 /// The readings on the two hulls of (x, y), as positions among the rows.
@@ -39,14 +39,14 @@ pub(crate) struct Touching {
     pub(crate) position: usize,
     /// The positions of all that it stands for.
     pub(crate) tied: Tally,
-    /// On the lower hull: its upper bound can be active.
+    /// `true` on the lower hull: the reading's upper bound can be active.
     pub(crate) lower: bool,
-    /// On the upper hull: its lower bound can be active.
+    /// `true` on the upper hull: the reading's lower bound can be active.
     pub(crate) upper: bool,
 }
 
-/// A corner of one hull and the edge of the other hull above or below it; both ends of the edge are the same where the
-/// corner is at an end of the other hull.
+/// A corner of one hull and the edge of the other hull above or below it. Both ends of the edge are the same where
+/// the corner is at an end of the other hull.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Gap {
     pub(crate) corner: usize,
@@ -65,7 +65,7 @@ impl Extremes {
         grid.map_or_else(|| Extremes::in_general(rows), Extremes::on_grid)
     }
 
-    /// On machine integers: the coordinates of a grid are small enough for every decision.
+    /// Finds the extremes with machine integers: the coordinates of a grid are small enough for every decision.
     pub(crate) fn on_grid(grid: &Grid) -> Self {
         Extremes::of_columns(grid.phi1.counts(), grid.response.counts())
     }
@@ -80,7 +80,11 @@ impl Extremes {
         Extremes::of_touching(touching(points, usize::MAX))
     }
 
+<<<<<<< HEAD
     /// For numbers of any size. Those of few digits, as 1.25e300, are machine integers on a unit of their own.
+=======
+    /// Finds the extremes of numbers of any size.
+>>>>>>> words3
     pub(crate) fn in_general(rows: &[Measurement]) -> Self {
         let x = multiples(rows.iter().map(|row| &row.regressor[0]));
         if let Some((x, y)) = x.zip(multiples(rows.iter().map(|row| row.y_and_epsilon().0))) {
@@ -89,7 +93,7 @@ impl Extremes {
         Extremes::of_touching(touching_as_one(exact_places(rows), ExactPlace::orientation, usize::MAX))
     }
 
-    /// From the readings that touch a hull, as one, sorted by x, then by y.
+    /// Returns the extremes of the readings that touch a hull as one, sorted by x, then by y.
     fn of_touching<P: Place>(points: Vec<P>) -> Self {
         let points = points.as_slice();
         let [lower, upper] =
@@ -134,8 +138,8 @@ fn exact_places(rows: &[Measurement]) -> Vec<ExactPlace> {
     points
 }
 
-/// The readings of a line on either hull of (x, y), those of [`Extremes::touching`], or each place within an
-/// edge; at most so many numbers are listed of those that each stands for. Exact. Cost: O(N log N).
+/// Returns the readings of a line on either hull of (x, y): the readings of [`Extremes::touching`], or each place
+/// within an edge. Lists at most so many numbers of the readings that each stands for. Exact. Cost: O(N log N).
 pub(crate) fn touching_a_hull(
     readings: Vec<TiedReading>,
     most: usize,
@@ -167,17 +171,17 @@ pub(crate) fn touching_a_hull(
 
 /// A reading of a line as a point of the plane of x and y.
 trait Place: Tied {
-    /// Of the first reading here.
+    /// Returns the position of the first reading here.
     fn position(&self) -> usize {
         // Positions in a list that is in memory.
         self.rows().first() as usize
     }
 
     fn by_x(&self, other: &Self) -> Ordering;
-    /// On which side of the line through two points, in that order, a third lies.
+    /// Returns the side of the line through two points, in that order, on which a third point lies.
     fn orientation(&self, second: &Self, third: &Self) -> Sign;
-    /// The vertical distance, not negative, from the point to the line through two others, or to the one point if they are
-    /// the same; in any unit that is the same for all points.
+    /// Returns the vertical distance, not negative, from the point to the line through two others, or to their one
+    /// point if they are the same. The unit is any that is the same for all points.
     fn distance(&self, edge: [&Self; 2]) -> Fraction;
 }
 
@@ -241,8 +245,8 @@ impl Place for ExactPlace {
     }
 }
 
-/// The widest gap between the hulls, of which the corners are given by x: that of the first corner of the upper hull with
-/// it, or else of the lower one.
+/// Returns the widest gap between the hulls, whose corners are sorted by x. Among equal gaps it takes the first
+/// corner of the upper hull, or else of the lower one.
 fn widest<P: Place>(lower: &[&P], upper: &[&P]) -> Option<Gap> {
     let gaps_of = |corners: &[&P], hull: &[&P], corner_is_lower: bool| {
         let mut widest: Option<(Fraction, Gap)> = None;

@@ -3,19 +3,19 @@
 use boundfit_exact::{Endpoint, Fraction, Integer, Interval, Rational, Sign};
 use boundfit_geometry::{Branch, Inequality, Polyhedron, Region, System, Vertex, inverse_line_image};
 
-/// What is known about one parameter of the inverse line. Ranges are unions of at most two disjoint intervals, in
+/// The facts about one parameter of the inverse line. Ranges are unions of at most two disjoint intervals, in
 /// ascending order: two where θ1 may have either sign, none where there is no feasible θ with θ1 ≠ 0.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct InverseParameter {
-    /// Over the FPS. Closed: an end that is only approached (θ1 towards infinity) counts in.
+    /// The range over the FPS. Closed: an end that is only approached (θ1 towards infinity) counts in.
     pub exact_range: Vec<Interval>,
-    /// Over the PUI box, which contains the FPS: the interval arithmetic of textbooks.
+    /// The range over the PUI box, which contains the FPS: the interval arithmetic of textbooks.
     pub box_range: Vec<Interval>,
-    /// Over the EUI box, when there is one.
+    /// The range over the EUI box, if there is one.
     pub eui_range: Option<Vec<Interval>>,
-    /// Of the central estimate, when there is one with θ1 ≠ 0.
+    /// The value for the central estimate, if there is one with θ1 ≠ 0.
     pub central: Option<Rational>,
-    /// Of the least-squares estimate, when there is one with θ1 ≠ 0.
+    /// The value for the least-squares estimate, if there is one with θ1 ≠ 0.
     pub least_squares: Option<Rational>,
 }
 
@@ -108,8 +108,8 @@ fn ranges_of_box([theta1, theta2]: &[Interval; 2]) -> Option<Ranges> {
 /// The ranges over a convex polygon with these corners in order, each as (θ1, θ2) times a positive number of its own, and
 /// this range of θ1.
 ///
-/// A quotient of linear forms is monotone along every segment on one side of θ1 = 0, so -θ2/θ1 has its bounds in corners,
-/// but for what it does towards θ1 = 0: there it tends to where the sign of θ2 sends it.
+/// A quotient of linear forms is monotone along every segment on one side of θ1 = 0. So -θ2/θ1 has its bounds in
+/// corners, except towards θ1 = 0: there the sign of θ2 decides its limit.
 fn ranges_of_corners(corners: &[[Integer; 2]], theta1: &Interval) -> Option<Ranges> {
     let (lower, upper) = theta1.ends()?;
     let mut on_axis = Vec::new();
@@ -167,8 +167,9 @@ fn offsets<'a>(corners: impl Iterator<Item = &'a [Integer; 2]>) -> Option<[Ratio
     Some([least.into(), most.into()])
 }
 
-/// The ranges over a bounded box whose θ1 keeps one sign, which nearly every box of a fit does: two quotients, where four
-/// corners are compared by products that leave machine words. For a few readings this is a tenth of the whole fit.
+/// Returns the ranges over a bounded box whose θ1 keeps one sign, as in nearly every fit. Each range takes two
+/// quotients; corners are compared by products if they leave machine words. For a few readings this is a tenth of the
+/// whole fit.
 fn ranges_of_one_sign([theta1, theta2]: &[Interval; 2]) -> Option<Ranges> {
     let ((left, right), (low, high)) = (theta1.ends()?, theta2.ends()?);
     if left.sign() != right.sign() {

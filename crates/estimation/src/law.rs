@@ -5,7 +5,7 @@ use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use crate::measurement::{Bounds, Measurement};
 use crate::terms::{ParseBoundError, Terms, parse_terms};
 
-/// How far φ·θ may be from each y, as a sum of multiples of what is known of the reading.
+/// The largest distance of φ·θ from each y, as a sum of multiples of known quantities of the reading.
 ///
 /// A law that is the same above and below y bounds |e|; `+a/-b` says that φ·θ lies in [y - b, y + a].
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -16,9 +16,13 @@ pub struct Law {
 }
 
 impl Law {
-    /// Reads a law: a sum of numbers and of multiples of `|y|`, `|x|`, `range(y)` (largest less smallest y of the fitted
-    /// readings) and `written` (half a unit of the last digit written of y), with `%` for hundredths; or `+SUM/-SUM` for
-    /// other bounds above y than below. Numbers are read as `reading` says, all else is exact.
+    /// Reads a law: a sum of numbers and of multiples of four quantities, with `%` for hundredths.
+    /// - `|y|` and `|x|`
+    /// - `range(y)`: largest less smallest y of the fitted readings
+    /// - `written`: half a unit of the last digit written of y
+    ///
+    /// The form `+SUM/-SUM` gives other bounds above y than below. Numbers are read as `reading` says, all else is
+    /// exact.
     ///
     /// # Errors
     /// With the position where the text stops making sense.

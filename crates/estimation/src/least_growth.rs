@@ -9,7 +9,7 @@ use boundfit_geometry::{Inequality, Multiplier, Polyhedron, Support, System};
 pub struct GrowingInequality {
     /// The inequality at t = 0.
     pub at_zero: Inequality,
-    /// How fast its right-hand side grows; not negative.
+    /// The growth of its right-hand side; not negative.
     pub growth: Rational,
 }
 
@@ -17,13 +17,13 @@ pub struct GrowingInequality {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[allow(clippy::large_enum_variant, reason = "one per fit")]
 pub enum LeastGrowth {
-    /// From this t on there is a common point.
+    /// The least t from which on there is a common point.
     From {
         /// The least t, at least 0.
         t: Rational,
         /// A common point at the least t; there may be others.
         theta: [Rational; 2],
-        /// For t > 0, at most three multipliers that prove it: Σ λ·a = 0, Σ λ·growth = 1, Σ λ·b = -t.
+        /// The multipliers, at most three, that prove the least t, if t > 0: Σ λ·a = 0, Σ λ·growth = 1, Σ λ·b = -t.
         multipliers: Vec<Multiplier>,
     },
     /// The half-planes that do not grow contradict each other.
@@ -32,11 +32,11 @@ pub enum LeastGrowth {
 
 /// The smallest t ≥ 0 for which the inequalities have a common point. Exact.
 ///
-/// A cutting-plane method: the optimum of the constraints seen so far is tested against all; the most violated one
-/// joins them, and since the old optimum violates it, some new optimum lies on its boundary. On that boundary two
-/// variables are left, and the plane engine maximises over them. The optimum never falls and no constraint joins twice,
-/// so it ends; in practice after a dozen rounds. Cost of a round: linear in the number of inequalities, plus
-/// O(k log k) for k constraints seen.
+/// This is a cutting-plane method. The optimum of the constraints seen so far is tested against all constraints, and
+/// the most violated one joins them. Since the old optimum violates that constraint, some new optimum lies on its
+/// boundary. On that boundary two variables are left, and the plane engine maximises over them. The optimum never
+/// falls and no constraint joins twice, so it ends; in practice after a dozen rounds. Cost of a round: linear in the
+/// number of inequalities, plus O(k log k) for k constraints seen.
 pub fn least_growth(inequalities: &[GrowingInequality]) -> LeastGrowth {
     let integer_rows: Vec<IntegerRow> = inequalities.iter().map(IntegerRow::new).collect();
     let mut seen: Vec<usize> = Vec::new();

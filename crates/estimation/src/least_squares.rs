@@ -17,9 +17,9 @@ use crate::reduction::{NoEui, NoLeastSquares, Reach, Reduction};
 pub struct LeastSquares {
     /// θ̂.
     pub theta: [Rational; 2],
-    /// EUI_j = [θ̂_j ∓ Σ_k |A_jk|·ε_k] with A = (ΦᵀΦ)⁻¹Φᵀ: where θ̂_j would lie for any errors within their bounds. Of readings
-    /// with two bounds of their own, where A_j·t lies for all t between these: the estimate from their middles ∓
-    /// Σ_k |A_jk|·w_k with half the widths w_k, whatever y is.
+    /// EUI_j = [θ̂_j ∓ Σ_k |A_jk|·ε_k] with A = (ΦᵀΦ)⁻¹Φᵀ: where θ̂_j would lie for any errors within their bounds.
+    /// For readings with two bounds of their own, A_j·t lies for all t between these. Then the EUI is the estimate
+    /// from their middles ∓ Σ_k |A_jk|·w_k with half the widths w_k, whatever y is.
     ///
     /// It takes a second look at all readings; why there was none, otherwise.
     pub eui: Result<[Interval; 2], NoEui>,
@@ -34,7 +34,7 @@ impl LeastSquares {
         LeastSquares::with_grid(measurements, Grid::new(measurements).as_ref())
     }
 
-    /// As [`LeastSquares::new`], on the machine integers of the readings if there are any.
+    /// Computes as [`LeastSquares::new`] does, on the machine integers of the readings if there are any.
     pub(crate) fn with_grid(
         measurements: &Measurements,
         grid: Option<&Grid>,
@@ -52,7 +52,7 @@ impl LeastSquares {
         }
     }
 
-    /// From readings of any size.
+    /// Computes the estimate from readings of any size.
     fn of_rows(rows: &[Measurement]) -> Result<Self, NoLeastSquares> {
         let values = |number: fn(&Measurement) -> Option<Cow<'_, Rational>>| {
             rows.iter().map(number).collect::<Option<Vec<_>>>()
@@ -82,7 +82,7 @@ impl LeastSquares {
         estimate.about_middles(&moments, [uy, vy])
     }
 
-    /// With the EUI about the estimate from the middles of the bounds, given by Φᵀm. The estimate itself takes y.
+    /// Sets the EUI about the estimate from the middles of the bounds, given by Φᵀm. The estimate itself takes y.
     fn about_middles(self, moments: &Sums, [uy, vy]: [Rational; 2]) -> Result<Self, NoLeastSquares> {
         let middles = Sums { uy, vy, ..moments.clone() };
         let about_middles = LeastSquares::of_moments(&middles, |_| Err(NoEui::NotAsked))?.theta;
@@ -105,7 +105,7 @@ impl LeastSquares {
         estimate.ok().map(|estimate| estimate.theta)
     }
 
-    /// From the sums over readings most of which are no longer there. Cost: constant.
+    /// Computes the estimate from the sums over readings of which most are no longer in memory. Cost: constant.
     fn of_reduction(reduction: &Reduction, error_bound: &ErrorBound) -> Result<Self, NoLeastSquares> {
         let moments = reduction.sums.as_ref().map_err(|reason| *reason)?;
         let reach = reduction.reach_within(error_bound);
@@ -117,8 +117,8 @@ impl LeastSquares {
         }
     }
 
-    /// From moments, and what gives Σ_k |A_jk|·ε_k times the determinant for them. A_jk times the determinant is
-    /// p·φ_k1 + q·φ_k2 with (p, q) a row of the adjugate of ΦᵀΦ.
+    /// Computes the estimate from moments and from a function that gives Σ_k |A_jk|·ε_k times the determinant. A_jk
+    /// times the determinant is p·φ_k1 + q·φ_k2 with (p, q) a row of the adjugate of ΦᵀΦ.
     fn of_moments(
         moments: &Sums,
         reaches: impl FnOnce(&Sums) -> Result<[Rational; 2], NoEui>,
@@ -137,7 +137,8 @@ impl LeastSquares {
         Ok(LeastSquares { theta, eui })
     }
 
-    /// From machine integers, with every fraction reduced once; `None` when a sum does not fit into 128 bits.
+    /// Computes the estimate from machine integers, with every fraction reduced once; `None` when a sum does not fit
+    /// into 128 bits.
     fn on_grid(grid: &Grid, error_bound: &ErrorBound) -> Option<Result<Self, NoLeastSquares>> {
         let second = grid.phi2.as_ref();
         let moments =

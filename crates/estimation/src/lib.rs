@@ -4,10 +4,13 @@
 //! y_i = φ_i1·θ1 + φ_i2·θ2 + e_i,   |e_i| ≤ ε_i          (line model: φ_i = (x_i, 1))
 //! ```
 //!
-//! with nothing else known about the errors. [`fit`] computes, exactly: the least-squares estimate and its uncertainty
-//! intervals (EUI), the feasible parameter set (FPS) with its vertices, the parameter uncertainty intervals (PUI) with
-//! the readings that prove them, the central estimate, the smallest error bound ε_min with its minimax estimate, and
-//! gain and offset of the inverse line.
+//! with nothing else known about the errors. [`fit`] computes, exactly:
+//! - the least-squares estimate and its uncertainty intervals (EUI),
+//! - the feasible parameter set (FPS) with its vertices,
+//! - the parameter uncertainty intervals (PUI) with the readings that prove them,
+//! - the central estimate,
+//! - the smallest error bound ε_min with its minimax estimate,
+//! - gain and offset of the inverse line.
 //!
 //! Definitions follow Milanese and Vicino, "Optimal estimation theory for dynamic systems with set membership
 //! uncertainty: an overview", *Automatica* 27 (1991).

@@ -1,13 +1,13 @@
-//! How a line is written down: from which x its offset is told, and whether it has one.
+//! The form of a line: the x that its offset refers to, and whether it has an offset.
 
 use boundfit_exact::{Foreign, Rational};
 
 use crate::measurement::Measurement;
 
-/// Which lines are fitted: y = θ1·(x - origin) + θ2, with θ2 = 0 for those through the point (origin, 0).
+/// The lines that are fitted: y = θ1·(x - origin) + θ2, with θ2 = 0 for lines through the point (origin, 0).
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct LineForm {
-    /// Where x is counted from: θ2 is the value there.
+    /// The x at which θ2 is the value of the line.
     pub x_origin: Rational,
     /// True if θ2 is known to be 0, so that least squares has one parameter only. The condition `theta2 = 0` that belongs to
     /// it is one of the problem's: [`Problem::through_origin`](crate::Problem::through_origin) sees to both.

@@ -1,4 +1,4 @@
-//! What the numbers of a row mean: the model, and where the error bounds come from.
+//! The meaning of the numbers of a row: the model, and the source of the error bounds.
 
 use boundfit_exact::{Foreign, Rational};
 
@@ -6,7 +6,7 @@ use crate::law::Law;
 use crate::line_form::LineForm;
 use crate::measurement::{Bounds, Measurement};
 
-/// How the regressors come from the columns.
+/// The way from the columns to the regressors.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Model {
     /// y = θ1·x + θ2 + e.
@@ -21,7 +21,7 @@ pub enum Model {
     },
 }
 
-/// Where the error bounds come from, with columns by name or, as they are asked for, by selector.
+/// The source of the error bounds, with columns by name or, in a question, by selector.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[allow(clippy::large_enum_variant, reason = "one per fit")]
 pub enum ErrorBound<C = Foreign> {
@@ -36,7 +36,7 @@ pub enum ErrorBound<C = Foreign> {
         /// The column of upper bounds.
         upper: Option<C>,
     },
-    /// By a law, which says of each reading another one.
+    /// A law, which gives each reading its own bound.
     Law(Law),
 }
 
@@ -55,7 +55,7 @@ impl<C> ErrorBound<C> {
     }
 }
 
-/// What the numbers of a row mean.
+/// The meaning of the numbers of a row.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Meaning {
     pub(crate) model: Model,
@@ -72,14 +72,14 @@ pub(crate) struct Meaning {
 /// An error bound that was not known but taken from the readings themselves: a multiple of the least one that leaves anything.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MultipleOfLeast {
-    /// How many times ε_min the bound is.
+    /// The multiple of ε_min that the bound is.
     pub factor: Rational,
     /// ε_min of the readings under the conditions.
     pub least: Rational,
 }
 
 impl Meaning {
-    /// Of numbers taken as they are.
+    /// Returns the meaning of numbers that are taken as they are.
     pub(crate) fn new(model: Model, response: Foreign, error_bound: ErrorBound) -> Self {
         Meaning {
             model,

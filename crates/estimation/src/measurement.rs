@@ -11,21 +11,22 @@ pub struct Measurement {
     pub row: usize,
     /// φ = (φ1, φ2); (x, 1) for the line model.
     pub regressor: [Rational; 2],
-    /// What it says of φ·θ.
+    /// The bounds on φ·θ.
     pub bounds: Bounds,
 }
 
-/// What a reading says of φ·θ.
+/// The bounds of a reading on φ·θ.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Bounds {
-    /// It lies within ε of y.
+    /// The value φ·θ lies within ε of y.
     Around {
         /// y.
         response: Rational,
         /// ε; not negative.
         epsilon: Rational,
     },
-    /// It lies between two values, of which one may be missing. The lower one may be above the upper one: no θ agrees then.
+    /// The value φ·θ lies between two values, of which one may be missing. The lower one may be above the upper one:
+    /// no θ agrees then.
     Between {
         /// φ·θ is at least this.
         lower: Option<Rational>,

@@ -22,41 +22,43 @@ use crate::ties::Ties;
 pub enum Readings {
     /// Every one of them.
     All(Vec<Measurement>),
-    /// Those that decide the feasible set.
+    /// The readings that decide the feasible set.
     Supporting {
-        /// Ascending by row: of a line under a uniform error bound the readings on the lower or the upper hull of (x, y), which
-        /// decide for every bound, of those at one corner or strictly within one edge the first; otherwise those with a bound
-        /// that touches an envelope, of those that say the same the first, and the one that the least-squares estimate misses
-        /// most. Of two regressors under a uniform error bound, one may stand for all that go through one vertex of an envelope.
+        /// The readings, ascending by row. A line under a uniform error bound has the readings on the lower or the
+        /// upper hull of (x, y), which decide for every bound. The first represents readings at one corner or
+        /// strictly within one edge. Other models have the readings with a bound that touches an envelope, the first
+        /// of those that say the same, and the reading that the least-squares estimate misses most. For two
+        /// regressors under a uniform error bound, one reading may stand for all that go through one vertex of an
+        /// envelope.
         rows: Vec<Measurement>,
-        /// How many others each of these stands for.
+        /// The number of readings that each of these stands for.
         ties: Ties,
-        /// What else is known about all readings.
+        /// The other facts about all readings.
         reduction: Reduction,
     },
     /// Every one of them, equal ones once.
     Counted {
         /// The first of those that are equal, ascending by row.
         rows: Vec<Measurement>,
-        /// Which ones each of these stands for: all are listed.
+        /// The readings that each of these stands for: all are listed.
         ties: Ties,
-        /// What else is known about all readings.
+        /// The other facts about all readings.
         reduction: Reduction,
     },
 }
 
-/// Where readings come from.
+/// The source of readings.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Origin {
-    /// How many data rows there are, fitted or not.
+    /// The number of data rows, fitted or not.
     pub(crate) rows_total: usize,
     pub(crate) selection: Selection,
     pub(crate) fractions: Vec<FractionCells>,
     /// First and last of the rows fitted that follow each other without a gap, where that was asked for.
     pub(crate) ranges: Vec<[usize; 2]>,
-    /// How many rows that were asked for were left out since they lack a number.
+    /// The number of rows that were asked for but lack a number.
     pub(crate) rows_missing: usize,
-    /// What the table was taken for.
+    /// The format in which the table was read.
     #[cfg(feature = "files")]
     pub(crate) table: Option<TableNotes>,
     /// The units of regressors, response and error bound, where the file states them.
@@ -143,8 +145,8 @@ impl Measurements {
         &self.meaning.form
     }
 
-    /// These readings as readings of lines of this form: their x are counted from its origin, wherever they were counted from
-    /// before. Of a model with two regressors nothing changes. Exact.
+    /// These readings as readings of lines of this form: their x are counted from its origin, wherever they were
+    /// counted from before. A model with two regressors stays as it is. Exact.
     ///
     /// # Panics
     /// When the origin is another one and not every reading is in memory; [`Columns::form`](crate::Columns::form) is for those.
@@ -199,8 +201,9 @@ impl Measurements {
         range_of_y(self.kept())
     }
 
-    /// The least and the largest x of the readings of a line, as it is counted; `None` where there are no readings, or those in
-    /// memory need not have them: of a line under one error bound the hulls have both. Exact.
+    /// Returns the least and the largest x of the readings of a line, as x is counted. Returns `None` if there are no
+    /// readings, or if the readings in memory need not include these x; the hulls of a line under one error bound
+    /// include both. Exact.
     pub fn range_of_x(&self) -> Option<[Rational; 2]> {
         let x = || self.kept().iter().map(|reading| &reading.regressor[0]);
         let is_known = self.every().is_some() || (self.are_open() && self.has_hulls());
@@ -273,7 +276,7 @@ impl Measurements {
             };
             return rows.iter().filter_map(own).collect();
         };
-        // Of equal readings the first is among these rows, or none is.
+        // Among equal readings the first is among these rows, or none is.
         let is_asked = |row: usize| rows.binary_search(&row).is_ok();
         let asked = kept.iter().filter(|reading| is_asked(reading.row));
         let of_rows = asked.flat_map(|reading| {

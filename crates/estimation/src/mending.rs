@@ -1,10 +1,10 @@
-//! Which single row an empty set would have to lose.
+//! The single rows whose removal mends an empty set.
 
 use crate::{BoundName, Fit, Fps, Measurements, Minimax, Problem};
 
-/// Of an empty FPS every row without which alone, with both of its bounds, some parameter is feasible, in ascending order.
-/// `None` when the set is not empty, or when not every reading is in memory, since those that are not could take the place
-/// of the one that is left out. Exact.
+/// Returns every row of an empty FPS whose removal alone, with both of its bounds, leaves some parameter feasible, in
+/// ascending order. Returns `None` when the set is not empty, or when not every reading is in memory. A reading that
+/// is not in memory could take the place of the removed one. Exact.
 ///
 /// Whoever takes one inequality out of a contradictory system and makes it consistent has taken it out of every
 /// contradiction, so that only the rows of one need be tried. Cost: that of at most three feasible sets.

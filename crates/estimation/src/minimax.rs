@@ -17,8 +17,10 @@ use crate::measurements::Measurements;
 /// The least error bound that some θ meets, and such a θ: the minimax (Chebyshev, projection) estimate.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Minimax {
-    /// Under a uniform error bound ε_min; under an error bound per reading the smallest factor s for which the bounds
-    /// s·ε_i leave something; of intervals, the smallest factor on their widths, about their middles.
+    /// The least bound or factor.
+    /// - Uniform error bound: ε_min.
+    /// - Error bound per reading: the smallest factor s for which the bounds s·ε_i leave a point.
+    /// - Intervals: the smallest factor on their widths, about their middles.
     pub least: Rational,
     /// A minimiser: the only one when `unique`, else a point in the relative interior of all of them.
     pub theta: [Rational; 2],
@@ -28,10 +30,10 @@ pub struct Minimax {
     pub proof: MinimaxProof,
 }
 
-/// Proof that the least error bound is not smaller: positive multiples of at most three half-planes
-/// a·θ ≤ b + s·growth, whose growth is 1 (uniform bound), ε_i (bound per reading), half the width of an interval or 0
-/// (condition, or reading with one bound only), with
-/// Σ λ·a = 0, Σ λ·growth = 1 and Σ λ·b = -least. At any smaller bound they are a Farkas certificate of emptiness.
+/// The proof that the least error bound is not smaller: positive multiples λ of at most three half-planes a·θ ≤ b +
+/// s·growth. They satisfy Σ λ·a = 0, Σ λ·growth = 1 and Σ λ·b = -least. The growth is 1 for a uniform bound, ε_i for
+/// a bound per reading, half the width for an interval, and 0 for conditions and readings with one bound. At any
+/// smaller bound they are a Farkas certificate of emptiness.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MinimaxProof {
     /// The half-planes with their multipliers.
@@ -63,11 +65,11 @@ impl MinimaxProof {
 }
 
 impl Minimax {
-    /// The least error bound of readings under conditions; `None` when no bound, however large, leaves anything, and where
-    /// every reading has one bound only, so that there is nothing to multiply.
+    /// Returns the least error bound of readings under conditions. Returns `None` when no bound, however large,
+    /// leaves a point, and where every reading has one bound only, so that no bound can be multiplied.
     ///
-    /// Exact. For a line under a uniform bound and no conditions from the two hulls, O(N log N); otherwise by
-    /// [`least_growth`], which for a line under a uniform bound sees the readings on the hulls alone.
+    /// Exact. A line under a uniform bound without conditions takes the two hulls, O(N log N). Every other problem
+    /// takes [`least_growth`], which sees only the readings on the hulls for a line under a uniform bound.
     pub fn new(measurements: &Measurements, conditions: &[Condition]) -> Option<Self> {
         Minimax::with_extremes(measurements, conditions, Extremes::of(measurements).as_ref())
     }
@@ -136,7 +138,7 @@ pub(crate) struct Growing {
 }
 
 impl Growing {
-    /// Of the readings that decide ε_min; `None` where these are not known.
+    /// Collects the readings that decide ε_min; `None` where these are not known.
     fn new(measurements: &Measurements, conditions: &[Condition]) -> Option<Self> {
         let rows = measurements.deciding_minimax().ok()?;
         Some(Growing::of_rows(rows.iter(), measurements.error_bound().is_uniform()).with(conditions))
@@ -150,7 +152,8 @@ impl Growing {
         self
     }
 
-    /// Under a uniform bound the factor is the bound itself, so that every reading grows by 1.
+    /// Collects half-planes that grow; under a uniform bound the factor is the bound itself, so that every reading
+    /// grows by 1.
     pub(crate) fn of_rows<'a>(rows: impl Iterator<Item = &'a Measurement>, is_uniform: bool) -> Self {
         let (names, mut inequalities): (_, Vec<GrowingInequality>) =
             rows.flat_map(growing_half_planes).unzip();
@@ -178,7 +181,7 @@ impl Growing {
             let GrowingInequality { at_zero, growth } = &self.inequalities[*index];
             at_zero.slack(&minimax.theta) + growth * &minimax.least == Rational::zero()
         };
-        // Of several that move alike the first is meant.
+        // Among several half-planes that move alike the first one counts.
         let mut first_of: HashMap<&GrowingInequality, usize> = HashMap::new();
         let mut is_first = |index: &usize| {
             let own = *first_of.entry(&self.inequalities[*index]).or_insert(*index);

@@ -8,11 +8,11 @@ use boundfit_exact::{Rational, Sum};
 /// Bits of an `i128` without its sign.
 pub(crate) const SUM_BITS: u32 = 127;
 
-/// N, Σu², Σuv, Σv², Σuy and Σvy over readings y ≈ u·θ1 + v·θ2: ΦᵀΦ = (Σu², Σuv; Σuv, Σv²) and Φᵀy = (Σuy, Σvy). Of a line
-/// u is x and v is 1.
+/// N, Σu², Σuv, Σv², Σuy and Σvy over readings y ≈ u·θ1 + v·θ2: ΦᵀΦ = (Σu², Σuv; Σuv, Σv²) and Φᵀy = (Σuy, Σvy). For
+/// a line u is x and v is 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Sums<N = Rational> {
-    /// How many readings.
+    /// The number of readings.
     pub count: usize,
     /// Σu²; Σx² of a line.
     pub uu: N,
@@ -135,7 +135,7 @@ impl Sums<Sum> {
         sums
     }
 
-    /// In lowest terms. Exact.
+    /// Returns the sums in lowest terms. Exact.
     pub(crate) fn total(self) -> Sums {
         self.map(|sum| sum.total())
     }

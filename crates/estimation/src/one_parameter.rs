@@ -18,8 +18,9 @@ struct Sums {
 }
 
 impl LeastSquares {
-    /// The estimate of a line through the origin: θ̂1 = Σxy/Σx² with EUI_1 = Σxm/Σx² ∓ Σ|x|·w/Σx², where for readings
-    /// y ± ε m = y and w = ε; θ2 is 0, and so is its EUI. Exact. Cost: linear in the number of readings that are kept.
+    /// Returns the estimate of a line through the origin: θ̂1 = Σxy/Σx² with EUI_1 = Σxm/Σx² ∓ Σ|x|·w/Σx². Readings y
+    /// ± ε have m = y and w = ε. θ2 is 0, and so is its EUI. Exact. Cost: linear in the number of readings that are
+    /// kept.
     pub(crate) fn through_origin(measurements: &Measurements) -> Result<Self, NoLeastSquares> {
         let Sums { xx, xy, about } = match measurements.readings() {
             Readings::All(rows) => sums_of_rows(rows)?,

@@ -1,4 +1,4 @@
-//! What is to be fitted.
+//! A problem: readings and conditions that are fitted.
 
 use boundfit_exact::{Limits, Rational, Reading};
 
@@ -8,7 +8,7 @@ use crate::meaning::{Model, MultipleOfLeast};
 use crate::measurements::Measurements;
 use crate::minimax::Minimax;
 
-/// What is to be fitted.
+/// A problem: readings and conditions that are fitted.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
     /// The readings.

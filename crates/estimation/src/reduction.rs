@@ -1,4 +1,4 @@
-//! What is known about readings of which not all are kept.
+//! The facts about readings of which not all are kept.
 
 use boundfit_exact::{Rational, Sum};
 use thiserror::Error;
@@ -8,23 +8,23 @@ use crate::measurement::{Bounds, Measurement};
 use crate::moments::Sums;
 use crate::ties::Ties;
 
-/// What is known about readings of which only those that decide the feasible set are kept.
+/// The facts about readings of which only the deciding ones are kept.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Reduction {
     /// The number of readings there are.
     pub count: usize,
     /// The sums over all readings.
     pub sums: Result<Sums, NoLeastSquares>,
-    /// How far least squares may move; of a line under a uniform error bound with 1 for the bound.
+    /// The reach of least squares; for a line under a uniform error bound with 1 as the bound.
     pub reach: Result<Reach, NoEui>,
-    /// Which readings decide ε_min.
+    /// The readings that decide ε_min.
     pub minimax: DecidingMinimax,
     /// True if a reading has two bounds, whose distance a factor may multiply.
     pub has_widths: bool,
 }
 
 impl Reduction {
-    /// Of readings that stand for others equal to them. Exact. Cost: linear in the different ones.
+    /// Reduces readings that stand for others equal to them. Exact. Cost: linear in the different ones.
     pub(crate) fn of_counted(meaning: &Meaning, rows: &[Measurement], ties: &Ties) -> Self {
         let weighted: Vec<(&Measurement, Rational)> =
             rows.iter().map(|reading| (reading, Rational::from(ties.count(reading.row)))).collect();
@@ -56,7 +56,7 @@ impl Reduction {
     }
 }
 
-/// How far least squares may move when the readings move within their bounds.
+/// The reach of least squares when the readings move within their bounds.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Reach {
     /// Σ_k |A_jk|·ε_k times the determinant of ΦᵀΦ, with A of [`LeastSquares`](crate::LeastSquares).
@@ -72,16 +72,16 @@ pub struct Reach {
 pub enum DecidingMinimax {
     /// The same that decide the feasible set: those of a line under a uniform error bound, whatever it is.
     Kept,
-    /// Those that touch where it is reached.
+    /// The readings that touch where ε_min is reached.
     Own(Vec<Measurement>),
-    /// They are not known.
+    /// The deciding readings are not known.
     Unknown(NoMinimax),
 }
 
 /// The reason why ε_min is not known although there are readings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NoMinimax {
-    /// It was not asked for.
+    /// The question did not ask for ε_min.
     #[error("not asked for")]
     NotAsked,
     /// Readings that cannot be read twice, and more than are kept.
@@ -99,7 +99,7 @@ pub enum NoMinimax {
 /// The reason why there is no EUI although there is a least-squares estimate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NoEui {
-    /// It was not asked for.
+    /// The question did not ask for the EUI.
     #[error("not asked for")]
     NotAsked,
     /// Readings that cannot be read twice, and more than are kept.

@@ -8,14 +8,14 @@ use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading, characters
 /// The reason why a text is not what it should be, and where.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ParseTextError<K> {
-    /// How many characters come before.
+    /// The number of characters before the place.
     pub position: usize,
-    /// What is wrong there.
+    /// The kind of mistake there.
     pub kind: K,
 }
 
-/// What can be wrong with a text of some kind, as a message says it: the problem, its place, what to write instead, and what would
-/// be accepted.
+/// The possible mistakes in a text of some kind, as a message reports them: the problem, its place, the remedy, and
+/// the accepted forms.
 pub trait TextProblem: fmt::Display + From<ParseNumberErrorKind> {
     /// Returns whether the problem is one of a place rather than of the whole text.
     fn has_place(&self) -> bool;

@@ -1,17 +1,17 @@
-//! Which rows of a file were asked for, in words.
+//! The rows of a file that were asked for, in words.
 
 use std::fmt;
 
 use boundfit_exact::Foreign;
 
-/// Which rows of a file were asked for; by default all of them.
+/// The rows of a file that were asked for; by default all rows.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Selection {
-    /// By number: ranges such as `1..22,24..50`; `None` for all.
+    /// The selected row numbers: ranges such as `1..22,24..50`; `None` for all.
     pub rows: Option<String>,
-    /// Those left out, by number.
+    /// The numbers of the excluded rows.
     pub without: Option<String>,
-    /// What must hold for a row to be taken.
+    /// The conditions that a selected row satisfies.
     pub conditions: Vec<Foreign>,
 }
 
@@ -25,15 +25,15 @@ impl Selection {
 /// A column in which cells are fractions such as `3/4`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FractionCells {
-    /// Its name.
+    /// The name of the column.
     pub column: Foreign,
-    /// How many cells.
+    /// The number of cells.
     pub cells: usize,
     /// The first of them.
     pub first: Foreign,
 }
 
-/// Within a sentence: `rows 1..22,24..50, without 31, where temperature >= 20`.
+/// Writes the selection for use within a sentence: `rows 1..22,24..50, without 31, where temperature >= 20`.
 impl fmt::Display for Selection {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Selection { rows, without, conditions } = self;

@@ -1,4 +1,4 @@
-//! What least squares needs to know about readings, in constant memory.
+//! The sums over readings that least squares needs, in constant memory.
 
 use boundfit_exact::{Column, DoubleSum, Dyadic, Integer, LongTotal, Rational, Scaled, Sum, Unit, WideSum};
 
@@ -13,7 +13,7 @@ pub(crate) fn column_sum(column: &Column) -> Sum {
         total
     };
     match column {
-        // So many integers of 64 bits fit into 128.
+        // The sum of this many integers of 64 bits fits into 128.
         Column::Narrow(scaled) => {
             let total: i128 = scaled.counts().iter().map(|&count| i128::from(count)).sum();
             of_counts(total.into(), scaled.unit())
@@ -42,7 +42,8 @@ pub(crate) fn column_sum(column: &Column) -> Sum {
 }
 
 impl Sums<Sum> {
-    /// Those of a line over columns of equal length. Exact. Cost: linear, on machine numbers where these hold the columns.
+    /// Returns the sums of a line over columns of equal length. Exact. Cost: linear, on machine numbers where these
+    /// hold the columns.
     pub(crate) fn of_line(x: &Column, y: &Column) -> Self {
         let sums = match (x, y) {
             (Column::Narrow(x), Column::Narrow(y)) => of_narrow(x, None, y),
@@ -56,7 +57,7 @@ impl Sums<Sum> {
         })
     }
 
-    /// So many units each.
+    /// Returns the sums of these counts of units.
     fn of_units(counts: Sums<Integer>, [u, v, y]: [Unit; 3]) -> Self {
         let of = |count: Integer, units: [Unit; 2]| {
             let mut sum = Sum::default();
@@ -74,7 +75,7 @@ impl Sums<Sum> {
         }
     }
 
-    /// Those over other readings as well. Exact.
+    /// Adds the sums over other readings. Exact.
     pub(crate) fn and(self, other: Self) -> Self {
         self.zip(other, |mut own, other| {
             own.merge(other);

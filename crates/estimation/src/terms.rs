@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use crate::scanner::{ParseTextError, Scanner, TextProblem};
 
-/// How many times each quantity is taken; no coefficient is negative.
+/// The multiple of each quantity; no coefficient is negative.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Terms {
     pub(crate) constant: Rational,
@@ -47,7 +47,7 @@ impl Terms {
 /// The reason why a text is no error bound, and where.
 pub type ParseBoundError = ParseTextError<ParseBoundErrorKind>;
 
-/// What is wrong with a text that should be an error bound.
+/// The kind of mistake in a text that should be an error bound.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ParseBoundErrorKind {
     /// Neither a number nor a quantity.

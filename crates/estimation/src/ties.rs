@@ -8,7 +8,7 @@ use boundfit_geometry::Tally;
 use crate::bound_name::BoundName;
 use crate::measurement::Measurement;
 
-/// Which of the readings in memory stand for more than themselves, by row.
+/// The readings in memory that stand for more than themselves, by row.
 ///
 /// The bounds of the readings that one stands for are active exactly where its own are.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -19,7 +19,7 @@ pub struct Ties(BTreeMap<usize, Tally>);
 pub struct ActiveBounds {
     /// The first of them, sorted.
     pub names: Vec<BoundName>,
-    /// How many there are beside these.
+    /// The number of active bounds beside these.
     pub more: usize,
 }
 
@@ -32,8 +32,8 @@ pub(crate) struct TiedReading {
 }
 
 impl Ties {
-    /// How many readings a report lists where they are active, before it only counts them. Of more than are kept in memory, so many
-    /// are known by number.
+    /// The number of active readings up to which a report lists them; beyond it, the report counts them. If more
+    /// readings are active than memory keeps, this many are known by number.
     pub const MOST_LISTED: usize = 1000;
 
     /// Adds what the reading of a row stands for.
@@ -51,7 +51,8 @@ impl Ties {
         }
     }
 
-    /// Of readings from reductions those that all stand for, where the number of each row says how many it stands for.
+    /// Returns, for readings from reductions, all that each stands for, where the number of each row says how many
+    /// readings it stands for.
     #[cfg(feature = "files")]
     pub(crate) fn weighted(&self, rows: &[Measurement], counts: &[u64]) -> Self {
         let count = |row: u64| (row as usize).checked_sub(1).and_then(|row| counts.get(row)).copied();
@@ -89,7 +90,8 @@ impl Ties {
         self.0.get(&row).cloned().unwrap_or_else(|| Tally::one(row as u64))
     }
 
-    /// Whose bounds are active where these are: at most so many names, sorted, and how many there are beside them.
+    /// Returns the bounds that are active where these are: at most so many names, sorted, and the number of the
+    /// others.
     pub(crate) fn active(&self, names: impl Iterator<Item = BoundName>, most: usize) -> ActiveBounds {
         let (mut all, mut count) = (Vec::new(), 0);
         for name in names {
@@ -111,7 +113,7 @@ impl Ties {
 }
 
 impl ActiveBounds {
-    /// At most so many by name.
+    /// Keeps at most this many bounds by name.
     pub fn at_most(mut self, most: usize) -> Self {
         self.more += self.names.len().saturating_sub(most);
         self.names.truncate(most);

@@ -1,4 +1,4 @@
-//! How much work the long numbers of a problem make.
+//! The amount of work that the long numbers of a problem cause.
 
 use boundfit_exact::{Rational, TooMuchWork, Work};
 
@@ -7,8 +7,8 @@ use crate::measurement::Bounds;
 use crate::problem::Problem;
 
 impl Problem {
-    /// The work that computing a fit takes as far as numbers are long, estimated from their lengths: each reading's regressors,
-    /// response and bounds, the conditions, and in each of these rows some other numbers that meet all of them. Cost: linear.
+    /// Estimates the work of a fit from the lengths of its numbers: each reading's regressors, response and bounds,
+    /// and the conditions. Each of these rows also meets some other numbers, given here. Cost: linear.
     pub fn work(&self, others: &[&Rational]) -> Work {
         let mut work = Work::default();
         let of_others: u64 = others.iter().map(|number| number.bits()).sum();

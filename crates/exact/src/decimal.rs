@@ -231,8 +231,8 @@ struct Parts<'a> {
 }
 
 impl<'a> Parts<'a> {
-    /// From significant digits whose first one weighs `10^exponent`. Down to `least_plain`, at least -9, there is no power
-    /// of ten below 1.
+    /// Returns the decimal of significant digits whose first one weighs `10^exponent`. Down to `least_plain`, at
+    /// least -9, there is no power of ten below 1.
     fn new(digits: &'a str, exponent: i64, exact: bool, least_plain: i64) -> Self {
         let zeros = digits.bytes().rev().take_while(|&digit| digit == b'0').count();
         let digits = if exact { &digits[..digits.len() - zeros] } else { digits };
@@ -307,7 +307,7 @@ mod tests {
         }
     }
 
-    /// What takes numbers of any size is the reference: on both sides of a word, and where digits are not enough.
+    /// The code for numbers of any size is the reference: on both sides of a word, and where digits are not enough.
     #[test]
     fn decimals_that_end_are_told_by_the_factors_of_their_denominators() {
         let numerators = [1, 2, 3, 5, 10, 123, 1000, 999_999_999, 10_i64.pow(17), 10_i64.pow(18), i64::MAX];

@@ -8,14 +8,14 @@ use crate::{Dyadic, Integer, Rational};
 const LEAST_EXPONENT: i32 = -2148;
 const BLOCK: usize = 64;
 const BLOCKS: usize = 66;
-/// So many products of two significands of 53 bits fit into 127 bits.
+/// The number of products of two significands of 53 bits whose sum fits into 127 bits.
 const MOST_TERMS: usize = 1 << 20;
 
 /// A running sum of finite doubles, or of products of two, each meant exactly: significands are added up apart for every
 /// exponent, and put together once at the end.
 #[derive(Debug, Clone)]
 pub struct DoubleSum {
-    /// By exponent, in blocks that are there where an exponent has occurred.
+    /// The sums by exponent, in blocks that exist where an exponent has occurred.
     blocks: [Option<Box<[i128; BLOCK]>>; BLOCKS],
     terms: usize,
     settled: Rational,

@@ -19,10 +19,11 @@ pub struct Dyadic<'a> {
 }
 
 impl<'a> Dyadic<'a> {
-    /// So many at a time stay in a first-level cache, and their sums and those of their products in [`DoubleSum`](crate::DoubleSum).
+    /// The number of doubles that stay in a first-level cache at a time; their sums and those of their products stay
+    /// in [`DoubleSum`](crate::DoubleSum).
     pub const CHUNK: usize = 1024;
 
-    /// At most [`Dyadic::CHUNK`] finite numbers; those beyond are left out. Cost: linear.
+    /// Takes at most [`Dyadic::CHUNK`] finite numbers; numbers beyond are ignored. Cost: linear.
     pub fn new(values: &'a [f64]) -> Self {
         const BLOCK: usize = u64::BITS as usize;
         let values = values.get(..Self::CHUNK).unwrap_or(values);

@@ -7,15 +7,21 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// A text from outside: from a file or an argument, such as a name, a cell or the name of a file.
 ///
-/// Whoever wrote it may want to be taken for the program: a line end begins a line of the report, an escape sequence
-/// wipes one from a terminal, a bidirectional override turns the order of what follows round. Its `Display` form is therefore
-/// on one line and visible: `\n`, `\u{1b}`, `\u{202e}`. The text itself comes out of [`raw`](Foreign::raw) only, for what
-/// compares and for writers with rules of their own (JSON, CSV, XML), so that `format!("{name}")` cannot be wrong.
+/// Its author may want the text to pass for the program's own. A line end begins a line of the report, an escape sequence
+/// wipes one from a terminal, and a bidirectional override reverses the order of the text behind it. Its `Display`
+/// form is therefore on one line and visible: `\n`, `\u{1b}`, `\u{202e}`. The text itself comes out of
+/// [`raw`](Foreign::raw) only, for what compares and for writers with rules of their own (JSON, CSV, XML), so that
+/// `format!("{name}")` cannot be wrong.
 ///
-/// What is made visible: control characters, separators of lines and paragraphs, blanks other than the space, format characters
-/// (bidirectional marks, soft hyphens, what has no width), characters of private use or without a meaning, and letters
-/// and selectors that show nothing. Marks that combine with the letter before them stay, except at the beginning of the text,
-/// where they would combine with ours. A backslash stays as it is.
+/// The visible form replaces these characters:
+/// - control characters, and separators of lines and paragraphs;
+/// - blanks other than the space;
+/// - format characters: bidirectional marks, soft hyphens, characters without width;
+/// - characters of private use or without a meaning;
+/// - letters and selectors that show nothing.
+///
+/// Marks that combine with the letter before them stay, except at the beginning of the text, where they would combine
+/// with ours. A backslash stays as it is.
 ///
 /// ```
 /// use boundfit_exact::Foreign;

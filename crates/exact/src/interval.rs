@@ -4,9 +4,10 @@ use std::fmt;
 
 use crate::{Fraction, Integer, Rational, Rounding};
 
-/// The fewest significant digits, from `least` to 40, that are enough where more digits are never less so: as a decimal of so many
-/// digits is one of more digits too, rounding to more never adds more. `least` where 40 are not enough. Cost: `is_enough` of 40 digits
-/// first, since it takes long divisions of long numbers, and only where these are enough of about five more numbers of digits.
+/// Returns the fewest significant digits, from `least` to 40, that are enough. More digits must never be less: a
+/// decimal of so many digits is one of more digits too, so rounding to more never adds more. `least` where 40 are not
+/// enough. Cost: `is_enough` of 40 digits first, since it takes long divisions of long numbers, and only where these
+/// are enough of about five more numbers of digits.
 pub fn fewest_digits(least: usize, is_enough: impl Fn(usize) -> bool) -> usize {
     const MOST: usize = 40;
     let most = MOST.max(least);
@@ -109,10 +110,10 @@ impl Interval {
         self.ends().map(|(lower, upper)| (lower + upper).half())
     }
 
-    /// Returns how many significant digits the ends are to be shown with: at least `least`, and so many that the interval between
-    /// the ends rounded outward is at most a twentieth wider than this one. The comparison is exact. Beyond 40 digits a
-    /// reader is better served by the exact fractions, and it is `least` again; also when there is no width. Cost: that of
-    /// [`fewest_digits`], with two roundings for each number of digits.
+    /// Returns the number of significant digits to show the ends with, at least `least`. With these digits the
+    /// interval between the ends rounded outward is at most a twentieth wider than this one. The comparison is exact.
+    /// Beyond 40 digits a reader is better served by the exact fractions, and it is `least` again; also when there is
+    /// no width. Cost: that of [`fewest_digits`], with two roundings for each number of digits.
     pub fn resolving_digits(&self, least: usize) -> usize {
         let Some((lower, upper)) = self.ends().filter(|(lower, upper)| lower != upper) else { return least };
         if self.is_far_wider_than_digits(least) {

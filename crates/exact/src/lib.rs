@@ -1,9 +1,8 @@
 //! Exact numbers: the only arithmetic that decides anything in boundfit.
 //!
-//! A [`Rational`] is read from decimal text or a fraction ([`Reading::read`]), computed with exactly,
-//! and leaves either exactly (its [`Display`](std::fmt::Display) form `p/q`), as a decimal rounded in a
-//! stated direction ([`Rational::to_decimal`]), or as the nearest binary64 ([`Rational::to_f64`]), which
-//! is the one door to floating point.
+//! A [`Rational`] is read from decimal text or a fraction ([`Reading::read`]) and computed with exactly. It leaves
+//! exactly (its [`Display`](std::fmt::Display) form `p/q`) or as a decimal rounded in a stated direction
+//! ([`Rational::to_decimal`]). The nearest binary64 ([`Rational::to_f64`]) is the one door to floating point.
 //!
 //! ```
 //! use boundfit_exact::{Limits, Rational, Reading, Rounding};

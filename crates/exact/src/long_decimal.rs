@@ -6,12 +6,12 @@ use crate::powers_of_ten;
 /// The number of digits that always fit into an `i128`.
 pub const LONG_DIGITS: usize = 38;
 
-/// What a text starts with: `mantissa · 10^exponent`, written in `length` bytes.
+/// The number at the start of a text: `mantissa · 10^exponent`, written in `length` bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LongPrefix {
     /// All digits, with the sign.
     pub mantissa: i128,
-    /// That of the last digit written; 0 for zero.
+    /// The exponent of the last digit written; 0 for zero.
     pub exponent: i32,
     /// The number of bytes that were read: up to the first that cannot go on.
     pub length: usize,
@@ -102,8 +102,8 @@ impl Digits {
     }
 }
 
-/// The digits at the start of eight bytes, up to the first other byte: their values in the high bytes of a word, the last one
-/// highest, with zeros below, and how many they are.
+/// Returns the digits at the start of eight bytes, up to the first other byte, and their number. The values of the
+/// digits stand in the high bytes of a word, the last one highest, with zeros below.
 #[inline]
 fn digits_of_word(bytes: u64) -> (u64, usize) {
     const LOW_BITS: u64 = 0x7f7f_7f7f_7f7f_7f7f;

@@ -4,14 +4,14 @@ use std::collections::HashMap;
 
 use crate::{Fraction, Integer, Rational};
 
-/// Fractions to be added. Their sum has about as many digits as all of them together, so that it is only made where it is
-/// asked for, by halves: added one after the other, `n` fractions cost `n` products and common divisors of such length.
+/// Fractions to be added. Their sum has about as many digits as all of them together, so it is made only on demand,
+/// by halves. Added one after the other, `n` fractions would cost `n` products and common divisors of that length.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct LongSum {
     terms: Vec<Fraction>,
 }
 
-/// How far [`LongSum`] goes.
+/// The limits of the effort of [`LongSum`].
 #[derive(Clone, Copy)]
 struct Effort {
     /// The longest denominators, in bits, whose common divisor is taken out.
@@ -20,7 +20,8 @@ struct Effort {
     longest: u64,
 }
 
-/// Beyond so many bits two denominators share little, and a common divisor takes longer than all products.
+/// The number of bits beyond which two denominators share little, and a common divisor takes longer than all
+/// products.
 const LONG: u64 = 1 << 15;
 
 /// Terms over equal denominators become one.

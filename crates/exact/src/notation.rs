@@ -102,8 +102,9 @@ impl Thousands {
     }
 }
 
-/// White space beyond ASCII that spreadsheets and typesetters put around numbers and between their digits: the space that does
-/// not break, as wide as a digit, thin, and thin without a break.
+/// White space beyond ASCII that spreadsheets and typesetters put around numbers and between their digits. The
+/// characters are the space without a break, the space as wide as a digit, the thin space, and the thin space without
+/// a break.
 pub(crate) const SPACES: [char; 4] = ['\u{a0}', '\u{2007}', '\u{2009}', '\u{202f}'];
 
 /// A text without the white space around it that numbers may have.
@@ -111,7 +112,7 @@ pub fn trim_number(text: &str) -> &str {
     text.trim_matches(|character: char| character.is_ascii_whitespace() || SPACES.contains(&character))
 }
 
-/// What stands in a cell whose value is missing, beside nothing: in any letters, small or large. The last ones are what
+/// The words in a cell whose value is missing, beside nothing: in any letters, small or large. The last ones are what
 /// spreadsheets in other languages have for `#N/A`.
 pub const MISSING_WORDS: [&str; 14] =
     ["NA", "N/A", "#N/A", "NaN", "null", "none", "-", "--", ".", "?", "#NV", "#N/D", "#N/B", "#GETTING_DATA"];

@@ -87,8 +87,8 @@ impl Reading {
     /// ```
     ///
     /// # Errors
-    /// Those of [`Self::read`]; also for groups of digits that are not groups of three after one to three digits, of
-    /// which the first is not 0.
+    /// The errors of [`Self::read`], and an error for digits grouped in any other way than in threes after one to
+    /// three digits, of which the first is not 0.
     pub fn read_written(
         self,
         text: &str,

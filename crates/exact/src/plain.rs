@@ -7,8 +7,8 @@ pub const PLAIN_DIGITS: usize = 40;
 /// The largest absolute value of an exponent in a text that [`plain_decimal`] reads.
 pub const PLAIN_EXPONENT: u32 = 999;
 
-/// A decimal (digits with an optional sign, point and exponent, in blanks or not) as `(mantissa, exponent)`, meaning
-/// `mantissa · 10^exponent`, when the mantissa fits an `i64` and the text keeps to [`PLAIN_DIGITS`] and
+/// Returns a decimal (digits with an optional sign, point and exponent, in blanks or not) as `(mantissa, exponent)`,
+/// meaning `mantissa · 10^exponent`. The mantissa must fit an `i64`, and the text must keep to [`PLAIN_DIGITS`] and
 /// [`PLAIN_EXPONENT`]. The exponent is that of the last digit written; for zero it is 0.
 ///
 /// `None` says nothing about whether the text is a number: [`Reading::read`](crate::Reading::read) tells. Exact.
@@ -25,7 +25,7 @@ pub fn plain_decimal(text: &[u8]) -> Option<(i64, i32)> {
     Some(if mantissa == 0 { (0, 0) } else { (mantissa, exponent - fraction_digits) })
 }
 
-/// What a text starts with: `mantissa · 10^-fraction_digits`, written in `length` bytes.
+/// The number at the start of a text: `mantissa · 10^-fraction_digits`, written in `length` bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlainPrefix {
     /// All digits, with the sign.

@@ -4,7 +4,7 @@ use serde::de::{Deserialize, Deserializer, Error};
 
 use crate::{Limits, Rational, Reading};
 
-/// From the text of a decimal without exponent, or of a fraction. It takes as much memory as its text.
+/// Reads the text of a decimal without exponent, or of a fraction. It takes as much memory as its text.
 ///
 /// ```
 /// use boundfit_exact::Rational;

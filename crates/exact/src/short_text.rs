@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// As long as a fraction of two 128-bit numbers with a sign, and a decimal of as many digits.
+/// The length of a fraction of two 128-bit numbers with a sign, and of a decimal of as many digits.
 const LENGTH: usize = 96;
 
 /// ASCII text of up to [`LENGTH`] bytes. More makes [`ShortText::as_str`] an error.

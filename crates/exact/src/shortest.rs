@@ -1,10 +1,11 @@
 //! The shortest decimals of binary floats, without their text.
 //!
-//! A float c·2^q stands for all numbers that are nearer to it than to its neighbours. With the largest power of ten 10^k that
-//! is not longer than this interval, it contains a multiple of 10^k and at most one of 10^(k+1): that one, or else the nearer of
-//! the two multiples of 10^k beside the float, is the shortest decimal (R. Giulietti, *The Schubfach way to render doubles*,
-//! 2020). The float and the ends of its interval are compared with these multiples on integers, in quarters of 10^k: see
-//! [`Scale::quarters`], which tells where 192 bits are too few, so that nothing rests on how seldom that is.
+//! A float c·2^q stands for all numbers that are nearer to it than to its neighbours. Let 10^k be the largest power
+//! of ten that is not longer than this interval. The interval contains a multiple of 10^k and at most one multiple of
+//! 10^(k+1). The latter, or else the nearer of the two multiples of 10^k beside the float, is the shortest decimal
+//! (R. Giulietti, *The Schubfach way to render doubles*, 2020). The float and the ends of its interval are compared
+//! with these multiples on integers, in quarters of 10^k. [`Scale::quarters`] tells where 192 bits are too few, so
+//! that nothing rests on the rarity of that case.
 
 use crate::binary64::{LEAST_EXPONENT, significand_and_exponent};
 use crate::{Rational, plain_decimal};
@@ -18,9 +19,9 @@ const DOUBLES: [f64; MOST_PLACES + 1] = [
 ];
 
 /// The shortest decimal that is read as this binary64, and of those that are equally short the nearest one, as
-/// `(mantissa, exponent)`, meaning `mantissa · 10^exponent`; `None` for an infinity or NaN. The mantissa has at most 17 digits,
-/// and no zero at its end unless it is 0. Where two of them are equally near it is the even one, as Python and the libraries
-/// that write tables from it print it; the standard library of Rust takes the larger one.
+/// `(mantissa, exponent)`, meaning `mantissa · 10^exponent`; `None` for an infinity or NaN. The mantissa has at most
+/// 17 digits, and no zero at its end unless it is 0. If two such decimals are equally near it is the even one, as
+/// Python and the libraries that write tables from it print it. The standard library of Rust takes the larger one.
 ///
 /// ```
 /// # use boundfit_exact::shortest_decimal;
@@ -47,8 +48,8 @@ pub fn shortest_decimal_of_f32(value: f32) -> Option<(i64, i32)> {
 }
 
 impl Rational {
-    /// Of a number that is exactly a binary64, the shortest decimal that is read as this binary64: `0.1` for what is stored
-    /// when 0.1 is read; `None` for all other numbers.
+    /// Returns the shortest decimal that is read as this number, if the number is exactly a binary64: `0.1` for the
+    /// double that is stored when 0.1 is read. Returns `None` for all other numbers.
     ///
     /// ```
     /// # use boundfit_exact::Rational;
@@ -115,8 +116,8 @@ fn signed((mantissa, exponent): (u64, i32), is_negative: bool) -> Option<(i64, i
     Some((if is_negative { -mantissa } else { mantissa }, exponent))
 }
 
-/// The shortest decimal of `significand · 2^exponent`, whose neighbour below is half as far as the one above if it is a power of
-/// two; `None` where the integers below do not tell.
+/// Returns the shortest decimal of `significand · 2^exponent`, or `None` where the integers below do not tell. If the
+/// number is a power of two, its neighbour below is half as far as the one above.
 #[inline]
 fn shortest_of(significand: u64, exponent: i32, is_power: bool) -> Option<(u64, i32)> {
     if significand == 0 {
@@ -169,20 +170,20 @@ impl Scale {
         Scale { power, inverse, is_exact: (0..=55).contains(&-power), shift }
     }
 
-    /// A float with this significand and the ends of its interval, from below, in quarters of the power of ten: each is that
-    /// integer, or else the odd one of the two integers beside it. Both compare with an even integer alike. `None` where the
-    /// bits do not tell.
+    /// Returns a float with this significand and the ends of its interval, from below, in quarters of the power of
+    /// ten. Each is that integer, or else the odd one of the two integers beside it. Both compare with an even
+    /// integer alike. `None` where the bits do not tell.
     ///
-    /// The float is 4·significand quarters of 2^exponent, the ends are two more and two less, or one less. Each number n of these is
-    /// n·2^shift·g/2^128 quarters of the power of ten; g = `inverse` is too small by less than 1, and n·2^shift is less than
-    /// 2^60. The product is therefore too small by less than 2^60: where it is at all, the quotient is no integer as long as
-    /// the product does not come that close to the next one.
+    /// The float is 4·significand quarters of 2^exponent, the ends are two more and two less, or one less. Each
+    /// number n of these is n·2^shift·g/2^128 quarters of the power of ten; g = `inverse` is too small by less than
+    /// 1, and n·2^shift is less than 2^60. The product is therefore too small by less than 2^60. So the quotient is
+    /// no integer where there is a deficit, as long as the product does not come that close to the next integer.
     #[inline]
     fn quarters(&self, significand: u64, is_power: bool) -> Option<[u64; 3]> {
         let n = u128::from(significand << (self.shift + 2));
         let low = n * u128::from(self.inverse as u64);
         let value = (n * (self.inverse >> 64) + (low >> 64), low as u64);
-        // So many times g, which are shifts by 2 to 5 bits.
+        // The closure multiplies g by these powers of two, which are shifts by 2 to 5 bits.
         let times = |bits: i32| (self.inverse >> (64 - bits), (self.inverse << bits) as u64);
         let (half, below) = (times(self.shift + 1), times(self.shift + i32::from(!is_power)));
         let (rest, carries) = value.1.overflowing_add(half.1);
@@ -224,7 +225,7 @@ const SCALES: usize = (MOST_POWER - LEAST_POWER) as usize + 1;
 /// The upper 128 bits of 10^-292 to 10^324.
 static INVERSES: [u128; SCALES] = upper_bits_of_powers();
 
-/// By integers of 18 words, the lowest first.
+/// The test uses integers of 18 words, the lowest first.
 #[allow(
     clippy::indexing_slicing,
     reason = "evaluated by the compiler, which would refuse an index out of range"
@@ -247,7 +248,7 @@ const fn upper_bits_of_powers() -> [u128; SCALES] {
         }
         exponent += 1;
     }
-    // Of a power of two divided by tens; rounding down often is rounding down once.
+    // The number is a power of two divided by tens; rounding down often is rounding down once.
     number = [0; WORDS];
     number[WORDS - 1] = 1 << 63;
     exponent = zero;
@@ -282,9 +283,10 @@ const fn upper_bits(number: &[u64; 18]) -> u128 {
     if zeros == 0 { upper } else { upper << zeros | (third >> (64 - zeros)) as u128 }
 }
 
-/// Doubles as integers on the largest power of ten, 1 at most, that all their shortest decimals are multiples of, with the
-/// number of its places; `None` unless these integers have at most 15 digits, and there are at most 22 places. Exact. Cost:
-/// about a nanosecond each, a few times where the first numbers have fewer places than others.
+/// Returns doubles as integers on the largest power of ten, 1 at most, that all their shortest decimals are multiples
+/// of, with the number of its places. Returns `None` unless these integers have at most 15 digits, and there are at
+/// most 22 places. Exact. Cost: about a nanosecond each, a few times where the first numbers have fewer places than
+/// others.
 ///
 /// Two decimals of at most 15 digits are never read as one double (W. Kahan's bound for binary64). So a double that such
 /// a decimal is read as has no other, and this is its shortest one: all that is shorter has at most 15 digits too.
@@ -322,8 +324,8 @@ fn is_on_scale(value: f64, places: usize) -> bool {
     DOUBLES.get(places).is_some_and(|&scale| count(value, scale).1)
 }
 
-/// The integer of at most 15 digits that is divided by a power of ten the nearest to a double, and whether the double is the
-/// nearest to this quotient; the division of two doubles is rounded to the nearest.
+/// Returns the integer of at most 15 digits whose quotient by a power of ten is the nearest to a double. Returns as
+/// well whether the double is the nearest to this quotient. The division of two doubles is rounded to the nearest.
 #[inline]
 fn count(value: f64, scale: f64) -> (i64, bool) {
     /// Added to a number of at most 2^51, it leaves the nearest integer in the last bits of the sum.
@@ -440,7 +442,7 @@ mod tests {
         for _ in 0..300_000 {
             check(f64::from_bits(random.next()));
             check_single(f32::from_bits(random.next() as u32));
-            // Of usual sizes.
+            // The next numbers have usual sizes.
             check((random.next() >> 11) as f64 / (1_u64 << (random.next() % 64)) as f64);
             // Few digits, or one more than few.
             let digits = random.next() >> (random.next() % 64);
@@ -501,7 +503,8 @@ mod tests {
                 let scale = Scale::new(exponent, is_power);
                 let width = two(exponent) * if is_power { Rational::ratio(3, 4) } else { Rational::one() };
                 assert!(ten(scale.power) <= width && width < ten(scale.power + 1), "{exponent}");
-                // What is counted: 4·10^-power·2^exponent is 4·2^shift·inverse/2^128, rounded down in the last bit at most.
+                // The quantity is 4·10^-power·2^exponent = 4·2^shift·inverse/2^128, rounded down in the last bit at
+                // most.
                 assert!((1..=4).contains(&scale.shift) && scale.inverse >> 127 == 1, "{exponent}");
                 let counted = |inverse: u128| {
                     Rational::from(

@@ -4,9 +4,9 @@ use crate::{Integer, Rational, Unit};
 
 /// A running sum of rational numbers, or of products of two.
 ///
-/// The sum is kept over a common denominator that grows only when a term needs it; decimal data share one
-/// after the first few terms, so that a step costs one integer division and one multiplication instead of a
-/// greatest common divisor. Exact.
+/// The sum is kept over a common denominator that grows only when a term needs it. Decimal data share one after the
+/// first few terms, so a step costs one integer division and one multiplication instead of a greatest common divisor.
+/// Exact.
 #[derive(Debug, Clone)]
 pub struct Sum {
     numerator: Integer,

@@ -1,15 +1,16 @@
 //! Work that long numbers make, estimated from their lengths before it is done.
 //!
-//! The unit is a product of two words of 64 bits, of which a processor does about 10⁹ in a second. Sums, products, quotients
-//! and common divisors of numbers of w words take at most some w² of them. A computation combines the numbers of one reading
-//! with those of a few others, and this some tens of times for each reading; and it adds fractions of all readings, some tens
-//! of times, over a denominator that is at most the product of all that differ. So its work is within a constant of
+//! The unit is a product of two words of 64 bits, of which a processor does about 10⁹ in a second. Sums, products,
+//! quotients and common divisors of numbers of w words take at most some w² of them. A computation combines the
+//! numbers of one reading with a few others, some tens of times for each reading. It adds fractions of all readings,
+//! some tens of times, over a denominator that is at most the product of all that differ. So its work is within a
+//! constant of
 //!
 //! 40 · Σ w² over readings of w words + 64 · d² for different denominators of d words together,
 //!
-//! with factors that were measured: what they estimate as 10⁹ takes from a third of a second to four. Of both lengths some
-//! words are free, so that the estimate is 0 for rows of up to 1,800 digits, however many: what these cost is linear in the
-//! bytes of a file, and no limit is needed.
+//! with factors that were measured: what they estimate as 10⁹ takes from a third of a second to four. Some words of
+//! both lengths are free, so that the estimate is 0 for rows of up to 1,800 digits, however many rows there are.
+//! Their cost is linear in the bytes of a file, and needs no limit.
 
 use std::collections::HashSet;
 use std::sync::{Mutex, PoisonError};
@@ -22,19 +23,19 @@ use crate::{Integer, Rational};
 /// The most products that are done unless more is asked for: about a second.
 pub const MOST_WORK: u64 = 400_000_000;
 
-/// So many words of a reading are free: two regressors, a response and two bounds that are doubles of 17 digits at the ends of
-/// their range, with numerators and denominators of 1,134 bits.
+/// The number of free words of a reading: two regressors, a response and two bounds. These are doubles of 17 digits
+/// at the ends of their range, with numerators and denominators of 1,134 bits.
 const FREE_WORDS: u64 = 96;
-/// So many words of a reading are those of usual numbers: three of 17 digits with exponents have a third of them.
+/// The number of words of a reading with usual numbers: three of 17 digits with exponents have a third of them.
 const SHORT_WORDS: u64 = 16;
-/// How much less than a fit one of many fits of the same readings takes.
+/// The divisor of a fit's work for each of many fits of the same readings.
 const COMBINATIONS_LEFT_OUT: u64 = 4;
-/// So many words of all different denominators together are free.
+/// The number of free words of all different denominators together.
 const FREE_DENOMINATOR_WORDS: u64 = 64;
-/// So many products of the words of one number and of another one are free.
+/// The number of free products of the words of one number and of another one.
 const FREE_PRODUCTS: u64 = 64 * 64;
 const WORK_OF_READING: u64 = 40;
-/// How much more often the numbers of a reading are combined in a fit than multiplied in a check of one.
+/// The ratio of the combinations of a reading's numbers in a fit to their products in a check.
 const COMBINATIONS_PER_PRODUCT: u64 = 32;
 const WORK_OF_DENOMINATOR: u64 = 64;
 
@@ -54,9 +55,9 @@ const WORK_OF_DENOMINATOR: u64 = 64;
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Work {
     squares: u64,
-    /// Of all rows that are not short, free words too.
+    /// The squares of all rows that are not short, with their free words.
     all_squares: u64,
-    /// How many these are.
+    /// The number of these rows.
     not_short: usize,
     long: usize,
     /// Bits and number of the row with the longest numbers.
@@ -144,8 +145,8 @@ impl Work {
         }
     }
 
-    /// The work on the numbers with exponents in a text, whatever else it is, before any of them is built: `1e9999` has six
-    /// characters and ten thousand digits. What is beyond `most_exponent` is refused anyway. Cost: linear.
+    /// The work on the numbers with exponents in a text, whatever else it is, before any of them is built: `1e9999`
+    /// has six characters and ten thousand digits. Exponents beyond `most_exponent` are refused anyway. Cost: linear.
     pub fn of_text(text: &str, most_exponent: u32) -> Self {
         let mut work = Work::default();
         let bytes = text.as_bytes();
@@ -175,8 +176,8 @@ impl Work {
         of_readings.saturating_add(of_denominators).saturating_mul(times)
     }
 
-    /// The work of as many fits of nearly all readings as there are readings: it grows with the square of their number, so that
-    /// the words that are free in one fit count.
+    /// Returns the work of as many fits of nearly all readings as there are readings. It grows with the square of
+    /// their number, so the words that are free in one fit count.
     pub fn of_leaving_out_each(&self, readings: u64) -> Self {
         let squares = self.all_squares.saturating_mul(readings) / COMBINATIONS_LEFT_OUT;
         Work { squares, long: self.not_short, ..*self }
@@ -207,7 +208,7 @@ impl Work {
     }
 }
 
-/// About how many digits numbers of so many bits have, not too few.
+/// Returns about how many digits numbers of so many bits have, not too few.
 fn digits(bits: u64) -> u64 {
     // log10(2) is 0.30103.
     bits.saturating_mul(30_103) / 100_000 + 1
@@ -263,18 +264,18 @@ pub struct TooMuchWork {
 pub enum LongNumbers {
     /// Rows with long numbers.
     Rows {
-        /// How many.
+        /// The number of rows.
         count: usize,
-        /// About how many digits the numbers of the longest have together, above and below the bar.
+        /// The approximate number of digits of the longest row's numbers together, above and below the bar.
         digits: u64,
-        /// Its number; 0 where rows are not counted.
+        /// The number of the longest row; 0 where rows are not counted.
         longest: usize,
     },
     /// Fractions with denominators that differ.
     Denominators {
-        /// How many denominators.
+        /// The number of denominators.
         count: usize,
-        /// About how many digits they have together.
+        /// The approximate number of their digits together.
         digits: u64,
     },
 }

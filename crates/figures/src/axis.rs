@@ -12,7 +12,8 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 const DIGITS_WORTH_AN_OFFSET: usize = 4;
 /// Tick labels have no power of ten taken out when they need at most this many decimals.
 const MOST_DECIMALS: i64 = 4;
-/// So many views away are numbers that are farther: a float has no product of theirs, and lines to infinity have no direction.
+/// The number of views beyond which a number is not drawn farther away: a float has no product of such numbers, and
+/// lines to infinity have no direction.
 const FARTHEST: f64 = 1e100;
 
 /// A mark on an axis.
@@ -72,7 +73,7 @@ impl Axis {
 
     /// A view of numbers that count something: ticks stand at integers only. The view is wider than 1.
     pub(crate) fn counting(name: String, lower: &Rational, upper: &Rational, most: usize) -> Self {
-        // So many steps that none needs to be shorter than 1.
+        // The number of steps is such that none needs to be shorter than 1.
         let whole = -floor(&(lower - upper));
         let most = whole
             .to_u64()
@@ -81,7 +82,8 @@ impl Axis {
         Axis::of_grid(name, lower.clone(), upper, TickGrid::new(lower, upper, most))
     }
 
-    /// Where a number falls: 0 at the lower end of the view, 1 at the upper one. Rounded once; at most [`FARTHEST`] away.
+    /// Returns the place of a number: 0 at the lower end of the view, 1 at the upper one. Rounded once; at most
+    /// [`FARTHEST`] away.
     pub(crate) fn fraction(&self, value: &Rational) -> f64 {
         let (numerator, denominator) = (value.numerator(), value.denominator());
         let above = &numerator * &self.terms[0] - &denominator * &self.terms[1];
@@ -99,7 +101,7 @@ impl Axis {
         &self.width
     }
 
-    /// What every tick label is to be multiplied with and moved by: `×10⁻⁵ + 0.0018`; empty when nothing is.
+    /// Returns the factor and the offset of every tick label: `×10⁻⁵ + 0.0018`; empty when there is none.
     pub(crate) fn scale(&self) -> &str {
         &self.scale
     }
@@ -110,7 +112,7 @@ impl Axis {
     }
 }
 
-/// For plotters an axis reaches from 0 to 1.
+/// An axis that reaches from 0 to 1 for plotters.
 impl Ranged for Axis {
     type FormatOption = NoDefaultFormatting;
     type ValueType = f64;

@@ -3,8 +3,8 @@
 /// A point or a vector in fractions of a view.
 pub(crate) type Place = [f64; 2];
 
-/// How far along `from + t·direction`, `t` in `[first, last]`, the unit square is entered and left (Liang and Barsky
-/// 1984); `None` when it is missed. Also `None` when a coordinate is not a number.
+/// Returns how far along `from + t·direction`, `t` in `[first, last]`, the unit square is entered and left (Liang and
+/// Barsky 1984); `None` when it is missed. Also `None` when a coordinate is not a number.
 pub(crate) fn crossing(from: Place, direction: Place, first: f64, last: f64) -> Option<(f64, f64)> {
     let (mut enter, mut leave) = (first, last);
     for axis in 0..2 {
@@ -27,8 +27,8 @@ pub(crate) fn along(from: Place, direction: Place, t: f64) -> Place {
     [from[0] + t * direction[0], from[1] + t * direction[1]]
 }
 
-/// [`along`] where the unit square is entered or left. Of a step that is longer than the square by more digits than a double has,
-/// rounding leaves any place at all, and a line from there would take more dashes than memory holds.
+/// [`along`] where the unit square is entered or left. If a step is longer than the square by more digits than a
+/// double has, rounding could give any place at all. A line from there would take more dashes than memory holds.
 pub(crate) fn cut(from: Place, direction: Place, t: f64) -> Place {
     inside(along(from, direction, t))
 }

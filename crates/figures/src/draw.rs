@@ -1,4 +1,4 @@
-//! From a fit to a picture.
+//! The way from a fit to a picture.
 
 use boundfit_estimation::{Family, Fit, Problem};
 use boundfit_exact::{Foreign, Rational};
@@ -56,8 +56,9 @@ pub fn draw_outliers(
     finished(parameter_plane::outliers(problem, outliers, options), options)
 }
 
-/// Draws feasible sets under growing error bounds, one in another: five of the family, evenly spread from the smallest that is not
-/// empty, and that of the bounds as given; `None` where no factor of the family leaves any parameters. Cost: linear in the vertices.
+/// Draws feasible sets under growing error bounds, one in another. It shows five of the family, evenly spread from
+/// the smallest that is not empty, and the set of the bounds as given. Returns `None` where no factor of the family
+/// leaves any parameters. Cost: linear in the vertices.
 ///
 /// # Errors
 /// Only when a library underneath fails.
@@ -71,8 +72,9 @@ pub fn draw_sweep(
         .transpose()
 }
 
-/// Draws the corridors of the lines of feasible sets under growing error bounds, one in another, as [`draw_sweep`] draws the sets; `None`
-/// where no factor of the family leaves any parameters. Cost: linear in the readings and in the vertices.
+/// Draws the corridors of the lines of feasible sets under growing error bounds, one in another, as [`draw_sweep`]
+/// draws the sets. Returns `None` where no factor of the family leaves any parameters. Cost: linear in the readings
+/// and in the vertices.
 ///
 /// # Errors
 /// Only when a library underneath fails.
@@ -119,8 +121,9 @@ pub fn draw_groups(
     finished(groups::drawing(groups, by, all, what, options), options)
 }
 
-/// Draws readings with errors in x as boxes, with the steepest and the shallowest line that agree with all of them; of many readings
-/// some, evenly spread, and those that fix the lines. Cost: linear in the readings.
+/// Draws readings with errors in x as boxes, with the steepest and the shallowest line that agree with all of them.
+/// If there are many readings, it draws some, evenly spread, and those that fix the lines. Cost: linear in the
+/// readings.
 ///
 /// # Errors
 /// Only when a library underneath fails.
@@ -158,8 +161,9 @@ pub(crate) fn finished(mut drawing: Drawing, options: &PlotOptions) -> Result<Pi
     Picture::new(&render::svg(&drawing, &look)?, drawing, look)
 }
 
-/// Draws a linear program in two variables: the feasible set, the optimal points, and where the objective improves, which is to
-/// be made large, with this title where the options have none. An empty set leaves the panel empty. Cost: linear in the half-planes of the set.
+/// Draws a linear program in two variables: the feasible set, the optimal points, and the direction in which the
+/// objective improves. The objective is to be made large. The given title serves if the options have none. An empty
+/// set leaves the panel empty. Cost: linear in the half-planes of the set.
 ///
 /// # Errors
 /// Only when a library underneath fails.

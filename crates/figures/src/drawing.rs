@@ -16,7 +16,7 @@ pub(crate) struct Drawing {
     /// The content in full sentences, for people who cannot see it.
     pub(crate) description: String,
     pub(crate) panels: Vec<Panel>,
-    /// Where the legend begins, in pixels of the nominal size below the header.
+    /// The top of the legend, in pixels of the nominal size below the header.
     pub(crate) height: f64,
     pub(crate) legend: Vec<LegendEntry>,
     /// Remarks below the legend.
@@ -38,9 +38,9 @@ pub(crate) struct Panel {
     pub(crate) frame: Frame,
     /// The horizontal and the vertical axis.
     pub(crate) axes: [Axis; 2],
-    /// Which axes have labels: the horizontal, the vertical one.
+    /// The axes that have labels: the horizontal, the vertical one.
     pub(crate) labelled: [bool; 2],
-    /// Above the panel.
+    /// The text above the panel.
     pub(crate) heading: String,
     /// `true` if the first coordinate runs along the vertical axis.
     flipped: bool,
@@ -76,7 +76,7 @@ pub(crate) enum Item {
     },
 }
 
-/// In which direction from its place a text stands, with a small distance: a vector of length 1 in pixels.
+/// The direction from its place in which a text stands, with a small distance: a vector of length 1 in pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Anchor {
     pub(crate) across: f64,
@@ -149,7 +149,7 @@ impl Drawing {
             swatch.bar = swatch.bar.filter(stroked);
             swatch.mark = swatch.mark.filter(marked);
             if swatch.fill.is_none() {
-                // What has an edge but no inside is a line.
+                // An area with an edge but no inside is a line.
                 swatch.line = swatch.line.or(swatch.edge.take());
             }
         }
@@ -175,7 +175,7 @@ impl Panel {
         Panel { frame, axes, labelled: [true, true], heading: String::new(), flipped, items: Vec::new() }
     }
 
-    /// Where a point falls. Rounded once per coordinate.
+    /// Returns the place of a point. Rounded once per coordinate.
     pub(crate) fn place(&self, point: [&Rational; 2]) -> Place {
         let [horizontal, vertical] = &self.axes;
         let [first, second] = if self.flipped { [point[1], point[0]] } else { point };

@@ -1,4 +1,4 @@
-//! Which figures there are, and how they may be drawn.
+//! The figures that exist, and the options for drawing them.
 
 use boundfit_exact::{Foreign, Rational};
 
@@ -78,7 +78,7 @@ impl Figure {
     }
 }
 
-/// How to draw a figure.
+/// The options for drawing a figure.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlotOptions {
     /// Unit of x for the axes; with two regressors, of both.
@@ -104,7 +104,7 @@ pub struct PlotOptions {
     pub greyscale: bool,
     /// `true` if the response runs along the horizontal axis of figures of the data plane.
     pub flip: bool,
-    /// How many directions [`Figure::Directions`] has, at least 3.
+    /// The number of directions of [`Figure::Directions`], at least 3.
     pub directions: usize,
     /// `true` if these are spread evenly where the box of both intervals is a square, and not in the plane of the parameters.
     pub are_directions_scaled: bool,

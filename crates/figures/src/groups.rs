@@ -18,11 +18,12 @@ pub const MOST_PANELS: usize = 24;
 const TOP: f64 = 26.0;
 const LEFT: f64 = LEFT_LABELS + 16.0;
 const RIGHT: f64 = 22.0;
-/// Between panels: side by side, and above each other with a heading that may stand above the scale of an axis.
+/// The gaps between panels: side by side, and above each other with a heading that may stand above the scale of an
+/// axis.
 const GAPS: [f64; 2] = [22.0, 38.0];
 /// Panels that are narrower stand below each other.
 const NARROWEST: f64 = 95.0;
-/// About as wide as a letter of a scale is, and the beginning of a name.
+/// The approximate width of a letter of a scale, and of the beginning of a name.
 const LETTER: f64 = 6.5;
 const NAME: f64 = 34.0;
 /// The height of a panel in parts of its width, and the highest.
@@ -92,7 +93,7 @@ fn has_room_for_scales(panel: &Panel) -> bool {
     horizontal + name <= panel.frame.width && vertical <= panel.frame.width
 }
 
-/// How many panels stand side by side.
+/// Returns the number of panels side by side.
 fn columns(count: usize, page: Page) -> usize {
     let wished = match count {
         0 | 1 => 1,
@@ -104,7 +105,7 @@ fn columns(count: usize, page: Page) -> usize {
     wished.min(room.max(1))
 }
 
-/// Where the panels stand, row by row.
+/// Returns the places of the panels, row by row.
 fn frames(count: usize, columns: usize, page: Page) -> Vec<Frame> {
     let width = (page.width - LEFT - RIGHT - (columns - 1) as f64 * GAPS[0]) / columns as f64;
     let height = (width * HIGH).min(HIGHEST);

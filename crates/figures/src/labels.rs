@@ -1,4 +1,4 @@
-//! What is written on figures: names with units, the model, numbers.
+//! The texts on figures: names with units, the model, numbers.
 
 use boundfit_estimation::{BoundName, ErrorBound, Fit, LeastSquares, Model, Problem};
 use boundfit_exact::english::{counted, listed, sentence, split_unit, unit_by};
@@ -154,7 +154,7 @@ fn uniform_bound(problem: &Problem, epsilon: &Rational, options: &PlotOptions) -
     }
 }
 
-/// How many rows are fitted, under how many conditions.
+/// Returns the number of rows that are fitted, and the number of conditions.
 fn rows(problem: &Problem) -> String {
     let (fitted, total) = (problem.measurements.fitted(), problem.measurements.rows_total());
     let rows = if fitted == total {
@@ -197,13 +197,13 @@ pub(crate) struct Conflict {
 }
 
 impl Conflict {
-    /// What contradicts each other; nothing when the set is not empty.
+    /// Returns the bounds that contradict each other; nothing when the set is not empty.
     pub(crate) fn of(problem: &Problem, fit: &Fit) -> Self {
         let contradiction = fit.contradiction(problem.measurements.error_bound()).unwrap_or_default();
         Conflict::among(contradiction.into_iter().map(|(bound, _)| bound))
     }
 
-    /// Of these bounds.
+    /// Returns the conflict among these bounds.
     pub(crate) fn among(bounds: impl Iterator<Item = BoundName>) -> Self {
         let mut conflict = Conflict::default();
         for bound in bounds {
@@ -247,7 +247,7 @@ pub(crate) fn condition(text: &Foreign) -> String {
     one_line(&pretty.replace('*', "·").into(), 40)
 }
 
-/// Why a fit has no EUI, where it has none.
+/// Returns the reason why a fit has no EUI, where it has none.
 pub(crate) fn why_no_eui(fit: &Fit) -> Option<String> {
     match &fit.least_squares {
         Err(reason) => Some(format!("No least squares and no EUI: {reason}.")),

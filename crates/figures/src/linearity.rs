@@ -32,7 +32,7 @@ const UP: Stroke = Stroke::new(VERMILLION, 1.0, Dash::Short);
 const UP_MARK: Mark = Mark::new(Shape::Triangle, 4.4, VERMILLION);
 const DOWN: Stroke = Stroke::new(GREEN, 1.0, Dash::Dots);
 const DOWN_MARK: Mark = Mark::new(Shape::Diamond, 4.2, GREEN);
-/// Around the points that prove the value.
+/// The mark around the points that prove the value.
 const PROOF_MARK: Mark = Mark::new(Shape::Circle, 7.4, PURPLE);
 
 /// More points than this are thinned out to the extreme ones of each pixel.
@@ -40,9 +40,9 @@ const MOST_POINTS: usize = 1_000;
 /// Significant digits of percents.
 const DIGITS: usize = 5;
 
-/// Draws the deviations from the line of independent linearity over x, a column of this name: of the characteristic, of the upscale
-/// and the downscale average, and the band of the independent linearity; in percent of full scale, or in units of y where that is
-/// 0. Cost: linear in the points.
+/// Draws the deviations from the line of independent linearity over x, a column of this name. It shows the
+/// characteristic, the upscale and the downscale average, and the band of the independent linearity. Deviations are in
+/// percent of full scale, or in units of y where full scale is 0. Cost: linear in the points.
 ///
 /// # Errors
 /// Only when a library underneath fails.
@@ -65,7 +65,7 @@ impl Sheet<'_> {
         &self.linearity.average.independent
     }
 
-    /// What one unit of y is on the vertical axis.
+    /// Returns the size of one unit of y on the vertical axis.
     fn scale(&self) -> Rational {
         let percent = Rational::from(100).checked_div(&self.linearity.average.full_scale);
         percent.unwrap_or_else(Rational::one)

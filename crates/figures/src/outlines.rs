@@ -11,7 +11,7 @@ use crate::{pdf, text};
 
 /// Units of the SVG in an inch.
 const PIXELS_PER_INCH: f32 = 96.0;
-/// What is drawn at most: 400 MB of memory.
+/// The largest number of pixels that are drawn: 400 MB of memory.
 const MOST_PIXELS: f32 = 1e8;
 
 /// The embedded font alone, for the library that makes outlines of letters.
@@ -80,7 +80,7 @@ impl Outlines {
 /// A document whose neighbouring paths of the same opaque look are one path each.
 fn joined(document: &str) -> String {
     let mut joined = String::with_capacity(document.len());
-    // Of the path that is open: what stands before and behind its points.
+    // The open path: the texts before and behind its points.
     let mut open: Option<(&str, &str)> = None;
     for line in document.split('\n') {
         let parts = line.split_once(" d=\"").and_then(|(before, rest)| {
@@ -106,8 +106,8 @@ fn joined(document: &str) -> String {
     joined
 }
 
-/// A PNG that says how large it is, and with a text chunk `Software` behind its header, by which the program knows its own
-/// pictures (PNG, third edition, 11.3.3.2 and 11.3.4.3).
+/// Returns a PNG that states its size. It has a text chunk `Software` behind its header, by which the program
+/// recognises its own pictures (PNG, third edition, 11.3.3.2 and 11.3.4.3).
 fn with_mark(png: &[u8], dpi: u16) -> Vec<u8> {
     /// Signature, and the header with its length, type and checksum.
     const HEADER_END: usize = 8 + 4 + 4 + 13 + 4;

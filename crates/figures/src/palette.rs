@@ -54,10 +54,10 @@ pub(crate) const BLUE: Colour = Colour(0x00, 0x72, 0xb2);
 pub(crate) const VERMILLION: Colour = Colour(0xd5, 0x5e, 0x00);
 pub(crate) const PURPLE: Colour = Colour(0xcc, 0x79, 0xa7);
 pub(crate) const YELLOW: Colour = Colour(0xf0, 0xe4, 0x42);
-/// For edges of purple areas.
+/// The edge of purple areas.
 pub(crate) const DARK_PURPLE: Colour = Colour(0x8f, 0x3c, 0x6b);
 
-/// How a line is broken. Lengths are in pixels of the nominal size.
+/// The way in which a line is broken. Lengths are in pixels of the nominal size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Dash {
     Solid,
@@ -80,7 +80,7 @@ impl Dash {
     }
 }
 
-/// How a line is drawn; the width in pixels of the nominal size.
+/// The look of a line; the width in pixels of the nominal size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stroke {
     pub(crate) colour: Colour,
@@ -94,7 +94,7 @@ impl Stroke {
     }
 }
 
-/// How an area is filled; an opacity from 0 to 1.
+/// The look of an area; an opacity from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Fill {
     pub(crate) colour: Colour,
@@ -134,7 +134,7 @@ impl Mark {
     }
 }
 
-/// What stands for what in every figure.
+/// The styles of the same things in every figure.
 pub(crate) mod style {
     use super::*;
 
@@ -160,7 +160,7 @@ pub(crate) mod style {
     pub(crate) const DENSE_BAR: Stroke = Stroke::new(LIGHT_GREY, 0.7, Dash::Solid);
     pub(crate) const DENSE_OTHER: Mark = Mark::new(Shape::Square, 1.2, GREY);
     pub(crate) const ALL_READINGS: Fill = Fill { colour: GRID, opacity: 1.0 };
-    /// From few to many readings at a place.
+    /// The greys from few to many readings at a place.
     pub(crate) const COUNTS: [Fill; 4] = [grey(0xc2), grey(0x96), grey(0x62), grey(0x2b)];
     pub(crate) const CONFLICT: Mark = Mark::new(Shape::Diamond, 5.0, PURPLE);
     pub(crate) const CONFLICT_BAR: Stroke = Stroke::new(PURPLE, 2.4, Dash::Solid);

@@ -67,7 +67,7 @@ struct Page {
 }
 
 impl Page {
-    /// What is in a group of this opacity. Our groups that are not opaque have one path each.
+    /// Writes the content of a group of this opacity. Our groups that are not opaque have one path each.
     fn group(&mut self, group: &Group, around: f32) {
         let opacity = around * group.opacity().get();
         for node in group.children() {

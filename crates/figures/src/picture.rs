@@ -6,7 +6,7 @@ use crate::outlines::Outlines;
 use crate::render::{self, Look};
 use crate::text;
 
-/// How a picture is encoded.
+/// The format of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PictureFormat {
     /// Lines and letters as paths.
@@ -23,7 +23,7 @@ pub enum PictureFormat {
     Tex,
 }
 
-/// How a picture is encoded, beside its format.
+/// The encoding of a picture, beside its format.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Encoding {
     /// `true` if texts of an SVG stay texts, which others can edit and search, instead of outlines that look the same everywhere.
@@ -50,7 +50,7 @@ impl PictureFormat {
         #[cfg(feature = "tikz")]
         PictureFormat::Tex,
     ];
-    /// What they are, and how the names of their files end, in words.
+    /// The formats, with the endings of their files, in words.
     pub const EXPECTED: &str = if cfg!(feature = "tikz") {
         "a picture is SVG, PNG, PDF or TikZ (expected a name that ends in .svg, .png, .pdf, .tikz or .tex"
     } else {
@@ -70,7 +70,7 @@ impl PictureFormat {
         }
     }
 
-    /// What a picture in this format is, in words.
+    /// Returns the kind of picture in this format, in words.
     pub fn words(self) -> &'static str {
         match self {
             PictureFormat::Svg => "an SVG",

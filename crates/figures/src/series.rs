@@ -13,9 +13,9 @@ use crate::text::one_line;
 /// One of several fits.
 #[derive(Debug, Clone)]
 pub struct Series<'a> {
-    /// What the legend, or the heading of its panel, calls it.
+    /// The name of the fit in the legend, or in the heading of its panel.
     pub name: Foreign,
-    /// What was fitted.
+    /// The problem that was fitted.
     pub problem: &'a Problem,
     /// The answer.
     pub fit: &'a Fit,
@@ -33,7 +33,7 @@ pub enum Compared {
 /// More fits than this are not told apart in one panel: there are so many colours and dashes.
 pub const MOST_COMPARED: usize = LOOKS.len();
 
-/// What one of several fits looks like: colour, dashes and marks all differ, and so do they in greys.
+/// The look of one of several fits: colour, dashes and marks all differ, and they differ in greys, too.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SeriesLook {
     pub(crate) edge: Stroke,
@@ -78,7 +78,7 @@ impl Series<'_> {
     }
 }
 
-/// How to draw one of several fits: with the units that its own file states, where none are asked for.
+/// Returns the options for drawing one of several fits: with the units of its own file, where the options have none.
 pub(crate) fn own_options(problem: &Problem, options: &PlotOptions) -> PlotOptions {
     let [x, y] = problem.measurements.plane_units();
     let stated = |asked: &Option<Foreign>, stated: Option<&Foreign>| asked.clone().or(stated.cloned());
@@ -94,7 +94,7 @@ pub(crate) fn have_one_unit(series: &[Series], options: &PlotOptions) -> bool {
     series.windows(2).all(|pair| units(&pair[0]) == units(&pair[1]))
 }
 
-/// What is the same for all fits, of model, bound and rows.
+/// Returns the common parts of all fits: model, bound and rows.
 pub(crate) fn subtitle(series: &[Series], options: &PlotOptions) -> String {
     let parts: [&dyn Fn(&Problem) -> String; 2] = [&|problem| labels::model(problem), &|problem| {
         labels::bound(problem, &own_options(problem, options))

@@ -29,9 +29,9 @@ const MENDING: Mark = Mark::new(Shape::Diamond, 4.6, VERMILLION);
 const FAR: Mark = Mark::new(Shape::Triangle, 5.2, VERMILLION);
 /// The view goes no farther than this; what lies beyond is shown at its edge.
 const FARTHEST: [i64; 2] = [6, 4];
-/// As many readings as get a label where there is room.
+/// The number of readings that get a label where there is room.
 const MOST_LABELS: usize = 24;
-/// About the room of a label, in pixels of the nominal size.
+/// The approximate room of a letter, in pixels of the nominal size.
 const LETTER: f64 = 7.0;
 const LINE: f64 = 14.0;
 
@@ -90,7 +90,7 @@ fn judged(problem: &Problem, fit: &Fit) -> Vec<(RowStatus, bool)> {
     problem.measurements.kept().iter().map(judged).collect()
 }
 
-/// Where readings are, those that matter most first, and how many have no place.
+/// Returns the places of readings, the most important first, and the number of readings without a place.
 fn spots(judged: &[(RowStatus, bool)], is_empty: bool) -> (Vec<Spot>, usize) {
     let mut spots: Vec<(Status, Option<Rational>, Spot)> = Vec::new();
     let mut unplaced = 0;
@@ -134,7 +134,7 @@ fn panel(spots: &[Spot], options: &PlotOptions) -> Panel {
     Panel::new(frame, axes, false)
 }
 
-/// Where a point of whole numbers is.
+/// Returns the place of a point of whole numbers.
 fn at(panel: &Panel, across: i64, up: i64) -> Place {
     panel.place([&Rational::from(across), &Rational::from(up)])
 }
@@ -201,7 +201,7 @@ fn mark(panel: &mut Panel, spots: &[Spot], taken: &mut Vec<[f64; 4]>) -> usize {
             false => place,
         };
         let mark = if is_far { FAR } else { spot.mark };
-        // What no pixel shows is left out.
+        // Points that no pixel shows are omitted.
         let pixel = |coordinate: f64, length: f64| (coordinate * length * 2.0) as i64;
         let cell = (pixel(place[0], frame.width), pixel(place[1], frame.height), mark == OTHERS);
         if seen.insert(cell) {
@@ -239,7 +239,7 @@ fn label(panel: &mut Panel, place: Place, text: &str, colour: Colour, taken: &mu
     }
 }
 
-/// What the picture does not show.
+/// Returns notes on the parts that the picture does not show.
 fn notes(judged: &[(RowStatus, bool)], far: usize, unplaced: usize, is_empty: bool) -> Vec<String> {
     let mut notes = Vec::new();
     if is_empty {

@@ -2,7 +2,7 @@
 
 use boundfit_exact::latex::escape_in_name;
 
-/// What stands for a character as part of a formula.
+/// The replacements of characters in a formula.
 const IN_FORMULAS: &[(char, &str)] = &[
     ('<', "<"),
     ('>', ">"),
@@ -74,7 +74,7 @@ const IN_FORMULAS: &[(char, &str)] = &[
     ('ϵ', r"\epsilon "),
 ];
 
-/// What stands for a character that is no letter in a text.
+/// The replacements of characters that are no letters in a text.
 const IN_TEXTS: &[(char, &str)] = &[
     ('\u{a0}', "~"),
     ('\u{ad}', r"\-"),
@@ -125,7 +125,7 @@ fn plain(character: char) -> Option<(char, char)> {
 /// that have them; what else has no command is a lozenge, as it is in the other formats.
 pub(crate) fn text(text: &str) -> String {
     let mut result = String::new();
-    // Whether a formula is open, and in it a group that is raised or lowered.
+    // The state: an open formula, and in it a group that is raised or lowered.
     let (mut in_formula, mut group) = (false, None);
     for character in text.chars() {
         let moved = plain(character);

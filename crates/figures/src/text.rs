@@ -68,7 +68,7 @@ const IN_FONT: [(char, char); 33] = [
     ('\u{25ca}', '\u{25ca}'),
 ];
 
-/// What stands for a character that the font lacks.
+/// The replacement of a character that the font lacks.
 const MISSING: char = '\u{25ca}';
 
 /// A text as the font can show it: a lozenge for each character that it lacks, which would vanish otherwise.

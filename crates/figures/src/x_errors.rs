@@ -1,4 +1,4 @@
-//! What figures of errors in x say in words.
+//! The texts of figures of errors in x.
 
 use boundfit_exact::Rounding;
 use boundfit_questions::{Agreement, NoLeastFactor, Side, SideSet, XBounds, XErrorFit, XErrorProblem};
@@ -10,7 +10,7 @@ use crate::text::one_line;
 /// Significant digits of the least factor.
 const DIGITS: usize = 5;
 
-/// How far x may be off, and what is asked of a line.
+/// Returns the possible error of x, and the demands on a line.
 pub(crate) fn asked(problem: &XErrorProblem, options: &PlotOptions) -> String {
     let unit = labels::unit(&options.x_unit).map(|unit| format!(" {unit}")).unwrap_or_default();
     let bound = match problem.bounds() {
@@ -26,13 +26,13 @@ pub(crate) fn asked(problem: &XErrorProblem, options: &PlotOptions) -> String {
     format!("Each x is known {bound}; {asked}.")
 }
 
-/// Which bounds of a side contradict each other.
+/// Returns the bounds of a side that contradict each other.
 pub(crate) fn conflict(side: &SideSet) -> Conflict {
     let bounds = side.contradiction().unwrap_or_default();
     Conflict::among(bounds.into_iter().filter_map(|(bound, _)| bound.name()))
 }
 
-/// Why there is no line, side by side, and what would help; nothing when there is one.
+/// Returns the reason why there is no line, side by side, and the remedies; nothing when there is a line.
 pub(crate) fn emptiness(problem: &XErrorProblem, answer: &XErrorFit) -> Vec<String> {
     if !answer.is_empty() {
         return Vec::new();

@@ -74,7 +74,7 @@ impl CellReader<'_> {
         {
             return Ok(Rational::scientific(mantissa, exponent));
         }
-        // What is said of a comma is about the options that tell how text is written.
+        // A remark about a comma concerns the options that tell how text is written.
         let number = self.options.reading.read(decode(cell)?, &self.options.limits);
         let number = number.map_err(|error| match error.kind {
             ParseNumberErrorKind::Comma => InputErrorKind::Comma,

@@ -130,8 +130,8 @@ impl ColumnSelector {
 /// States whether the first row names the columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Header {
-    /// Decides by the cells. The first record is a header if a column is asked for by name, if the cells
-    /// asked for look like names, or if a word or an empty cell stands above numbers. Where every cell is a
+    /// Decides by the cells. The first record is a header if a column is asked for by name, or if the cells asked for
+    /// look like names. It is a header, too, if a word or an empty cell stands above numbers. Where every cell is a
     /// number it does not.
     #[default]
     Auto,

@@ -12,9 +12,9 @@ pub const DELIMITERS: [(&str, u8); 5] =
 /// The mark that begins a comment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CommentMark {
-    /// Lines that start with `#` or `%`, where leaving them out takes nothing away from the table. That holds
-    /// before its header, in a table that such lines precede, in a table whose columns blanks separate, and
-    /// where their cells are not as many as the cells of a row.
+    /// Lines that start with `#` or `%`, where leaving them out takes nothing away from the table. That holds before
+    /// its header, in a table that such lines precede, and in a table whose columns blanks separate. It also holds
+    /// where the lines have another number of cells than a row.
     #[default]
     Auto,
     /// None.

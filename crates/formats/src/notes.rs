@@ -83,8 +83,8 @@ impl TableNotes {
         (!words.is_empty()).then(|| words.join(", "))
     }
 
-    /// Returns whether something about the table was guessed: which line has the names, which rows belong to it. How it is written is not, but
-    /// found out where that is safe.
+    /// Returns whether something about the table was guessed: which line has the names, which rows belong to it. The
+    /// way in which the table is written is detected where that is safe, and not guessed.
     pub fn has_guesses(&self) -> bool {
         self.header_words().is_some() || self.block.is_some() || !self.skipped_words().is_empty()
     }
@@ -113,7 +113,7 @@ impl TableNotes {
 
     fn skipped_words(&self) -> Vec<String> {
         let Skipped { comments, short_rows, .. } = self.skipped;
-        // Those that begin blocks are told by the blocks.
+        // The blocks account for lines that begin blocks.
         let unsaid = if self.block.is_some() { 0 } else { comments };
         let counted = |count: u64, one: &str, many: &str| {
             (count > 0).then(|| format!("{count} {}", if count == 1 { one } else { many }))

@@ -260,8 +260,8 @@ impl Source {
         self.is_reduction
     }
 
-    /// Returns whether the numbers in this file are stored in binary, exactly, so that no reading of text applies: in a MATLAB
-    /// file. What is reported of them is the binary64 reading.
+    /// Returns whether the numbers in this file are stored in binary, exactly, so that no reading of text applies: in
+    /// a MATLAB file. Reports have the binary64 reading of such numbers.
     pub fn is_stored(&self) -> bool {
         matches!(self.content, Content::Matlab(_))
     }

@@ -6,8 +6,8 @@ use crate::bounds::Facet;
 use crate::half_plane::HalfPlane;
 use crate::predicates::{by_angle, by_tightness};
 
-/// From so many half-planes on, keys are made: they cost a division each, and save a look at two half-planes, which are
-/// anywhere in memory, in each comparison.
+/// The number of half-planes from which on keys are made. A key costs a division, and saves a look at two
+/// half-planes, which are anywhere in memory, in each comparison.
 const FEWEST_FOR_KEYS: usize = 256;
 
 /// Sorts half-planes by angle, those of the same direction by tightness, and equal ones by index.
@@ -34,8 +34,8 @@ fn compare((i, f): &Facet, (j, g): &Facet) -> Ordering {
 /// A number that never falls as the angle of the normal in [0, 2π) grows; normals with equal keys are within 2⁻⁶⁰ of each
 /// other. `None` for coefficients of 62 bits and more.
 ///
-/// For a normal (x, y) with y ≥ 0 it is ⌊2⁶²·(1 - x/(|x|+y))⌋, which is below 2⁶³, and 2⁶³ for the last of them, (-1, 0); for
-/// one with y < 0 it is that of the opposite normal, 2⁶³ later.
+/// For a normal (x, y) with y ≥ 0 the key is ⌊2⁶²·(1 - x/(|x|+y))⌋, which is below 2⁶³, and 2⁶³ for the last of them,
+/// (-1, 0). For a normal with y < 0 it is the key of the opposite normal, 2⁶³ later.
 fn key(half_plane: &HalfPlane) -> Option<u64> {
     const LIMIT: u64 = 1 << 62;
     let (x, y) = (half_plane.a1().to_i64()?, half_plane.a2().to_i64()?);

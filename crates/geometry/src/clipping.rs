@@ -47,7 +47,7 @@ pub enum StepRedundancy {
     Dominated {
         /// The multipliers of the earlier inequalities.
         by: Vec<Multiplier>,
-        /// What is left between the region and the boundary, in the units of the inequality's right-hand side.
+        /// The distance between the region and the boundary, in the units of the inequality's right-hand side.
         slack: Rational,
     },
 }
@@ -153,7 +153,7 @@ impl Node {
 enum State {
     /// Nothing has cut the plane yet.
     Plane,
-    /// At least one half-plane has.
+    /// One or more half-planes have cut the plane.
     Cut,
     Empty(Farkas),
 }
@@ -255,7 +255,7 @@ impl<'a> Clipper<'a> {
         Some(Node::Finite { point, active })
     }
 
-    /// Those of the candidates whose boundary passes through the point, ascending.
+    /// Returns the candidates whose boundary passes through the point, ascending.
     fn touching<'b>(&self, candidates: impl Iterator<Item = &'b usize>, point: &Point) -> Vec<usize> {
         let touches = |index: &usize| {
             self.system.half_plane(*index).is_some_and(|half_plane| side(half_plane, point) == Side::Boundary)

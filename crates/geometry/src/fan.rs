@@ -223,8 +223,8 @@ fn with_normal(system: &System, active: &[usize], normal: &Direction) -> Option<
     active.iter().copied().find(faces_it)
 }
 
-/// The lowest index of a half-plane that bounds the edge between neighbouring vertices of a region with an interior: it
-/// is active at both, and what is has its boundary along the edge.
+/// Returns the lowest index of a half-plane that bounds the edge between neighbouring vertices of a region with an
+/// interior. It is active at both vertices, and such a half-plane has its boundary along the edge.
 fn edge(from: &Vertex, to: &Vertex) -> Option<usize> {
     let (mut own, mut others) = (from.active.iter().peekable(), to.active.iter().peekable());
     loop {

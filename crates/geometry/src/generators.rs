@@ -82,8 +82,8 @@ impl Generators {
         Polyhedron::intersect(minimal.cloned().collect())
     }
 
-    /// Indices of a minimal set of generators of the same set, ascending: without any of them it is another one. Of
-    /// equal points and of equal directions the first is kept, and a line rather than rays. `region` is that of
+    /// Indices of a minimal set of generators of the same set, ascending: without any of them it is another one. The
+    /// first of equal points and of equal directions is kept, and a line rather than rays. `region` is that of
     /// [`Generators::polyhedron`]. Nothing for an empty region. Exact. Cost: O(n log n).
     pub fn irredundant(&self, region: &Region) -> Vec<usize> {
         if region.is_empty() {
@@ -107,9 +107,10 @@ impl Generators {
         indices
     }
 
-    /// For each half-plane of the system of [`Generators::polyhedron`], the indices of the points that span the region's
-    /// part of its boundary, ascending: those that equal a vertex there; for a region without vertices, those that lie on
-    /// it. The points that equal a vertex are those behind all of its active half-planes. Exact. Cost: linear.
+    /// Returns, for each half-plane of the system of [`Generators::polyhedron`], the indices of the points that span
+    /// the region's part of its boundary, ascending. These are the points that equal a vertex there; for a region
+    /// without vertices, the points on the boundary. The points that equal a vertex are those behind all of its
+    /// active half-planes. Exact. Cost: linear.
     pub fn spanning(&self, polyhedron: &Polyhedron) -> Vec<Vec<usize>> {
         let (system, region) = (polyhedron.system(), polyhedron.region());
         if region.vertices().is_empty() {
@@ -214,9 +215,9 @@ fn same_cone(one: &Region, other: &Region) -> bool {
     one.kind() == other.kind() && one.rays() == other.rays() && one.lines() == other.lines()
 }
 
-/// Half-planes that contain the hull with these corners, counter-clockwise, and go on along a cone; among them all that
-/// bound it. The normal of each is that of an edge of the hull, or at a right angle to a direction of the cone, or, for
-/// what lies within a line, along it.
+/// Half-planes that contain the hull with these corners, counter-clockwise, and go on along a cone; among them all
+/// that bound it. The normal of each is the normal of an edge of the hull, or at a right angle to a direction of the
+/// cone. If all lies within a line, the normal may also be along the line.
 fn supporting(corners: &[&Point], cone: &[Direction]) -> System {
     let mut system = System::default();
     let in_polar = |half_plane: &HalfPlane| {

@@ -7,7 +7,7 @@ use boundfit_exact::Sign;
 use crate::point::Point;
 use crate::predicates::{by_theta1, orientation};
 
-/// What the chain asks about two points; about three it asks for their orientation.
+/// The chain's questions about two points; about three points it asks for their orientation.
 pub trait Site {
     /// Returns whether both have the same x.
     fn is_above_or_below(&self, other: &Self) -> bool;
@@ -28,14 +28,14 @@ impl<P: Borrow<Point>> Site for P {
 /// One of the two hulls, and with it the way along which it is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HullSide {
-    /// Below all points, from left to right.
+    /// The hull below all points, from left to right.
     Lower,
-    /// Above all points, from right to left.
+    /// The hull above all points, from right to left.
     Upper,
 }
 
-/// One of the two hulls of points, as positions in their list, counter-clockwise. Of several points above each other it has
-/// the lowest or the highest only.
+/// One of the two hulls of points, as positions in their list, counter-clockwise. If several points are above each
+/// other, it has the lowest or the highest only.
 #[derive(Debug, Clone)]
 pub struct Hull {
     side: HullSide,
@@ -46,7 +46,7 @@ pub struct Hull {
 #[derive(Debug, Clone, Copy)]
 struct Link {
     position: usize,
-    /// Not within an edge.
+    /// `true` if the point is not within an edge.
     is_corner: bool,
 }
 
@@ -135,9 +135,9 @@ fn chain<P: Site>(
 /// The corners of lower and upper hull, as positions in the list of points, each from left to right.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Hulls {
-    /// Below all others.
+    /// The hull below all points.
     pub lower: Vec<usize>,
-    /// Above all others.
+    /// The hull above all points.
     pub upper: Vec<usize>,
 }
 

@@ -49,9 +49,12 @@ pub enum InvariantViolation {
 }
 
 impl Region {
-    /// Checks every promise of the type against the system that the region came from: the order of the vertices, the
-    /// active sets, the recession directions, that each side is bounded by a half-plane of the system, and the
-    /// certificate of emptiness. Exact. Cost: inequalities times vertices.
+    /// Checks every promise of the type against the system that the region came from.
+    /// - The order of the vertices, the active sets, and the recession directions.
+    /// - A half-plane of the system bounds each side.
+    /// - The certificate of emptiness.
+    ///
+    /// Exact. Cost: inequalities times vertices.
     ///
     /// # Errors
     /// The first promise that does not hold.

@@ -18,22 +18,24 @@ pub enum LayerOf {
     Touching,
 }
 
-/// The layers of half-planes, taken away one after the other. Those that bound θ2 from above, from below, and θ1 from the right
-/// and from the left have layers of their own; one layer here is the next of each of the four.
+/// The layers of half-planes, taken away one after the other. Half-planes that bound θ2 from above, θ2 from below, θ1
+/// from the right and θ1 from the left have layers of their own. One layer here is the next of each of the four.
 ///
-/// Who violates a half-plane that is not in the first k layers violates at least one of its own kind in each of these k: with
-/// [`LayerOf::Corners`] they decide where fewer than k + 1 are violated. With [`LayerOf::Touching`] also every boundary through
-/// such a point is one of theirs, since a boundary that does not touch the intersection of a layer lies outside it.
+/// A point that violates a half-plane outside the first k layers violates at least one of its kind in each of these k
+/// layers. So with [`LayerOf::Corners`] they decide where fewer than k + 1 half-planes are violated. With
+/// [`LayerOf::Touching`] also every boundary through such a point is one of theirs, since a boundary that does not
+/// touch the intersection of a layer lies outside it.
 #[derive(Debug)]
 pub struct Layers {
     of: LayerOf,
     families: [Family; 2],
-    /// Those that bound θ1 from the right and from the left, the tightest last.
+    /// The half-planes that bound θ1 from the right and from the left, the tightest last.
     vertical: [Vec<(usize, HalfPlane)>; 2],
 }
 
 impl Layers {
-    /// Of constraints; one that holds always or never has no boundary and is in no layer. Exact. Cost: O(n log n).
+    /// Returns the layers of constraints; one that holds always or never has no boundary and is in no layer. Exact.
+    /// Cost: O(n log n).
     pub fn new(of: LayerOf, constraints: &[Constraint]) -> Self {
         let half_planes = || {
             constraints.iter().enumerate().filter_map(|(position, constraint)| match constraint {

@@ -1,9 +1,10 @@
 //! Exact intersection of half-planes in the plane.
 //!
-//! A [`System`] of linear inequalities is intersected by [`envelope::intersect`] (fast) or [`clipping::intersect`]
-//! (the definition, step by step); both return the same [`Region`], one of ten kinds, with the half-planes active at
-//! every vertex. A [`Polyhedron`] keeps system and region together and answers questions about them, each answer
-//! with a proof that [`Farkas::verify`], [`BoundProof::verify`] or [`UnboundedProof::verify`] recomputes.
+//! Two functions intersect a [`System`] of linear inequalities: [`envelope::intersect`] (fast) and
+//! [`clipping::intersect`] (the definition, step by step). Both return the same [`Region`], one of ten kinds, with
+//! the half-planes active at every vertex. A [`Polyhedron`] keeps system and region together and answers questions
+//! about them, each answer with a proof that [`Farkas::verify`], [`BoundProof::verify`] or [`UnboundedProof::verify`]
+//! recomputes.
 //!
 //! Everything is exact: there is no tolerance, no floating point and no bounding box around unbounded sets.
 //!

@@ -7,8 +7,8 @@ use crate::predicates::{Turn, angle_order, turn};
 use crate::region::Vertex;
 use crate::system::System;
 
-/// All linear forms that attain their maximum over a region at one of its vertices, as directions: the cone of the outward
-/// normals of the half-planes active there (Rockafellar, *Convex Analysis*, section 23).
+/// All linear forms that attain their maximum over a region at one of its vertices, as directions. They are the cone
+/// of the outward normals of the half-planes active there (Rockafellar, *Convex Analysis*, section 23).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum NormalCone {
     /// Less than a half turn, counter-clockwise from the first direction to the second: the region has an interior.

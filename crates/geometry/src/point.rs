@@ -108,7 +108,8 @@ impl Direction {
         Direction { dx: self.dy.clone(), dy: -&self.dx }
     }
 
-    /// Of the two opposite directions along the same line, the one whose first non-zero component is positive.
+    /// Returns, of the two opposite directions along the same line, the one whose first non-zero component is
+    /// positive.
     pub fn of_line(&self) -> Self {
         let negative = if self.dx.is_zero() { self.dy.is_negative() } else { self.dx.is_negative() };
         if negative { self.reversed() } else { self.clone() }

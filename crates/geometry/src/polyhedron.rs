@@ -24,7 +24,7 @@ pub struct Polyhedron {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[allow(clippy::large_enum_variant, reason = "built once per question and taken apart at once")]
 pub enum Support {
-    /// There is no point to take the maximum over.
+    /// The set has no point to take the maximum over.
     Empty(Farkas),
     /// The form grows without end.
     Unbounded(UnboundedProof),
@@ -55,7 +55,7 @@ pub enum Face {
     Line {
         /// The point of the line nearest to the origin.
         point: Point,
-        /// Along the line; the first non-zero component is positive.
+        /// The direction along the line; the first non-zero component is positive.
         direction: Direction,
     },
     /// Everywhere: the form is zero.
@@ -65,16 +65,16 @@ pub enum Face {
 /// The reason why an inequality could be left out.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Redundancy {
-    /// It is `0 ≤ b` with `b ≥ 0`.
+    /// The inequality is `0 ≤ b` with `b ≥ 0`.
     Always,
-    /// It describes the same half-plane as this irredundant one.
+    /// The inequality describes the same half-plane as this irredundant one.
     SameAs(usize),
     /// Positive multiples of at most two irredundant inequalities add up to it, with a right-hand side smaller by
     /// `slack ≥ 0`. Slack 0 means that its boundary touches the region.
     Dominated {
         /// The multipliers of the irredundant inequalities.
         by: Vec<Multiplier>,
-        /// What is left, in the units of the inequality's right-hand side.
+        /// The rest, in the units of the inequality's right-hand side.
         slack: Rational,
     },
     /// The region is empty without it.
@@ -172,8 +172,8 @@ impl Polyhedron {
         }
     }
 
-    /// Indices of a minimal set of inequalities with the same region, ascending. Of those that coincide, the first is
-    /// kept. For an empty region: those of the certificate.
+    /// Indices of a minimal set of inequalities with the same region, ascending. The first of coinciding inequalities
+    /// is kept. For an empty region: those of the certificate.
     pub fn irredundant(&self) -> Vec<usize> {
         let mut indices = match self.region.certificate() {
             Some(certificate) => certificate.multipliers().iter().map(|m| m.index).collect(),
@@ -205,8 +205,8 @@ impl Polyhedron {
         self.neighbours_of(self.system.half_plane(index)?)
     }
 
-    /// As [`Polyhedron::neighbours`], of a half-plane that need not be one of the system's. Of one that contains the region
-    /// they are those that dominate it. Cost: logarithmic.
+    /// Answers as [`Polyhedron::neighbours`] does, for a half-plane that need not be one of the system's. The
+    /// neighbours of a half-plane that contains the region are those that dominate it. Cost: logarithmic.
     pub fn neighbours_of(&self, half_plane: &HalfPlane) -> Option<(usize, usize)> {
         self.fan.around(&self.system, half_plane)
     }

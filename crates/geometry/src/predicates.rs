@@ -80,14 +80,14 @@ pub fn angle_order(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Ordering
     lower_half(u).cmp(&lower_half(v)).then_with(|| (u.1 * v.0).cmp(&(u.0 * v.1)))
 }
 
-/// Of two half-planes with the same direction of normal, `Less` when `f` lies inside `g`.
+/// Compares two half-planes with the same direction of normal: `Less` when `f` lies inside `g`.
 pub fn by_tightness(f: &HalfPlane, g: &HalfPlane) -> Ordering {
     let size = |h: &HalfPlane| h.a1().abs() + h.a2().abs();
     (f.b() * size(g)).cmp(&(g.b() * size(f)))
 }
 
-/// Whether, of three half-planes with normals in this angular order within a half turn, the middle one is
-/// implied by the other two: whether the corner of `f` and `h` lies in `g`.
+/// Returns whether the corner of `f` and `h` lies in `g`, so that the other two imply the middle one. The three
+/// half-planes have normals in this angular order within a half turn.
 pub fn middle_is_implied(f: &HalfPlane, g: &HalfPlane, h: &HalfPlane) -> bool {
     let minor = |(p, q): (&HalfPlane, &HalfPlane)| p.a1() * q.a2() - p.a2() * q.a1();
     // The corner of f and h has weight minor(f, h) > 0; Cramer's rule expands its slack along g.

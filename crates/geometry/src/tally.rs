@@ -1,4 +1,4 @@
-//! How many readings one of them stands for, and the first of their numbers.
+//! The number of readings that one of them stands for, and the first of their numbers.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -12,24 +12,24 @@ pub struct Tally {
     others: Option<Box<Others>>,
 }
 
-/// What there is beside the first number.
+/// The readings beside the first number.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Others {
-    /// How many readings, beside the first.
+    /// The number of readings, beside the first.
     count: u64,
-    /// Their numbers as far as they are listed, ascending.
+    /// The listed numbers of these readings, ascending.
     rows: Steps,
 }
 
-/// Ascending numbers behind one that is known, as the steps between them: a byte for most, and a few bytes for however many
-/// numbers that follow each other without a gap.
+/// Ascending numbers behind one that is known, as the steps between them. Most steps take a byte; a run of
+/// consecutive numbers takes a few bytes, however long it is.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Default)]
 struct Steps {
     /// One more than each step in groups of seven bits, the lowest first; behind a 0 stands a number of steps of 1.
     bytes: Vec<u8>,
     count: usize,
     last: u64,
-    /// How many steps of 1 are not in the bytes yet.
+    /// The number of steps of 1 that are not in the bytes yet.
     run: u64,
 }
 
@@ -116,7 +116,7 @@ impl Tally {
         Tally { first: row, others: None }
     }
 
-    /// So many readings, at least one, of which the smallest number alone is listed.
+    /// Returns so many readings, at least one, of which the smallest number alone is listed.
     pub fn counted(first: u64, count: u64) -> Self {
         Tally::of_rows(count, &[first])
     }
@@ -199,7 +199,7 @@ impl Tally {
         Tally::of_rows(self.count() - 1, &rows)
     }
 
-    /// So many readings, with these numbers as far as they are listed, ascending; at least one.
+    /// Returns so many readings, at least one, with their numbers as far as they are listed, ascending.
     fn of_rows(count: u64, rows: &[u64]) -> Self {
         let (first, rows) = (rows[0], &rows[1..]);
         let others = || {

@@ -1,8 +1,8 @@
-//! Which points on a hull are told as one: those at one place, and those strictly within one edge.
+//! The points on a hull that are told as one: those at one place, and those strictly within one edge.
 //!
-//! Of the bounds that readings are, those strictly within an edge are active exactly where the others within it are: in the
-//! one point that is dual to the edge. They are never corners of a hull of more points, and leave it together. So one of them
-//! stands for all, in whatever way points are split, and so does one of several at one place.
+//! The bounds of readings strictly within an edge are active in the same point only: the one that is dual to the
+//! edge. They are never corners of a hull of more points, and leave it together. So one of them stands for all, in
+//! whatever way points are split, and so does one of several at one place.
 
 use boundfit_exact::Sign;
 
@@ -17,8 +17,9 @@ pub trait Tied: Site {
     fn with_rows(self, rows: Tally) -> Self;
 }
 
-/// Of points sorted by x, then y, those on the lower or the upper hull, each corner once and of the points strictly within an
-/// edge the one with the least number: it stands for all of them. In the same order; at most so many numbers are listed of each.
+/// Returns the points, sorted by x, then y, that are on the lower or the upper hull, each corner once. The point with
+/// the least number stands for all points strictly within an edge. In the same order; at most so many numbers are
+/// listed of each.
 ///
 /// As exact as `orientation`. It depends on the points alone, so that parts can be reduced first. Cost: linear.
 pub fn touching_as_one<P: Tied>(

@@ -1,10 +1,12 @@
-//! Which half-planes can be active, whatever else is known: those that touch one of four sets that are never empty.
+//! The half-planes that can be active, whatever else is known: those that touch one of four sets that are never
+//! empty.
 //!
-//! The half-planes with `a2 > 0` bound θ2 from above by linear functions of θ1, and their intersection lies below the lower
-//! envelope of these; those with `a2 < 0` bound it from below; those with `a2 = 0` bound θ1 from the right or from the left.
-//! A boundary that meets the intersection of all half-planes meets that of its own kind. Each of the four is never empty, so
-//! that what touches it can be found part by part, also where the whole has no solution. In the dual plane, where
-//! `a1·θ1 + a2·θ2 ≤ b` is the point `(a1/a2, b/a2)`, the envelopes are a lower and an upper hull.
+//! The half-planes with `a2 > 0` bound θ2 from above by linear functions of θ1, and their intersection lies below the
+//! lower envelope of these. Half-planes with `a2 < 0` bound θ2 from below, and half-planes with `a2 = 0` bound θ1
+//! from the right or from the left. A boundary that meets the intersection of all half-planes meets that of its own
+//! kind. Each of the four is never empty, so that what touches it can be found part by part, also where the whole has
+//! no solution. In the dual plane, where `a1·θ1 + a2·θ2 ≤ b` is the point `(a1/a2, b/a2)`, the envelopes are a lower
+//! and an upper hull.
 
 use std::cmp::Ordering;
 
@@ -18,13 +20,15 @@ use crate::predicates::{by_theta1, by_tightness, lexicographic, orientation};
 pub struct Touch {
     /// The position among the inequalities.
     pub position: usize,
-    /// Of one that meets its envelope in a vertex alone: the two whose boundaries meet there, with slopes on either side of its
-    /// own. Whatever else is known, all of one vertex touch the whole or none does, but for these two.
+    /// The two half-planes that meet at the vertex, if one meets its envelope in a vertex alone; their slopes are on
+    /// either side of its own. Whatever else is known, all of one vertex touch the whole or none does, but for these
+    /// two.
     pub vertex: Option<[usize; 2]>,
 }
 
-/// Of inequalities, the positions of those whose boundaries touch the intersection of their own kind (above, below, right or
-/// left), repeated ones included, and of the first that holds nowhere; ascending. The others are strictly redundant.
+/// Returns the positions of inequalities whose boundaries touch the intersection of their own kind (above, below,
+/// right or left), ascending. Repeated ones count, and so does the first that holds nowhere. The others are strictly
+/// redundant.
 ///
 /// Exact. It depends on the inequalities alone, so that parts can be reduced first, in any order: what touches in all touches
 /// in its part. Cost: O(n log n).
@@ -71,7 +75,7 @@ pub(crate) fn is_vertical(half_plane: &HalfPlane, faces_right: bool) -> bool {
 #[derive(Debug)]
 pub(crate) struct Family {
     side: HullSide,
-    /// By x, then y, then position.
+    /// The dual points by x, then y, then position.
     sorted: Vec<Dual>,
 }
 
@@ -93,7 +97,7 @@ impl Site for Dual {
 }
 
 impl Family {
-    /// Of the half-planes those that bound θ2 from above, which the lower hull decides, or from below.
+    /// Returns the envelope of the half-planes that bound θ2 from above, which the lower hull decides, or from below.
     pub(crate) fn new<'a>(side: HullSide, half_planes: impl Iterator<Item = (usize, &'a HalfPlane)>) -> Self {
         let from_above = side == HullSide::Lower;
         let dual = |(position, own): (usize, &HalfPlane)| {
@@ -164,7 +168,8 @@ mod tests {
         (0..count).map(|_| Inequality::new(next(), next(), next())).collect()
     }
 
-    /// By support functions of the plane engine: a boundary touches a set that it does not cut where the form attains its bound.
+    /// Finds touching half-planes by support functions of the plane engine: a boundary touches a set that it does not
+    /// cut where the form attains its bound.
     fn by_definition(rows: &[Inequality]) -> Vec<usize> {
         let kind = |row: &Inequality| {
             let sign = |number: &Rational| (number.is_positive(), number.is_negative());

@@ -52,9 +52,10 @@ pub struct SideMultiplier {
     pub value: Rational,
 }
 
-/// The prices of rows and columns. With `d` = +1 for a minimum and −1 for a maximum, duals and reduced costs fulfil
-/// `cost = reduced cost + Σ dual·coefficient` in every column; `d` times a price is positive only where the lower bound is
-/// active, and negative only where the upper one is. A price is what the optimum gains for a unit of that bound.
+/// The prices of rows and columns. Duals and reduced costs fulfil `cost = reduced cost + Σ dual·coefficient` in every
+/// column. Let `d` be +1 for a minimum and −1 for a maximum. Then `d` times a price is positive only where the lower
+/// bound is active, and negative only where the upper one is. A price is what the optimum gains for a unit of that
+/// bound.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Prices {
     /// The dual of each row.

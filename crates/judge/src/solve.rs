@@ -11,8 +11,8 @@ use crate::plane::{Plane, point_on_axis};
 use boundfit_lp::End;
 
 impl Answer {
-    /// Solves a model. Exact. Cost: O(n log n) in the number of bounds for the set, and a pass over the rows for each pivot of
-    /// the simplex method that confirms it and for each statement that is proved.
+    /// Solves a model. Exact. Cost: O(n log n) in the number of bounds for the set. Each pivot of the simplex method
+    /// that confirms it takes a pass over the rows, and so does each proved statement.
     ///
     /// # Errors
     /// As [`Plane::new`] says, and [`SolveError::Disagreement`], which means a bug.
@@ -262,8 +262,8 @@ fn face_of(plane: &Plane, face: &geometry::Face, start: &Start) -> Face {
     }
 }
 
-/// The basis of a start: the bounds behind its half-planes and fixed columns are not basic, and where the half-planes leave a
-/// line, nor is a column that they do not hold.
+/// Returns the basis of a start. The bounds behind its half-planes and fixed columns are not basic. If the
+/// half-planes leave a line, a column that they do not hold is not basic, either.
 fn basis(model: &Model, plane: &Plane, prices: &Prices, start: &Start) -> Basis {
     let at = |end: End| if end == End::Lower { BasisStatus::AtLower } else { BasisStatus::AtUpper };
     let sign = sign_of(model.sense);

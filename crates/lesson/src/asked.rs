@@ -1,8 +1,8 @@
 //! The question, in the words of the engine in the page: with it, the readings of a page make that page again.
 //!
-//! The table is the one that the page writes (`page/js/model/table.js`): regressors, the response where there is one, then the columns
-//! of bounds where there are any; each reading with x as it was before it was counted from an origin, and the cells as they were
-//! written where that is known.
+//! The table is the one that the page writes (`page/js/model/table.js`): regressors, the response if there is one,
+//! then the columns of bounds if there are any. Each reading has x as it was before it was counted from an origin,
+//! and its cells as they were written if that is known.
 
 use boundfit_estimation::{ErrorBound, Law, Measurement, Measurements, Model, MultipleOfLeast, Problem};
 use boundfit_exact::{DecimalMark, Foreign, Reading};
@@ -65,7 +65,7 @@ struct BoundsJson {
 
 /// The bounds on the errors, by what is asked for and the columns that the table needs for it.
 enum Bounds {
-    /// In words, which need no column.
+    /// Bounds in words, which need no column.
     Words(String),
     /// A column of distances.
     Column(Foreign),
@@ -147,7 +147,7 @@ fn bounds(measurements: &Measurements) -> Bounds {
     }
 }
 
-/// What a law says of each reading, as columns.
+/// Returns the bounds that a law gives each reading, as columns.
 fn own_bounds(law: &Law) -> Bounds {
     match law.is_asymmetric() {
         true => Bounds::Interval { lower: Some("lower".into()), upper: Some("upper".into()) },
@@ -170,7 +170,7 @@ fn columns(measurements: &Measurements, bounds: &Bounds) -> Vec<String> {
     names.map(|name| name.raw().to_owned()).collect()
 }
 
-/// How each column is asked for: by its name, or by its number where it shares its name with another one.
+/// Returns the selector of each column: its name, or its number if it shares its name with another one.
 fn selectors(columns: &[String]) -> Vec<String> {
     let is_alone = |name: &String| columns.iter().filter(|other| *other == name).count() == 1;
     let selector = |(number, name): (usize, &String)| match is_alone(name) {

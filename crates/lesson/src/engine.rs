@@ -17,9 +17,9 @@ mod with_engine {
 
     /// The module that answers no question but the page's own, packed by gzip.
     const MODULE: &[u8] = include_bytes!("../engine/page.wasm.gz");
-    /// What wasm-bindgen writes to go with the module.
+    /// The code that wasm-bindgen writes to go with the module.
     const BINDINGS: &str = include_str!("../engine/boundfit_wasm.mjs");
-    /// What the Worker does with both; its imports are what stands before it in one script.
+    /// The Worker's code for both; its imports are the code before it in one script.
     const WORKER: &str = include_str!("../engine/worker.mjs");
 
     /// The elements with the module and the script of the Worker, which the page does not run itself.
@@ -64,7 +64,7 @@ mod without_engine {
     /// The page computes nothing beyond its script.
     pub(crate) const POLICY: &str = "";
 
-    /// There is none.
+    /// Returns nothing: this build has no engine.
     pub(crate) fn elements() -> String {
         String::new()
     }

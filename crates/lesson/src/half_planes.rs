@@ -39,9 +39,9 @@ pub(crate) fn irredundant(problem: &Problem, fit: &Fit) -> Vec<usize> {
     }
 }
 
-/// For an empty set, at most three half-planes with positive multipliers whose sum is `0 ≤ negative`: conditions alone
-/// where these contradict each other, else those that the fit reports. The page moves the error bounds, and such conditions
-/// leave nothing wherever these stand.
+/// Returns, for an empty set, at most three half-planes with positive multipliers whose sum is `0 ≤ negative`. They
+/// are conditions alone where these contradict each other, else those that the fit reports. The page moves the error
+/// bounds, and such conditions leave nothing wherever these stand.
 pub(crate) fn contradiction(problem: &Problem, fit: &Fit) -> Option<Vec<(BoundName, Rational)>> {
     fit.contradiction_of_conditions().or_else(|| fit.contradiction(problem.measurements.error_bound()))
 }

@@ -1,5 +1,5 @@
-//! What linear programs make of the same data: the set seen from several directions, and the ends of the intervals as
-//! solvers report them, judged exactly.
+//! The results of linear programs for the same data: the set seen from several directions, and the ends of the
+//! intervals as solvers report them, judged exactly.
 
 use std::time::Duration;
 
@@ -18,7 +18,7 @@ use crate::number::{STYLE, point, with_minus};
 use crate::points::Points;
 use crate::texts::{Message, Value, text};
 
-/// How many directions the set is looked at from.
+/// The number of directions that the set is seen from.
 const DIRECTIONS: AskedDirections = AskedDirections { count: 16, is_scaled: false };
 
 /// The longest that a solver may work on one program.
@@ -31,7 +31,7 @@ pub(crate) struct LpAnswer {
     pub(crate) source: String,
     /// `true` if it is the exact simplex.
     pub(crate) is_exact: bool,
-    /// By parameter, then lower and upper end.
+    /// The claims by parameter, then lower and upper end.
     pub(crate) claims: [[BoundClaim; 2]; 2],
     /// Likewise.
     pub(crate) judgements: [[Judgement; 2]; 2],
@@ -166,7 +166,7 @@ pub(crate) fn verdict_key(verdict: Verdict) -> String {
     format!("verdict.{}", verdict.name().replace(' ', "-"))
 }
 
-/// Why a claim is not simply right, in a sentence, proportion first.
+/// Returns the reason why a claim is not simply right, in a sentence, proportion first.
 pub(crate) fn reason(judgement: &Judgement) -> Option<Message> {
     let sized = |key: &str| judgement.error().map(|error| text!(key, size: proportion(error)));
     let is_inside = judgement.excess.as_ref().is_some_and(Rational::is_negative);

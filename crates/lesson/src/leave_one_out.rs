@@ -23,7 +23,7 @@ pub(crate) struct Without {
     pub(crate) matters: bool,
     /// The set.
     pub(crate) region: Region,
-    /// Which half-planes of the whole system are not among those by which the set counts.
+    /// The half-planes of the whole system that are not among those by which the set counts.
     lacking: Range<usize>,
     /// The parameter uncertainty intervals; `None` when the set is empty.
     pub(crate) pui: Option<[Interval; 2]>,
@@ -34,11 +34,11 @@ pub(crate) struct Without {
 /// An end of an interval that moves outward.
 #[derive(Debug)]
 pub(crate) struct Moved {
-    /// Which parameter, from 0.
+    /// The parameter, from 0.
     pub(crate) axis: usize,
-    /// Which end.
+    /// The end of its interval.
     pub(crate) end: End,
-    /// How far, and where to; `None` when nothing stops it.
+    /// The distance and the new end; `None` when nothing stops it.
     pub(crate) by_and_to: Option<(Rational, Rational)>,
 }
 

@@ -1,14 +1,19 @@
 //! A self-contained web page that teaches polytope geometry on a bounded-error fit.
 //!
-//! [`lesson_data`] computes everything that the page shows, exactly: the half-planes and what each step of clipping
-//! does, the family of sets under growing error bounds, the estimates with what linear programs make of the same data,
-//! the set without each reading, the fewest readings to leave out, and questions with answers. [`page`] puts it into one HTML file
-//! whose script draws it, and computes, as exactly, what depends on where the mouse is.
+//! [`lesson_data`] computes everything that the page shows, exactly.
+//! - The half-planes, and the effect of each step of clipping.
+//! - The family of sets under growing error bounds.
+//! - The estimates, and the results of linear programs for the same data.
+//! - The set without each reading, and the fewest readings to leave out.
+//! - Questions with answers.
+//!
+//! [`page`] puts it into one HTML file whose script draws it, and computes, as exactly, what depends on where the
+//! mouse is.
 //!
 //! [`polytope`] answers about half-planes without readings, for the page's second view.
 //!
-//! What the page's script may rely on is the schema `boundfit/lesson/2`, whose types are in `page/js/lesson.d.ts`; its sources
-//! are in the folder `page`.
+//! The page's script may rely on the schema `boundfit/lesson/2`, whose types are in `page/js/lesson.d.ts`; its
+//! sources are in the folder `page`.
 //!
 //! ```
 //! use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem, fit};
@@ -62,7 +67,8 @@ pub use crate::playground::playground;
 pub use crate::polytope::{MOST_HALF_PLANES, PolytopeError, PolytopeOptions, polytope};
 pub use crate::texts::{Language, said};
 
-/// What a lesson takes for readings of thousands of digits, divided by what a fit takes; leaving out each reading comes on top.
+/// The work of a lesson for readings of thousands of digits, divided by the work of a fit; leaving out each reading
+/// comes on top.
 const FITS: u64 = 24;
 
 /// The lesson as one HTML file without outside parts. `reading` says how the problem's numbers were read.
@@ -111,8 +117,9 @@ pub fn check_work(problem: &Problem, limit: u64) -> Result<(), TooMuchWork> {
 /// Everything that the page shows, schema `boundfit/lesson/2`. Numbers are exact, their decimals rounded: ends of
 /// intervals outward, error bounds upward, all others to nearest.
 ///
-/// Cost: for N readings one fit without each of them, O(N² log N), and three runs of clipping; every LP solver of this
-/// build on four programs, each for at most ten seconds; of readings that contradict each other at most two million crossings.
+/// Cost for N readings: one fit without each of them, O(N² log N), and three runs of clipping. Every LP solver of
+/// this build runs on four programs, each for at most ten seconds. Readings that contradict each other take at most
+/// two million crossings.
 ///
 /// # Errors
 /// With more than [`LessonOptions::most_rows`] readings.

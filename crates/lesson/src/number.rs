@@ -3,7 +3,7 @@
 use boundfit_exact::Rational;
 use boundfit_report::{EndRounding, LONGEST_FRACTION, Number, Reader, Style};
 
-/// How numbers are shown.
+/// The style of numbers.
 pub(crate) const STYLE: Style = Style {
     digits: None,
     ends: EndRounding::Outward,

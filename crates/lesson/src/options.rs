@@ -1,4 +1,4 @@
-//! What a lesson is asked for, and why there is none.
+//! The options of a lesson, and the reasons why there is none.
 
 use boundfit_exact::Foreign;
 use boundfit_exact::english::counted;
@@ -12,10 +12,10 @@ pub const MOST_ROWS: usize = 300;
 /// The most readings that can be asked for.
 pub const MOST_ROWS_EVER: u16 = 2000;
 
-/// What the page says about the data besides what follows from them.
+/// The page's statements about the data besides those that follow from them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LessonOptions {
-    /// Where the readings come from; of a path only the file's name is shown.
+    /// The source of the readings; only the file's name of a path is shown.
     pub file: Foreign,
     /// The title; made of the file and the columns when `None`.
     pub title: Option<Foreign>,
@@ -43,7 +43,7 @@ impl Default for LessonOptions {
     }
 }
 
-/// Why there is no lesson.
+/// The reason why there is no lesson.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum LessonError {
@@ -53,9 +53,9 @@ pub enum LessonError {
         counted(*.limit, "reading is too many", "readings are too many")
     )]
     TooManyRows {
-        /// How many there are, as far as they were read.
+        /// The number of readings, as far as they were read.
         rows: usize,
-        /// How many there may be.
+        /// The largest number of readings.
         limit: usize,
     },
     /// A picture that cannot be drawn.

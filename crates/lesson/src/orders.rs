@@ -103,7 +103,7 @@ fn worst_first(fit: &Fit) -> (Vec<usize>, Message) {
     (indices, text!(note))
 }
 
-/// When the region is final.
+/// Returns the step after which the region is final.
 fn outcome(steps: &[Step]) -> Message {
     let count = steps.len();
     let last = steps.iter().rposition(|step| step.redundant.is_none()).map(|position| position + 1);

@@ -8,14 +8,15 @@ use serde::Serialize;
 
 /// More ways than this are not offered.
 const MOST_WAYS: usize = 12;
-/// About a tenth of what a question about outliers alone may take: the page is about more than this.
+/// The limit on crossings, about a tenth of that of a question about outliers alone: the page is about more than
+/// this.
 const MOST_STEPS: u64 = 2_000_000;
 
 #[derive(Debug, Serialize)]
 pub(crate) struct OutliersJson {
     /// The least number of readings to leave out.
     least: usize,
-    /// Which ones, for each way that is offered.
+    /// The readings to leave out, for each way that is offered.
     ways: Vec<Vec<usize>>,
     /// `true` if there is no other way.
     complete: bool,

@@ -1,4 +1,4 @@
-//! What was measured, and under which model.
+//! The measured data and the model.
 
 use std::borrow::Cow;
 
@@ -40,7 +40,7 @@ pub(crate) struct ReadingJson {
     /// Absent for readings that are not fitted.
     #[serde(skip_serializing_if = "Option::is_none")]
     epsilon: Option<Number>,
-    /// Between the bounds, if that is not y.
+    /// The middle between the bounds, if it is not y.
     #[serde(skip_serializing_if = "Option::is_none")]
     middle: Option<Number>,
     /// The bounds that do not grow.
@@ -96,7 +96,7 @@ fn cells_of(measurements: &Measurements, row: &Measurement) -> Option<Vec<String
     measurements.cells(row.row).map(<[String]>::to_vec)
 }
 
-/// Those of the other readings that are shown.
+/// Returns the other readings that are shown.
 pub(crate) fn shown_others(measurements: &Measurements) -> Vec<&Measurement> {
     let others = measurements.others();
     others.iter().step_by(others.len().div_ceil(MOST_OTHERS).max(1)).collect()

@@ -156,8 +156,8 @@ fn with_names(template: &str, facts: &Facts<'_>) -> String {
     })
 }
 
-/// Replaces what follows each `mark`: `replaced` takes the text up to the next quotation mark and the rest, and gives back what
-/// stands there instead and what of the rest is left.
+/// Replaces the text behind each `mark`. `replaced` takes the text up to the next quotation mark and the rest, and
+/// returns the replacement and the remaining rest.
 fn each<'a>(text: &'a str, mark: &str, replaced: impl Fn(&str, &'a str) -> (String, &'a str)) -> String {
     let mut done = String::with_capacity(2 * text.len());
     let mut rest = text;
@@ -170,7 +170,7 @@ fn each<'a>(text: &'a str, mark: &str, replaced: impl Fn(&str, &'a str) -> (Stri
     done + rest
 }
 
-/// Replaces each `{{token}}` that has a value. What is put in is not looked at again.
+/// Replaces each `{{token}}` that has a value. Replacements are not searched again.
 fn fill(template: &str, value: impl Fn(&str) -> Option<String>) -> String {
     let mut page = String::with_capacity(template.len());
     let mut rest = template;

@@ -20,7 +20,7 @@ pub enum Closeness {
 /// The rounding that explains a difference.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum RoundedTo {
-    /// That of binary64 numbers: [`MOST_ULPS`] units in the last place or fewer.
+    /// The closeness of binary64 numbers: [`MOST_ULPS`] units in the last place or fewer.
     Binary64,
     /// Printing with so many significant digits: half a unit of the last one or less. 0 digits are those of a zero.
     Digits(usize),
@@ -50,8 +50,8 @@ impl ToleranceUnit {
         }
     }
 
-    /// The first of these three that is there and not 0, with its size: the width that a number belongs to, the size of the
-    /// true number itself, an error bound.
+    /// Returns the first of three units that exists and is not 0, with its size. The units are the width that a
+    /// number belongs to, the size of the true number itself, and an error bound.
     pub fn choose(
         width: Option<Rational>,
         exact: &Rational,
@@ -123,8 +123,9 @@ pub fn is_below_binary64(value: &Rational) -> bool {
     !value.is_zero() && least.is_some_and(|least| value.abs() < least)
 }
 
-/// The unit in the last place of binary64 at a number: the distance of neighbouring binary64 numbers between the powers of two
-/// around it (the upper one excluded), subnormal ones included. `None` beyond the largest binary64. Exact.
+/// Returns the unit in the last place of binary64 at a number: the distance of neighbouring binary64 numbers between
+/// the powers of two around it. The upper power is excluded, subnormal numbers are included. `None` beyond the
+/// largest binary64. Exact.
 ///
 /// ```
 /// # use boundfit_exact::Rational;

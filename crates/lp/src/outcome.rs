@@ -57,7 +57,7 @@ pub enum ExactOutcome {
         /// The multipliers, all positive.
         multipliers: Vec<Multiplier>,
     },
-    /// From a feasible point the objective falls for ever along a direction.
+    /// The objective falls for ever from a feasible point along a direction.
     Unbounded {
         /// A feasible point.
         theta: [Rational; 2],

@@ -80,8 +80,8 @@ impl Printed {
         Printed { value, precision: None }
     }
 
-    /// A number that somebody typed, by its text: precise to the last digit written, if that has a decimal mark or an exponent
-    /// and at least three significant digits; otherwise meant exactly.
+    /// Returns the precision of a number that somebody typed, by its text. It is precise to the last digit written,
+    /// if the text has a decimal mark or an exponent and at least three significant digits; otherwise it is exact.
     pub fn typed(text: &str, value: Rational) -> Self {
         let digits =
             WrittenDigits::of(text, None).filter(|digits| !digits.is_whole && digits.significant >= 3);
@@ -89,8 +89,9 @@ impl Printed {
         Printed { value, precision }
     }
 
-    /// A number in the file of a program that prints its numbers like this: precise to the last digit that the program can
-    /// print, or to the last one written where that is finer. A fraction is exact.
+    /// Returns the precision of a number in the file of a program that prints its numbers like this. It is precise to
+    /// the last digit that the program can print, or to the last one written where that is finer. A fraction is
+    /// exact.
     pub fn by_writer(text: &str, value: Rational, format: NumberFormat) -> Self {
         let Some(digits) = WrittenDigits::of(text, None) else { return Printed::exact(value) };
         let place = format.last_place(&value);
@@ -129,7 +130,7 @@ impl From<Rational> for Printed {
 }
 
 impl Precision {
-    /// That of a number whose last digit stands for this power of ten.
+    /// Returns the precision of a number whose last digit stands for this power of ten.
     fn down_to(value: &Rational, place: i64) -> Self {
         let digits =
             value.decimal_exponent().map_or(0, |first| first.saturating_sub(place).saturating_add(1));

@@ -22,9 +22,10 @@ pub struct RefereeRow {
 
 /// Judges claims about the intervals of θ1 and θ2 over a set of rows.
 ///
-/// Everything is exact: the truth comes from the [`ExactSimplex`], claims are the numbers that their texts spell, and what is
-/// excused is counted in proportion: rounding in units of the last digit, everything else in widths of the interval. With a
-/// tolerance of 0 a bound that cuts off feasible parameters by more than rounding is unsafe, however little it cuts off.
+/// Everything is exact: the truth comes from the [`ExactSimplex`], and claims are the numbers that their texts spell.
+/// Excuses count in proportion: rounding in units of the last digit, everything else in widths of the interval. With
+/// a tolerance of 0 a bound that cuts off feasible parameters by more than rounding is unsafe, however little it cuts
+/// off.
 ///
 /// ```
 /// use boundfit_exact::Rational;
@@ -83,8 +84,8 @@ impl Referee {
         }
     }
 
-    /// Judges what is claimed about both ends of the interval of one parameter: each for itself, and their order, which does
-    /// not matter where both ends are right up to rounding and the tolerance.
+    /// Judges the claims about both ends of the interval of one parameter, each for itself, and their order. The
+    /// order does not matter where both ends are right up to rounding and the tolerance.
     ///
     /// # Panics
     /// When `axis` is neither 0 nor 1.
@@ -245,8 +246,8 @@ impl Referee {
         tolerated
     }
 
-    /// The reason why duals are not, or not all, looked at: they are not one for each row, or one of them is negative by more than
-    /// a solver's noise, a millionth of the largest one.
+    /// Returns the reason why duals are not, or not all, used. Either they are not one for each row, or one of them
+    /// is negative by more than a solver's noise, a millionth of the largest one.
     fn unusable(&self, duals: &[f64]) -> Option<String> {
         const NOISE: f64 = 1e-6;
         if duals.len() != self.rows.len() {

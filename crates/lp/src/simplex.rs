@@ -1,8 +1,8 @@
 //! The exact simplex: programs in two free variables, solved on their dual.
 //!
-//! The dual of `min c·θ, a_k·θ ≤ b_k` is `min Σ b_k·λ_k, Σ λ_k·a_k = -c, λ ≥ 0`: two equations, one column per row. Its
-//! prices are a point θ, its λ the multipliers that prove the optimum; where it is unbounded its ray is a Farkas
-//! certificate, and where it is infeasible the proof of that is a direction in which the objective falls.
+//! The dual of `min c·θ, a_k·θ ≤ b_k` is `min Σ b_k·λ_k, Σ λ_k·a_k = -c, λ ≥ 0`: two equations, one column per row.
+//! Its prices are a point θ, and its λ are the multipliers that prove the optimum. Where the dual is unbounded, its
+//! ray is a Farkas certificate. Where it is infeasible, the proof is a direction in which the objective falls.
 
 use boundfit_exact::Rational;
 
@@ -51,8 +51,8 @@ fn outcome(columns: &[Column], [c1, c2]: &[Rational; 2]) -> ExactOutcome {
             ExactOutcome::Optimal { theta: prices, value, multipliers: positive(basis), basis: rows }
         }
         Ending::Unbounded { combination } => ExactOutcome::Infeasible { multipliers: positive(combination) },
-        // No multipliers: the objective falls along the prices. Whether there is a point to start from is a question
-        // about the rows alone, which a zero objective asks.
+        // No multipliers: the objective falls along the prices. The rows alone decide whether there is a point to
+        // start from, and a zero objective asks for it.
         Ending::OutOfReach { prices: ray } => match solve(columns, &[Rational::zero(), Rational::zero()]) {
             Ending::Optimal { prices: theta, .. } => ExactOutcome::Unbounded { theta, ray },
             Ending::Unbounded { combination } => {
@@ -176,9 +176,9 @@ mod tests {
         assert!(outcomes.iter().all(|count| *count > 200), "{outcomes:?}");
     }
 
-    /// With a zero objective both basic values are 0, so that rows tie all the way. Each of these programs goes round for ever
-    /// when ties are broken in another way: by the higher row, by the lower row, against the order of the columns, or by whether
-    /// a column comes first of all.
+    /// A zero objective has both basic values 0, so that rows tie all the way. Each of these programs goes round for
+    /// ever when ties are broken in another way. The other ways are: by the higher row, by the lower row, against the
+    /// order of the columns, or by whether a column comes first of all.
     #[test]
     fn ties_do_not_make_it_go_round_for_ever() {
         let programs: [&[[i64; 3]]; 4] = [

@@ -1,18 +1,20 @@
 //! The revised simplex method in exact arithmetic, for programs with two equations and many columns:
 //! `min cost·λ` subject to `Σ λ_k·column_k = target`, `λ ≥ 0`.
 //!
-//! Bland's rule (1977): of the columns that improve, the first in a fixed order enters; of those that block, the first
-//! leaves. It cannot cycle, not even on a zero target, where both basic values stay 0. Any fixed order will do; one that
-//! leaps through the columns ([`LeapingOrder`]) meets the columns that matter early, where an order sorted by slope would
-//! creep from each to its neighbour.
+//! Bland's rule (1977): of the columns that improve, the first in a fixed order enters; of those that block, the
+//! first leaves. It cannot cycle, not even on a zero target, where both basic values stay 0. Any fixed order will do.
+//! One that leaps through the columns ([`LeapingOrder`]) meets the columns that matter early, where an order sorted
+//! by slope would creep from each to its neighbour.
 //!
-//! Before that rule a number of pivots take the column that improves most (Dantzig 1963), as binary64 numbers see it: that
-//! finds the optimum in few passes over many columns. Which column enters is a matter of speed alone; that one improves, and
-//! that none does, is decided exactly or by a binary64 value beyond the proved bound of its error.
+//! Before that rule a number of pivots take the column that improves most (Dantzig 1963), as binary64 numbers see it:
+//! that finds the optimum in few passes over many columns. The choice of the entering column is a matter of speed
+//! alone. An exact decision, or a binary64 value beyond the proved bound of its error, tells that a column improves,
+//! and that none does.
 
 use boundfit_exact::{Integer, Rational};
 
-/// How many pivots take the column that improves most before Bland's rule, which alone cannot cycle, takes over.
+/// The number of pivots that take the column that improves most before Bland's rule, which alone cannot cycle, takes
+/// over.
 const STEEPEST_PIVOTS: usize = 100;
 
 /// A column with its cost, times a positive integer that makes everything whole. Scaling a column scales its λ only.
@@ -126,7 +128,7 @@ struct Tableau<'a> {
 /// The prices of a basis, over one denominator, and rounded.
 struct Pricing {
     prices: [Integer; 2],
-    /// What stands before the costs: the denominator, or 0 where they do not count.
+    /// The weight of the costs: the denominator, or 0 where they do not count.
     weight: Integer,
     /// Prices and weight, each rounded to the nearest double.
     rounded: [f64; 3],
@@ -140,9 +142,10 @@ impl Pricing {
         Pricing { prices, weight, rounded }
     }
 
-    /// By how much a column improves, and how far that may be off. Each of three products of two rounded integers has a relative
-    /// error of at most 3 units of rounding, and two additions add 2: 8 are enough for what these do to each other.
-    /// Nothing underflows: what is not 0 is at least 1. What overflows is not a number, or has an infinite error.
+    /// Returns the improvement of a column, and its possible error. Each of three products of two rounded integers
+    /// has a relative error of at most 3 units of rounding, and two additions add 2. A bound of 8 covers their
+    /// combined effect. Nothing underflows: what is not 0 is at least 1. A value that overflows is not a number, or
+    /// has an infinite error.
     fn approximate(&self, column: &Column) -> (f64, f64) {
         let ([p, q, w], [a, b, cost]) = (self.rounded, column.rounded);
         let terms = [p * a, q * b, -w * cost];
@@ -312,8 +315,8 @@ fn dot([first, second]: &[Rational; 2], [a, b]: &[Integer; 2]) -> Rational {
 mod tests {
     use super::*;
 
-    /// What doubles say about a reduced cost is within the bound of their error, at sizes near cancellation too, and beyond the
-    /// largest double they say nothing.
+    /// The doubles' answer about a reduced cost is within the bound of their error, at sizes near cancellation too.
+    /// Beyond the largest double they have no answer.
     #[test]
     fn approximate_prices_are_as_far_off_as_they_say() {
         let mut state = 1_u64;

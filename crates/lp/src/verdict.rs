@@ -66,7 +66,7 @@ impl Verdict {
 pub struct Violation {
     /// The row.
     pub row: usize,
-    /// By how much, in the units of its right-hand side.
+    /// The amount of the violation, in the units of its right-hand side.
     pub by: Rational,
 }
 
@@ -79,7 +79,7 @@ pub enum Refutation {
     FeasiblePoint([Rational; 2]),
     /// These rows add up to the bound: the program is bounded.
     Bound(Vec<Multiplier>),
-    /// From this feasible point the form goes on for ever in this direction.
+    /// The form goes on for ever in this direction from this feasible point.
     Ray {
         /// The point.
         theta: [Rational; 2],
@@ -118,7 +118,7 @@ pub struct Judgement {
     pub witness: Option<[Rational; 2]>,
     /// The evidence that a status is wrong.
     pub proof: Option<Refutation>,
-    /// Whether the rows with the largest duals prove the true end: the digits were wrong, the basis was not. `None`
+    /// `true` if the rows with the largest duals prove the true end: the digits were wrong, the basis was not. `None`
     /// without duals.
     pub repairable: Option<bool>,
     /// The solver's own reason for giving no answer, or why its duals are not looked at.

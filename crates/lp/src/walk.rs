@@ -31,9 +31,10 @@ pub struct Basis {
     pub pivot: Option<Pivot>,
 }
 
-/// The path of the simplex method that maximises `objective·θ` from the vertex of two rows, by Bland's rule (1977): of the rows
-/// with a negative multiplier the first leaves, of those that stop the way the first enters. It cannot cycle. The last
-/// pivot has no stop where the objective grows without end; `None` where both rows do not meet in a point that satisfies all.
+/// Returns the path of the simplex method that maximises `objective·θ` from the vertex of two rows, by Bland's rule
+/// (1977). The first row with a negative multiplier leaves, and the first of the rows that stop the way enters. It
+/// cannot cycle. The last pivot has no stop where the objective grows without end; `None` where both rows do not meet
+/// in a point that satisfies all.
 ///
 /// Exact. Cost: linear in the number of rows per pivot.
 ///

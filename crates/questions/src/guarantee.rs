@@ -3,25 +3,25 @@
 use boundfit_estimation::Measurements;
 use boundfit_exact::{Integer, Rational};
 
-/// How many shares are told apart: the answer is a whole number of 10⁻¹⁸.
+/// The number of shares that are told apart: the answer is a whole number of 10⁻¹⁸.
 const SHARES: u64 = 1_000_000_000_000_000_000;
 /// Bits behind the point of powers, beside those of 1 - confidence.
 const BITS: u64 = 256;
 
-/// The share of further readings that lie in the band of the least error bound, with this confidence: for every source of
-/// independent readings, the chance is at least `confidence` that so many readings of it leave a band in which at least this
-/// share of all others lies. 0 where the readings are fewer than the unknowns. `None` unless 0 < confidence < 1.
+/// Returns the share of further readings that lie in the band of the least error bound, with this confidence. For
+/// every source of independent readings, the chance that its band holds at least this share of all other readings is
+/// at least `confidence`. 0 where the readings are fewer than the unknowns. `None` unless 0 < confidence < 1.
 ///
 /// The band has `unknowns` parameters, with its width: 3 for θ1, θ2 and ε, 2 for lines through the origin. With d of them and N
 /// readings, the chance V that a further reading misses the band satisfies
 ///
 /// P(V > p) ≤ Σ_{i<d} C(N, i)·p^i·(1 − p)^(N − i)
 ///
-/// (Campi and Garatti, "The exact feasibility of randomized solutions of uncertain convex programs", *SIAM J. Optim.* 19,
-/// 2008; of such bands Campi, Calafiore and Garatti, "Interval predictor models: identification and reliability", *Automatica*
-/// 45, 2009), with equality where d readings fix the band almost surely. The share is 1 − p for a p at which the sum is not
-/// above 1 − confidence: sums and powers are rounded up on 256 bits and more, so that the share is never too large; it is at most
-/// 2·10⁻¹⁸ below the largest one. Cost: some 60·log N products.
+/// (Campi and Garatti, "The exact feasibility of randomized solutions of uncertain convex programs", *SIAM J. Optim.*
+/// 19, 2008; of such bands Campi, Calafiore and Garatti, "Interval predictor models: identification and reliability",
+/// *Automatica* 45, 2009), with equality where d readings fix the band almost surely. The share is 1 − p for a p at
+/// which the sum is not above 1 − confidence. Sums and powers are rounded up on 256 bits and more, so that the share
+/// is never too large. It is at most 2·10⁻¹⁸ below the largest one. Cost: some 60·log N products.
 ///
 /// ```
 /// use boundfit_exact::Rational;
@@ -59,9 +59,9 @@ pub struct Guarantee {
     pub confidence: Rational,
     /// The share of further readings that lie in the band, at least; rounded down, and 0 where nothing is guaranteed.
     pub covered: Rational,
-    /// How many readings there are.
+    /// The number of readings.
     pub readings: usize,
-    /// How many parameters the band has, its width among them.
+    /// The number of parameters of the band, its width among them.
     pub unknowns: u32,
 }
 
@@ -103,12 +103,12 @@ impl Tail {
         sum
     }
 
-    /// Not below the product.
+    /// Returns a number that is not below the product.
     fn product(&self, one: &Integer, other: &Integer) -> Integer {
         rounded_up(&(one * other), &Integer::power_of_two(self.bits))
     }
 
-    /// Not below the power of a number that is not negative.
+    /// Returns a number that is not below the power of a number that is not negative.
     fn power(&self, base: &Integer, exponent: u64) -> Integer {
         let mut power = Integer::power_of_two(self.bits);
         for bit in (0..u64::BITS - exponent.leading_zeros()).rev() {
@@ -126,7 +126,7 @@ fn rounded_up(dividend: &Integer, divisor: &Integer) -> Integer {
     -(-dividend).div_rem_floor(divisor).0
 }
 
-/// How many choices there are.
+/// Returns the number of choices.
 fn combinations(of: u64, chosen: u64) -> Integer {
     (0..chosen).fold(Integer::one(), |count, index| {
         (count * Integer::from(of - index)).quotient(&Integer::from(index + 1))

@@ -8,12 +8,13 @@ use boundfit_estimation::{Model, Problem};
 
 use crate::window::{Contradiction, Refusal, Window};
 
-/// In which order runs are taken.
+/// The order in which runs are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Order {
-    /// By ascending x. Readings at one x are one place: a run has all of them or none. They stand in the order of their rows.
+    /// Runs are taken by ascending x. Readings at one x are one place: a run has all of them or none. They stand in
+    /// the order of their rows.
     X,
-    /// As the rows stand in the file.
+    /// Runs are taken in the order of the rows in the file.
     Row,
 }
 
@@ -34,14 +35,14 @@ pub struct Run {
     pub first: usize,
     /// The position of its last reading.
     pub last: usize,
-    /// Why it cannot begin one place earlier; `None` at the very first reading.
+    /// The reason why the run cannot begin one place earlier; `None` at the very first reading.
     pub before: Option<Contradiction>,
-    /// Why it cannot go on with the next place; `None` at the very last one.
+    /// The reason why the run cannot go on with the next place; `None` at the very last one.
     pub after: Option<Contradiction>,
 }
 
 impl Order {
-    /// Its name in reports.
+    /// Returns the name of the order in reports.
     pub fn name(self) -> &'static str {
         match self {
             Order::X => "x",
@@ -51,7 +52,7 @@ impl Order {
 }
 
 impl Run {
-    /// How many readings it has.
+    /// Returns the number of readings of the run.
     #[allow(clippy::len_without_is_empty, reason = "a run has a reading")]
     pub fn len(&self) -> usize {
         self.last + 1 - self.first
@@ -72,10 +73,11 @@ pub struct LinearRange {
 impl LinearRange {
     /// The runs of a problem's readings, each under all of its conditions.
     ///
-    /// Exact. Cost: O(N log N) for sorting; every reading enters and leaves a [`Window`] once, and whether a next reading
-    /// fits is decided at once where a known line agrees with it, else in O(log² h) for h half-planes that are not
-    /// superfluous; where it does not, all readings up to the oldest one that contradicts it leave at once. (O'Rourke, "An on-line algorithm for fitting straight lines between data ranges", Communications of
-    /// the ACM 24, 1981, finds one run in linear time; here the earliest reading leaves, too.)
+    /// Exact. Cost: O(N log N) for sorting. Every reading enters and leaves a [`Window`] once. A known line that
+    /// agrees with a next reading decides at once that it fits, and otherwise the test costs O(log² h) for h
+    /// half-planes that are not superfluous. If it does not fit, all readings up to the oldest one that contradicts
+    /// it leave at once. (O'Rourke, "An on-line algorithm for fitting straight lines between data ranges",
+    /// Communications of the ACM 24, 1981, finds one run in linear time; here the earliest reading leaves, too.)
     pub fn of(problem: &Problem, order: Order) -> Self {
         let rows = problem.measurements.kept();
         let positions = in_order(problem, order);
@@ -158,7 +160,8 @@ impl LinearRange {
     }
 }
 
-/// For each position of an order the end of its place, which is the first position behind it: by x, readings at one x are one place.
+/// Returns, for each position of an order, the end of its place: the first position behind it. By x, readings at one
+/// x are one place.
 fn place_ends(problem: &Problem, order: Order, positions: &[usize]) -> Vec<usize> {
     let rows = problem.measurements.kept();
     let is_same = |f: usize, g: usize| order == Order::X && rows[f].regressor[0] == rows[g].regressor[0];

@@ -1,5 +1,6 @@
-//! How often a question does what a fit does, as far as long numbers are concerned: what it takes for readings of thousands of
-//! digits, divided by what a fit takes. [`Problem::work`] times one of these is what is to be refused where it is too much.
+//! The cost of each question relative to a fit, as far as long numbers are concerned. It is the work for readings of
+//! thousands of digits, divided by the work of a fit. [`Problem::work`] times one of these is what is to be refused
+//! where it is too much.
 
 use boundfit_estimation::{Measurement, Problem};
 use boundfit_exact::TooMuchWork;
@@ -20,8 +21,7 @@ pub const RANGE: u64 = 8;
 pub const NEXT: u64 = 4;
 /// Sets left without some readings; looking at all [crossings](CROSSINGS) of bounds comes on top.
 const OUTLIERS: u64 = 8;
-/// How much more than a fit of all readings but one takes it is to look at all crossings of the bounds of a reading, which are put
-/// in order.
+/// The cost of all crossings of the bounds of a reading, which are sorted, relative to a fit of all readings but one.
 const CROSSINGS: u64 = 4;
 /// Both sides of lines under errors in x, and the steps to the least factor.
 pub const X_ERRORS: u64 = 16;
@@ -39,8 +39,8 @@ pub fn check_outliers(problem: &Problem, limit: u64) -> Result<(), TooMuchWork> 
     work.of_leaving_out_each(readings).check(CROSSINGS, limit)
 }
 
-/// About how many bits the numbers of a corner of the set have, from which predictions are taken: those of the longest reading,
-/// twice.
+/// Returns about how many bits the numbers of a corner of the set have, from which predictions are taken: twice the
+/// bits of the longest reading.
 pub fn bits_of_corner(problem: &Problem) -> u64 {
     let bits = |reading: &Measurement| {
         let ends = [reading.lower(), reading.upper()].into_iter().flatten();

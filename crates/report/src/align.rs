@@ -2,7 +2,7 @@
 
 use unicode_width::UnicodeWidthStr;
 
-/// How many columns a text takes on a terminal.
+/// Returns the number of columns that a text takes on a terminal.
 pub(crate) fn columns(text: &str) -> usize {
     // Without leaving early, so that many bytes are looked at in one step.
     let is_plain = text.bytes().fold(true, |is_plain, byte| is_plain & (byte.wrapping_sub(b' ') < 95));

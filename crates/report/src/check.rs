@@ -21,7 +21,7 @@ pub fn check_document(
     style: &Style,
 ) -> Document {
     let styles = resolving(check, reading, style);
-    // What is feasible for the doubles that a solver receives need not be so for the data.
+    // A point that is feasible for the doubles of a solver may be infeasible for the data.
     let received = (reading != Reading::Binary64).then(|| check.rows.in_binary64()).flatten();
     let mut rows = Vec::new();
     let mut findings = Vec::new();
@@ -85,8 +85,8 @@ fn worst_blocks(check: &Check, reading: Reading) -> Vec<Block> {
     ]
 }
 
-/// What the first answer of a check is worth in a few words, for the report of a fit: how far it is off in proportion, then
-/// what that is called.
+/// Returns the verdict on the first answer of a check in a few words, for the report of a fit: the deviation in
+/// proportion, then its name.
 pub fn verdict_line(check: &Check, reading: Reading) -> Option<String> {
     let answer = check.answers.iter().find(|answer| answer.reading == reading)?;
     let worst = answer.worst();
@@ -244,7 +244,7 @@ fn exact_row(check: &Check, reading: Reading, styles: &[Style; 2]) -> Option<Vec
     Some(row)
 }
 
-/// Why a claim is not simply right.
+/// Returns the reason why a claim is not simply right.
 fn reason(judgement: &Judgement, rows: &ProgramRows, style: &Style) -> Option<Text> {
     let point_text = || violation_text(judgement, rows, style);
     let main = match judgement.verdict {
@@ -322,7 +322,7 @@ fn contrary(proof: &Refutation, rows: &ProgramRows, style: &Style) -> Text {
     }
 }
 
-/// Where directions are spread evenly.
+/// The plane in which directions are spread evenly.
 const DIRECTIONS_UNSCALED: &str = "The directions are spread evenly in the plane of theta1 and theta2.";
 const DIRECTIONS_SCALED: &str = "The directions are spread evenly where the PUI box is a square.";
 

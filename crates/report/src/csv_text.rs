@@ -4,9 +4,9 @@ use std::borrow::Cow;
 
 use boundfit_exact::Foreign;
 
-/// The text as a cell that no spreadsheet takes for a formula: what begins with `=`, `+`, `-`, `@`, a tab or a line end, and is no
-/// plain number such as `-5`, gets an apostrophe in front. So does what begins with apostrophes and goes on like that, so that
-/// one apostrophe less is always the text itself.
+/// Returns the text as a cell that no spreadsheet takes for a formula. A text that begins with `=`, `+`, `-`, `@`, a
+/// tab or a line end, and is no plain number such as `-5`, gets an apostrophe in front. So does what begins with
+/// apostrophes and goes on like that, so that one apostrophe less is always the text itself.
 ///
 /// Source: OWASP, "CSV Injection", which names these characters, those of full width among them.
 pub(crate) fn csv_text<'a>(text: Foreign<&'a str>) -> Cow<'a, str> {

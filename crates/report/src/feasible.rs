@@ -10,9 +10,9 @@ use crate::style::Style;
 /// Significant digits that are tried before a point is printed as fractions: those of the style, of a double, and of two.
 const DIGITS: [usize; 3] = [9, 17, 34];
 
-/// A feasible point with the fewest digits with which it is feasible: rounded to the nearest decimals if these are feasible, or
-/// else each coordinate to the side that is; exactly where no rounding stays within the set, as in a set of one point.
-/// Cost: linear in the rows, a few times.
+/// Returns a feasible point with the fewest digits with which it is feasible. Nearest decimals come first, and else
+/// each coordinate is rounded to a feasible side. The point is exact where no rounding stays within the set, as in a
+/// set of one point. Cost: linear in the rows, a few times.
 pub(crate) fn feasible_point(theta: &[Rational; 2], rows: &[RefereeRow], style: &Style) -> Text {
     if style.exact {
         return pair(&theta[0], &theta[1]);

@@ -12,11 +12,12 @@ const COLUMNS: [&str; 8] =
 
 /// Estimates and intervals as a table, one row for each quantity of each parameter.
 ///
-/// The first row, `set,kind`, has the kind of the set as its `value_exact`, so that an empty set says that it is. The quantities are
-/// `least_squares`, `eui`, `pui`, `central`, `guaranteed_error` and `minimax`, each as far as it is there; the parameters `theta1` and
-/// `theta2`, and of a line with an inverse `gain` and `offset`. Of these `pui` is what the box of both intervals leaves, `fps` their range
-/// over the feasible set, each in several rows where it has several parts. The last row is `least_error_bound`, which is a factor where the
-/// readings have bounds of their own. `lower`, `upper` and `value` are doubles: ends rounded outward, `-inf` and `inf` where
+/// The first row, `set,kind`, has the kind of the set as its `value_exact`, so that an empty set says that it is. The
+/// quantities are `least_squares`, `eui`, `pui`, `central`, `guaranteed_error` and `minimax`, as far as they exist.
+/// The parameters are `theta1` and `theta2`, and for a line with an inverse also `gain` and `offset`. For gain and
+/// offset, `pui` is the range over the box of both intervals, and `fps` the range over the feasible set. Each has
+/// several rows if it has several parts. The last row is `least_error_bound`, which is a factor where the readings
+/// have bounds of their own. `lower`, `upper` and `value` are doubles: ends rounded outward, `-inf` and `inf` where
 /// there are none, errors and the least error bound up, values to nearest. The last columns are exact.
 pub fn fit_csv(problem: &Problem, fit: &Fit) -> String {
     let mut table = Table::new();

@@ -24,10 +24,10 @@ use crate::number::Number;
 use crate::origin::Origin;
 use crate::style::Style;
 
-/// Why binary64 least squares is left out of a report.
+/// The reason why a report omits binary64 least squares.
 pub(crate) const NO_BINARY64: &str = "not computed, since not every reading is kept in memory";
 
-/// Why it is not known which row would mend an empty set.
+/// The reason why the row that would mend an empty set is not known.
 pub(crate) const NO_MENDING: &str = "since not every reading is kept in memory";
 
 /// The report as indented JSON, with a line end.
@@ -216,10 +216,10 @@ fn inverse_parameter(parameter: &InverseParameter, style: &Style) -> InverseJson
     }
 }
 
-/// Why there is no least factor.
+/// The reason why there is no least factor.
 pub(crate) const NO_WIDTHS: &str = "no row has both bounds, so there is no width that could grow";
 
-/// Why each part that is null is null.
+/// Returns the reason why each null part is null.
 fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
     let mut reasons = BTreeMap::new();
     let region = fit.fps.polyhedron().region();

@@ -17,13 +17,14 @@ use crate::style::{LONGEST_FRACTION, USUAL_DIGITS, distance_of_double};
 /// - `central`, `least_squares`, `minimax` (1-by-2): estimates to nearest, and `central_error`, `least_squares_error`: how far the
 ///   true parameters can be from the doubles, rounded up;
 /// - `eps_min`, or where the readings have bounds of their own `eps_factor`, rounded up;
-/// - `gain_pui`, `gain_fps`, `gain_eui` (a row for each part) and `gain_central`, `gain_least_squares`, and the same of `offset`: the
-///   inverse line over the box of both intervals, over the set and over the box of the EUI;
+/// - `gain_pui`, `gain_fps`, `gain_eui` (a row for each part) and `gain_central`, `gain_least_squares`, and the same
+///   of `offset`. They describe the inverse line over the box of both intervals, over the set and over the box of the
+///   EUI;
 /// - `area`, to nearest, `Inf` of a set without end;
 /// - `program`, the program and its version.
 ///
-/// Each has its exact numbers as text beside it, in a cell array of the same size: `pui_exact`. What a fit does not have is there
-/// with 0 rows.
+/// Each has its exact numbers as text beside it, in a cell array of the same size: `pui_exact`. A quantity that a fit
+/// lacks has 0 rows.
 pub fn fit_script(problem: &Problem, fit: &Fit, names: &ActiveNames<'_>) -> String {
     let mut text = region_script(fit.fps.polyhedron(), names);
     text.push_str(

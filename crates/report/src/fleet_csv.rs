@@ -50,8 +50,8 @@ impl FleetCsv {
         self.writer.write_record(COLUMNS.iter().chain([&last])).expect(WRITTEN);
     }
 
-    /// Adds a group. What there is not is left out; an end that is not bounded is `-inf` or `inf`. Ends have the digits
-    /// that their interval takes.
+    /// Adds a group. Missing values are empty cells; an end that is not bounded is `-inf` or `inf`. Ends have the
+    /// digits that their interval takes.
     pub fn group(&mut self, key: Foreign<&str>, group: &GroupFit, style: &Style) {
         self.writer.write_field(csv_text(key).as_bytes()).expect(WRITTEN);
         self.cell(group.rows);

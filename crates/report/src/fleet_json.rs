@@ -1,5 +1,5 @@
-//! One group of a fleet as a line of JSON, schema `boundfit/fleet/2`. What means the same as in `boundfit/fit/2` has the
-//! same name and the same shape.
+//! One group of a fleet as a line of JSON, schema `boundfit/fleet/2`. A key that means the same as in
+//! `boundfit/fit/2` has the same name and the same shape.
 
 use crate::answer::input::LineInputJson;
 use crate::answer::parts::{CertificateJson, RangeJson, TermJson};

@@ -5,7 +5,7 @@ use boundfit_exact::Foreign;
 use boundfit_exact::english::counted;
 use boundfit_geometry::RegionKind;
 
-/// How many of the groups without an answer a summary names.
+/// The number of groups without an answer that a summary names.
 const MOST_NAMED: usize = 5;
 
 /// One group of a fleet with its fit.
@@ -13,9 +13,9 @@ const MOST_NAMED: usize = 5;
 pub struct GroupReport<'a> {
     /// The text that its rows have in common.
     pub key: Foreign<&'a str>,
-    /// Its readings and the conditions.
+    /// The readings of the group and the conditions.
     pub problem: &'a Problem,
-    /// Their fit; the parts that fleets do not report may be missing.
+    /// The fit of the group; the parts that fleets do not report may be missing.
     pub fit: &'a Fit,
     /// The numbers of one line.
     pub line: &'a GroupFit,
@@ -28,7 +28,7 @@ impl GroupReport<'_> {
     }
 }
 
-/// How many groups of a fleet are what. Parts of a fleet add up in order.
+/// The numbers of groups of a fleet by kind. Parts of a fleet add up in order.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct FleetSummary {
     groups: usize,

@@ -7,7 +7,7 @@ use crate::align::{widths, write_line};
 use crate::fleet_summary::shown_key;
 use crate::style::Style;
 
-/// How many cells a line has.
+/// The number of cells in a line.
 const CELLS: usize = 6;
 /// The number of lines that decide the widths of the columns.
 const LINES_MEASURED: usize = 1000;

@@ -24,8 +24,8 @@ pub(crate) fn absurdity(products: Text, sum: &Rational, style: &Style) -> Text {
     products.then(zero).operator(Operator::AtMost).number(style.upper(sum))
 }
 
-/// A sum of terms: what each is multiplied by, how its size is shown, and what it is a multiple of, if anything. Those that
-/// are zero are left out.
+/// A sum of terms: what each is multiplied by, how its size is shown, and what it is a multiple of, if anything.
+/// Terms that are zero are omitted.
 pub(crate) fn sum_text(terms: impl IntoIterator<Item = (Rational, Text, Option<Text>)>) -> Text {
     let mut sum = Text::new();
     for (value, size, factor) in terms.into_iter().filter(|(value, ..)| !value.is_zero()) {

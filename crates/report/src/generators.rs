@@ -42,8 +42,8 @@ pub(crate) struct Generator<'a> {
 pub type ActiveNames<'a> = dyn Fn(&[usize]) -> (Vec<String>, usize) + 'a;
 
 impl Generator<'_> {
-    /// The names of the active half-planes, separated by `; `; one that is there for both directions of a row is named once. Of
-    /// more than are listed, `and 17 more` comes last.
+    /// The names of the active half-planes, separated by `; `; one that is there for both directions of a row is
+    /// named once. If there are more names than are listed, `and 17 more` comes last.
     pub(crate) fn active_names(&self, names: &ActiveNames<'_>) -> String {
         let (mut names, more) = names(self.active);
         names.dedup();

@@ -9,7 +9,7 @@ use crate::answer::fit::GuaranteeJson;
 use crate::document::{Block, Document, Symbol, Text};
 use crate::style::Style;
 
-/// Who proved it.
+/// The source of the theorem.
 const SOURCE: &str = "Campi and Garatti, SIAM J. Optim. 19 (2008); of such bands Campi, Calafiore and Garatti, Automatica 45 (2009)";
 
 impl GuaranteeJson {

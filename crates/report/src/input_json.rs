@@ -1,4 +1,4 @@
-//! What a report is about, as JSON: the file, the rows, the model and the error bound.
+//! The subject of a report, as JSON: the file, the rows, the model and the error bound.
 
 use boundfit_estimation::{ErrorBound, FractionCells, Model, MultipleOfLeast, Problem, Selection};
 use boundfit_exact::Foreign;
@@ -33,7 +33,7 @@ impl UnitsJson {
 }
 
 impl InputJson {
-    /// What a report says of its question.
+    /// Returns the description of the question.
     pub(crate) fn new(problem: &Problem, origin: &Origin, style: &Style) -> Self {
         let measurements = &problem.measurements;
         let form = measurements.line_form();

@@ -1,4 +1,4 @@
-//! What the JSON documents have in common: numbers, names of half-planes, ends with their proofs, regions.
+//! The common parts of the JSON documents: numbers, names of half-planes, ends with their proofs, regions.
 
 use std::fmt;
 
@@ -88,7 +88,7 @@ impl BoundJson {
         BoundJson { end: EndJson::Unbounded(style.reader), active: Vec::new() }
     }
 
-    /// Whether there is an end.
+    /// Returns whether there is an end.
     #[cfg(feature = "files")]
     pub(crate) fn is_bounded(&self) -> bool {
         matches!(self.end, EndJson::Bounded(_))
@@ -125,7 +125,7 @@ impl fmt::Display for ProgramJson {
 }
 
 impl SlopeJson {
-    /// From the end of the interval, with the names of the half-planes; `None` where there is no end.
+    /// Returns the end of the interval, with the names of the half-planes; `None` where there is no end.
     pub(crate) fn new<A: Into<ActiveJson>>(
         bound: &ParameterBound,
         side: Option<&'static str>,
@@ -177,7 +177,7 @@ pub(crate) fn centroid_json(measures: &Measures, style: &Style) -> Option<[Numbe
     measures.centroid().map(|centroid| centroid.each_ref().map(|coordinate| style.measure_number(coordinate)))
 }
 
-/// Why each of these has no fraction, the area under the name that its part has.
+/// Returns the reason why each of these has no fraction, the area under the name of its part.
 pub(crate) fn long_fractions(
     area_name: &'static str,
     area: Option<&Number>,

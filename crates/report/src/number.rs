@@ -5,10 +5,10 @@ use std::fmt;
 use boundfit_exact::{PlacedDecimal, Rational, Rounding};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-/// A number in JSON: `{"exact": "p/q", "decimal": "1.8194e-3", "value": 0.0018194243326268529}`, where the value is the
-/// nearest double and null beyond the largest one; `exact` is null where the fraction is too long to be written, or there is none. Ends of
-/// intervals and error bounds have `outward` too, a double that is not inside. A person gets the decimal without powers of ten and no
-/// double. It becomes text only where it is written.
+/// A number in JSON: `{"exact": "p/q", "decimal": "1.8194e-3", "value": 0.0018194243326268529}`. The value is the
+/// nearest double, and null beyond the largest one. `exact` is null where the fraction is too long to be written, or
+/// there is none. Ends of intervals and error bounds have `outward` too, a double that is not inside. A person gets
+/// the decimal without powers of ten and no double. It becomes text only where it is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Number {
     /// The number, or one that rounds like it.
@@ -19,7 +19,7 @@ pub struct Number {
     reader: Reader,
 }
 
-/// Who reads the numbers of JSON.
+/// The reader of the numbers in JSON.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Reader {
     /// A program: decimals have powers of ten below 0.1, and the nearest double stands beside them.
@@ -29,21 +29,22 @@ pub enum Reader {
     Person,
 }
 
-/// How the decimal is rounded.
+/// The rounding of the decimal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum DecimalForm {
     Digits(usize, Rounding),
     Placed(PlacedDecimal),
 }
 
-/// On which side of a number the double is that may stand for it.
+/// The side of a number on which its double may stand.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Outward {
-    /// Of a lower end: below.
+    /// The double of a lower end: below.
     Down,
-    /// Of an upper end or an error bound: above.
+    /// The double of an upper end or an error bound: above.
     Up,
-    /// Of the error bound of an estimate: above this number, which covers the rounding of the estimate to a double.
+    /// The double of an estimate's error bound: above this number, which covers the rounding of the estimate to a
+    /// double.
     Above(Rational),
 }
 

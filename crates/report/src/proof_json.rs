@@ -9,10 +9,10 @@ use crate::answer::proof::{EndProofJson, MultipleJson, ProofJson};
 use crate::json::to_text;
 use crate::proof_question::ProofQuestion;
 
-/// The proof of a fit as JSON, with a line end: what was read from which bytes, the feasible parameter set with the
-/// half-planes of its sides, and its bounds; for an empty set the readings that contradict each other. `None` when the
-/// readings do not come from delimited text that has a row for each of them, or which rows were fitted was not kept, or the text
-/// is not written as the checkers read it.
+/// Returns the proof of a fit as JSON, with a line end. It has the input with the bytes that it came from, the
+/// feasible parameter set with the half-planes of its sides, and its bounds. An empty set has the readings that
+/// contradict each other. Returns `None` unless the readings come from delimited text that has a row for each of
+/// them, in the form that the checkers read. Returns `None`, too, if the numbers of the fitted rows were not kept.
 ///
 /// All numbers are exact fractions as text. Its size is linear in the vertices and the half-planes that touch them.
 pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<String> {
@@ -44,8 +44,8 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
     Some(to_text(&proof))
 }
 
-/// For each side, in order of angle, the index of the vertex where it meets the next one; `None` where they do not meet.
-/// Cost: linear in the number of sides and logarithmic in that of half-planes through a vertex.
+/// Returns, for each side in order of angle, the index of the vertex where it meets the next one; `None` where they
+/// do not meet. Cost: linear in the number of sides and logarithmic in that of half-planes through a vertex.
 pub(crate) fn corners(polyhedron: &Polyhedron) -> Vec<Option<usize>> {
     let sides = polyhedron.irredundant_by_angle();
     let vertices = polyhedron.region().vertices();

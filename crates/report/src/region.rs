@@ -51,7 +51,7 @@ pub(crate) fn kind_text(kind: RegionKind, vertices: usize) -> String {
     }
 }
 
-/// Where a set goes on for ever.
+/// Returns the directions in which a set goes on for ever.
 pub(crate) fn endless(rays: &[Direction], lines: &[Direction]) -> Vec<Text> {
     let towards = |words: &str, direction: &Direction| {
         Text::from(words).then(pair(direction.dx().to_string(), direction.dy().to_string()))

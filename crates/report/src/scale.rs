@@ -11,15 +11,16 @@ use crate::style::{GiveOrTake, Shown, Style};
 /// The most digits that are tried.
 const MOST_DIGITS: usize = 40;
 
-/// How the values of one parameter are shown: with digits in common, and its range's ends outward wherever they stand.
+/// The scale that shows the values of one parameter: with common digits, and with the ends of its range rounded
+/// outward everywhere.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Scale<'a> {
     style: Style,
     range: Option<&'a Interval>,
 }
 
-/// One scale for each of two parameters: with the digits that their ranges take, where these are known, that other intervals
-/// and the estimates beside a range take, and that tell the vertices apart.
+/// Returns one scale for each of two parameters. Its digits are those that the ranges take where these are known, and
+/// that other intervals and the estimates beside a range take. They tell the vertices apart, too.
 pub(crate) fn scales<'a>(
     style: &Style,
     ranges: Option<&'a [Interval; 2]>,
@@ -42,7 +43,8 @@ pub(crate) fn scales<'a>(
     if style.digits.is_some() || style.exact { scales } else { telling_apart(scales, vertices) }
 }
 
-/// So many digits, or as many more as it takes for no estimate to be rounded by more than a twentieth of the range's width.
+/// Returns so many digits, or as many more as necessary to round no estimate by more than a twentieth of the range's
+/// width.
 fn fine_enough<'a>(
     digits: usize,
     range: &Interval,

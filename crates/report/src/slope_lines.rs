@@ -68,7 +68,7 @@ fn label(end: SlopeEnd) -> &'static str {
 }
 
 impl<'a> SlopeLine<'a> {
-    /// From the end of the interval, with the names of the half-planes.
+    /// Returns the end of the interval, with the names of the half-planes.
     fn new(bound: &'a ParameterBound, name: impl Fn(usize) -> BoxBound) -> Self {
         let mut line = SlopeLine { bound, through: Vec::new(), limits: Vec::new() };
         let ParameterBound::Bounded { proof, .. } = bound else { return line };

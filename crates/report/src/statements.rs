@@ -1,5 +1,5 @@
-//! What a proof `boundfit/proof/2` states: claims about sets that rows of the data leave, each of which can be checked by
-//! itself (docs/proof.md).
+//! The statements of a proof `boundfit/proof/2`: claims about sets that rows of the data leave, each of which can be
+//! checked by itself (docs/proof.md).
 
 use boundfit_estimation::{BoundName, Minimax};
 use boundfit_exact::Rational;
@@ -11,7 +11,7 @@ use crate::proof_json::corners;
 /// A claim about the set of a scope.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Statement {
-    /// Which half-planes make the set.
+    /// The half-planes that make the set.
     pub scope: Scope,
     /// The claim.
     pub claim: Claim,
@@ -27,21 +27,21 @@ pub struct Scope {
     pub without: Vec<usize>,
     /// The numbers of the conditions that hold, from 1; all when `None`.
     pub conditions: Option<Vec<usize>>,
-    /// How large the errors may be.
+    /// The size of the errors.
     pub errors: ErrorScale,
-    /// Which part of the set, where x has errors as well; the question must have them then, and otherwise not. Both sides are the
-    /// lines that agree for every x that the errors allow.
+    /// The side of the set, if x has errors as well; exactly then it is present. Both sides are the lines that agree
+    /// for every x that the errors allow.
     pub side: Option<Side>,
 }
 
-/// How large the errors of a scope may be.
+/// The size of the errors in a scope.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub enum ErrorScale {
-    /// As the question says.
+    /// The errors of the question.
     #[default]
     AsStated,
-    /// So many times that, about the middle of each reading's bounds; of errors in x so many times their bounds. Readings with one
-    /// bound stay as they are.
+    /// A multiple of the errors of the question, about the middle of each reading's bounds; for errors in x a
+    /// multiple of their bounds. Readings with one bound stay as they are.
     Times(Rational),
     /// Each reading with two bounds goes so far from their middle; errors in x stay as they are.
     Within(Rational),
@@ -50,9 +50,10 @@ pub enum ErrorScale {
 /// A positive multiple of a half-plane.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Multiple {
-    /// Which half-plane. A corner is told in the set of both sides only: in the others it follows from the side.
+    /// The name of the half-plane. A corner is told in the set of both sides only: in the others it follows from the
+    /// side.
     pub name: BoxBound,
-    /// How many times it is taken.
+    /// The multiple of the half-plane.
     pub times: Rational,
 }
 
@@ -60,45 +61,46 @@ pub struct Multiple {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[allow(clippy::large_enum_variant, reason = "proofs are short")]
 pub enum Claim {
-    /// How far a linear form goes in it.
+    /// The range of a linear form over the set.
     Form {
         /// The form f of f·θ.
         form: [Rational; 2],
-        /// Its least value.
+        /// The least value of the form.
         lower: FormEnd,
-        /// Its largest value.
+        /// The largest value of the form.
         upper: FormEnd,
     },
     /// A point is in it.
     Point([Rational; 2]),
     /// Nothing is in it: at most three half-planes add up to 0 ≤ a negative number.
     Empty(Vec<Multiple>),
-    /// The errors of the scope, which are scaled, are the least that leave something: a point that they leave, and at most three
+    /// The scaled errors of the scope are the least that leave a point. The claim has such a point, and at most three
     /// half-planes that add up to 0 ≤ 0 and would add up to less with smaller errors.
     Least {
-        /// In the set.
+        /// A point in the set.
         point: [Rational; 2],
         /// None where the errors are 0.
         multiples: Vec<Multiple>,
     },
-    /// It is just this: the walk around it.
+    /// The exact set: the walk around it.
     Set {
         /// A point in it.
         point: [Rational; 2],
-        /// Its vertices.
+        /// The vertices of the set.
         vertices: Vec<[Rational; 2]>,
-        /// Its sides in order of angle, each with the index of the vertex where it meets the next one, if it does.
+        /// The sides of the set in order of angle, each with the index of the vertex where it meets the next one, if
+        /// it does.
         sides: Vec<(BoxBound, Option<usize>)>,
     },
     /// Nothing is in it while fewer rows than this are left out.
     LeftOut {
-        /// How many at least.
+        /// The least number of rows.
         least: usize,
-        /// Just the sets of so many rows without which something is left, each with a statement about what that is; `None` when
-        /// they are not stated.
+        /// The sets of so many rows whose removal leaves a point, and no others, each with a statement about the
+        /// remaining set; `None` when they are not stated.
         sets: Option<Vec<Vec<usize>>>,
-        /// For sets of rows left out, the empty one first: half-planes of the others that contradict each other. One of their rows
-        /// must be left out as well, which leads to the next entry.
+        /// The contradictions: for sets of removed rows, the empty one first, half-planes of the other rows that
+        /// contradict each other. One of their rows must be left out as well, which leads to the next entry.
         contradictions: Vec<(Vec<usize>, Vec<Multiple>)>,
     },
 }
@@ -106,11 +108,11 @@ pub enum Claim {
 /// One end of a form's range: its largest value, or with the opposite sign its least one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FormEnd {
-    /// At most two half-planes add up to this end, which is attained.
+    /// The end is attained, and at most two half-planes add up to it.
     At {
         /// The half-planes; they add up to the form, at a lower end to its opposite.
         multiples: Vec<Multiple>,
-        /// Where it is attained.
+        /// The point where the end is attained.
         point: [Rational; 2],
     },
     /// The form goes on without end.
@@ -137,7 +139,7 @@ impl Statement {
         Some(Statement { scope, claim: Claim::Form { form: form.clone(), lower, upper } })
     }
 
-    /// That the set of a scope, which these half-planes make, is what it is: the walk around it, or why it is empty.
+    /// States the set of a scope that these half-planes make: the walk around it, or the reason why it is empty.
     pub fn set(scope: Scope, polyhedron: &Polyhedron, name: &impl Fn(usize) -> BoxBound) -> Self {
         let region = polyhedron.region();
         let claim = match (region.certificate(), region.witness()) {
@@ -159,7 +161,7 @@ impl Statement {
         Statement { scope, claim }
     }
 
-    /// That the least bound on all errors, or the least factor on the bounds, is this one.
+    /// States that the least bound on all errors, or the least factor on the bounds, is this one.
     pub fn least(scope: Scope, minimax: &Minimax, is_uniform: bool) -> Self {
         let least = minimax.least.clone();
         let errors = if is_uniform { ErrorScale::Within(least) } else { ErrorScale::Times(least) };

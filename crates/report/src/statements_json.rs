@@ -85,7 +85,7 @@ fn scope_json(Scope { rows, without, conditions, errors, side }: &Scope) -> Scop
     ScopeJson { rows, without: sorted(without), conditions, factor, epsilon, side }
 }
 
-/// In the order in which a proof has them.
+/// Returns the numbers in the order in which a proof has them.
 fn sorted(numbers: &[usize]) -> Vec<usize> {
     let mut numbers = numbers.to_vec();
     numbers.sort_unstable();
@@ -110,7 +110,8 @@ fn multiples(multiples: &[Multiple]) -> Vec<MultipleJson> {
     multiples.iter().map(|own| (half_plane(own.name), own.times.to_string())).collect()
 }
 
-/// At a finite end the ray is zero; where there is none, there are no multipliers.
+/// Returns the end of a form's range; the ray is zero at a finite end, and there are no multipliers where there is no
+/// end.
 fn end(end: &FormEnd) -> EndProofJson {
     match end {
         FormEnd::At { multiples: own, point } => {

@@ -1,4 +1,4 @@
-//! How numbers are shown.
+//! The style of numbers.
 
 use std::fmt;
 
@@ -18,13 +18,13 @@ const GIVEN_DIGITS: usize = 20;
 /// Significant digits where nothing asks for more.
 pub(crate) const USUAL_DIGITS: usize = 5;
 
-/// In which direction the ends of intervals and the error bounds are rounded.
+/// The direction in which the ends of intervals and the error bounds are rounded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum EndRounding {
     /// Away from the inside: the printed interval contains the exact one.
     #[default]
     Outward,
-    /// To the nearest decimal, as papers print them: the printed interval may be too narrow by half a unit of its last
+    /// The nearest decimal, as papers print it: the printed interval may be too narrow by half a unit of its last
     /// digit.
     Nearest,
 }
@@ -42,17 +42,17 @@ impl EndRounding {
     }
 }
 
-/// How numbers are shown.
+/// The style of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Style {
     /// Significant digits of decimals; `None` for five, and as many more as it takes for ranges to be hardly wider than they
     /// are and for vertices to look different.
     pub digits: Option<usize>,
-    /// How ends of intervals and error bounds are rounded.
+    /// The rounding of the ends of intervals and of error bounds.
     pub ends: EndRounding,
     /// `true` if text shows exact fractions in place of decimals.
     pub exact: bool,
-    /// Who reads the numbers of JSON.
+    /// The reader of the numbers in JSON.
     pub reader: Reader,
     /// Decimal digits that the fraction of a sum over all vertices may have; where it takes more, only its decimal is shown.
     pub longest_fraction: usize,
@@ -88,7 +88,7 @@ pub(crate) struct GiveOrTake<'a> {
 }
 
 impl Shown<'_> {
-    /// In the form of files for programs.
+    /// Returns the style of files for programs.
     pub(crate) fn compact(self) -> Self {
         match self {
             Shown::Exact(_) => self,
@@ -109,7 +109,7 @@ impl fmt::Display for Shown<'_> {
 }
 
 impl Style {
-    /// How many significant digits decimals have where nothing asks for more.
+    /// Returns the number of significant digits of decimals by default.
     pub fn significant(&self) -> usize {
         self.digits.unwrap_or(USUAL_DIGITS)
     }
@@ -242,7 +242,7 @@ impl Style {
     /// A sum over all vertices where people can read its fraction, or asked for it, and `true`; else a number that is rounded
     /// like it.
     pub(crate) fn readable_or_alike(&self, measure: &Measure) -> (Rational, bool) {
-        // What is readable in the end may come from terms that have more in common than can be foreseen.
+        // A readable result may come from terms that have more in common than can be foreseen.
         let enough = 10 * LONGEST_READABLE;
         match measure.exact_within(if self.exact { self.longest_fraction } else { enough }) {
             Some(exact) => {
@@ -253,7 +253,7 @@ impl Style {
         }
     }
 
-    /// Why the fraction of a sum over all vertices is not shown.
+    /// Returns the reason why the fraction of a sum over all vertices is not shown.
     pub(crate) fn too_long(&self) -> String {
         let digits = counted(self.longest_fraction, "digit", "digits");
         format!("the exact fraction takes more than {digits} (the limit '{}')", Limit::Fraction.name())
@@ -351,7 +351,7 @@ pub(crate) fn is_readable(value: &Rational) -> bool {
     value.to_string().len() <= LONGEST_READABLE
 }
 
-/// How far the nearest double is from a number; 0 where it is beyond them all.
+/// Returns the distance of the nearest double from a number; 0 where the number is beyond all doubles.
 pub(crate) fn distance_of_double(value: &Rational) -> Rational {
     Rational::from_f64(value.to_f64()).map_or_else(Rational::zero, |double| (double - value).abs())
 }

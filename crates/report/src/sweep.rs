@@ -34,7 +34,7 @@ fn from_to(from: Text, to: Text) -> Text {
     Text::from(Symbol::Factor).words(" from ").then(from).words(" to ").then(to)
 }
 
-/// Where the set is born.
+/// Returns the factor at which the set is born.
 fn birth(family: &Family, style: &Style) -> Text {
     match family.least() {
         None => "No factor, however large, leaves a feasible parameter.".into(),
@@ -51,7 +51,7 @@ fn breakpoint_table(problem: &Problem, breakpoints: &[Breakpoint], style: &Style
     let style = &with_digits_that_differ(breakpoints.iter().map(|breakpoint| &breakpoint.s), style);
     let rows = breakpoints.iter().map(|breakpoint| {
         let section = &breakpoint.section;
-        // Of factors as of error bounds: what is printed is never too small.
+        // Printed upper bounds, of factors as of error bounds, are never too small.
         let upper = |value: &Rational| Text::new().number(style.upper(value));
         let mut row = vec![upper(&breakpoint.s)];
         if !style.exact {

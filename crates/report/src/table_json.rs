@@ -12,7 +12,7 @@ use crate::document::Text;
 
 #[cfg(feature = "files")]
 impl TableJson {
-    /// Of these notes.
+    /// Returns the description in these notes.
     pub fn new(notes: &TableNotes) -> Self {
         let TableNotes { header, dialect, is_sheet, is_records, block, skipped } = notes;
         let Dialect { delimiter, notation, comment, encoding, .. } = dialect;
@@ -49,18 +49,18 @@ impl TableJson {
         }
     }
 
-    /// What the table of these readings was taken for.
+    /// Returns the detected format of the table of these readings.
     pub fn of_measurements(measurements: &Measurements) -> Option<Self> {
         measurements.table().map(TableJson::new)
     }
 
-    /// What the table of a calibration was taken for.
+    /// Returns the detected format of the table of a calibration.
     pub(crate) fn of_input(input: &LinearityInput) -> Option<Self> {
         input.table.as_ref().map(TableJson::new)
     }
 }
 
-/// Without files there are no tables of text.
+/// A build without files has no tables of text.
 #[cfg(not(feature = "files"))]
 impl TableJson {
     /// Nothing.
@@ -73,19 +73,19 @@ impl TableJson {
     }
 }
 
-/// What is not plain about a table as a line of text, with its line end; nothing where all is.
+/// Returns the unusual features of a table as a line of text, with its line end; nothing for a plain table.
 #[cfg(feature = "files")]
 pub fn table_line(table: Option<&TableNotes>) -> String {
     table.and_then(TableNotes::words).map_or_else(String::new, |words| format!("Table: {words}\n"))
 }
 
-/// What is not plain about the table of these readings, in words.
+/// Returns the unusual features of the table of these readings, in words.
 #[cfg(feature = "files")]
 pub(crate) fn table_words(measurements: &Measurements) -> Option<Text> {
     measurements.table().and_then(TableNotes::words).map(Text::from)
 }
 
-/// What is not plain about the table of a calibration, in words.
+/// Returns the unusual features of the table of a calibration, in words.
 #[cfg(feature = "files")]
 pub(crate) fn words_of_input(input: &LinearityInput) -> Option<Text> {
     input.table.as_ref().and_then(TableNotes::words).map(Text::from)

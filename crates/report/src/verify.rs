@@ -14,11 +14,11 @@ use crate::verify_claims::{extent, form_text, of_claims, range, rows};
 pub struct Verdict {
     /// The verdict of a checker: the statements of the proof, all true, or the first one that is false.
     pub found: Result<Statement, Falsehood>,
-    /// How the question that it answers differs from the one that was asked, a sentence for each difference.
+    /// The differences between the question that it answers and the question that was asked, a sentence for each.
     pub differences: Vec<String>,
 }
 
-/// How many conditions are.
+/// The number of conditions that are listed.
 const MOST_CONDITIONS: usize = 20;
 
 /// The verdict on the proof and the data of these names; of a true proof also which question it answers, and what it states.

@@ -6,14 +6,14 @@ use boundfit_verify::{Claim, ClaimKind, ErrorScale, Extent, Scope, Side};
 
 use crate::style::Style;
 
-/// How many ranges of rows are listed.
+/// The number of ranges of rows that are listed.
 const MOST_RANGES: usize = 6;
-/// How many statements are said in full.
+/// The number of statements that are written in full.
 const MOST_CLAIMS: usize = 12;
-/// How many rows of one.
+/// The number of rows of one statement.
 const MOST_ROWS: usize = 6;
 
-/// How many statements of each kind are proved, and what the first ones say.
+/// Returns the numbers of proved statements by kind, and the content of the first ones.
 pub(crate) fn of_claims(claims: &[Claim]) -> Vec<(&'static str, String)> {
     let mut counts: Vec<((&'static str, &'static str), usize)> = Vec::new();
     for claim in claims {
@@ -141,7 +141,7 @@ pub(crate) fn extent(extent: Extent, vertices: usize, sides: usize) -> String {
 /// An interval of which the ends are rounded outward.
 pub(crate) fn range(ends: &[Option<Rational>; 2]) -> String {
     let [lower, upper] = ends.each_ref().map(|end| Endpoint::from(end.clone()));
-    // What is verified is in order.
+    // Verified ends are in order.
     let style = Style::default();
     let interval = Interval::new(lower, upper).map(|range| style.resolving(&range).interval(&range));
     interval.unwrap_or_default().to_string()

@@ -14,11 +14,11 @@ pub fn active_names(fit: &Fit, indices: &[usize]) -> (Vec<String>, usize) {
     (names.iter().map(ToString::to_string).collect(), more)
 }
 
-/// The region as a table: a header `kind,theta1,theta2,theta1_decimal,theta2_decimal,active`, then one row for each
-/// `vertex` (counter-clockwise), `ray` and `line`; a region without vertices has a `point` of each of its boundaries
-/// instead. The region is the convex hull of the points, plus the cone of the rays, plus the span of the lines; no row
-/// means that it is empty. `names` names the first of the half-planes with some indices, and tells how many there are beside
-/// them; the names of those active at a point are separated by `; `.
+/// Returns the region as a table with the header `kind,theta1,theta2,theta1_decimal,theta2_decimal,active`. Each
+/// `vertex` (counter-clockwise), `ray` and `line` has a row. A region without vertices has a `point` of each of its
+/// boundaries instead. The region is the convex hull of the points, plus the cone of the rays, plus the span of the
+/// lines; no row means that it is empty. `names` names the first of the half-planes with some indices, and tells how
+/// many there are beside them; the names of those active at a point are separated by `; `.
 ///
 /// `theta1` and `theta2` are exact (`p/q` or `n`), the decimals rounded to nearest with the style's digits, where it
 /// has none with those that the region's ranges take.

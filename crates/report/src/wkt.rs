@@ -5,16 +5,16 @@ use boundfit_geometry::{Polyhedron, Region, RegionKind, Vertex};
 
 use crate::style::Style;
 
-/// Who reads such text makes doubles of it; 17 digits tell all doubles apart.
+/// The least number of digits; a reader of such text makes doubles, and 17 digits tell all doubles apart.
 const LEAST_DIGITS: usize = 17;
-/// Beyond this nobody reads on, and the polygon is refused.
+/// The largest number of digits, beyond which no reader goes on and the polygon is refused.
 const MOST_DIGITS: usize = 10_000;
 
 /// The region as well-known text (OGC Simple Features, ISO 19125-1), with a line end: `POLYGON` with a ring that is
 /// counter-clockwise and closed, `LINESTRING`, `POINT`, or `POLYGON EMPTY`.
 ///
-/// Coordinates are decimals rounded to nearest, with the style's digits but at least 17, and as many more as it takes for
-/// the rounded vertices to turn left everywhere as the exact ones do.
+/// Coordinates are decimals rounded to nearest, with the style's digits but at least 17. More digits follow where the
+/// rounded vertices would otherwise not turn left everywhere as the exact ones do.
 ///
 /// # Errors
 /// The reason when the region is unbounded, which this format has no words for, or thinner than any decimals can say.

@@ -30,14 +30,14 @@ pub(crate) struct Model {
     x_error: Form,
     /// The denominator of all multiples.
     denominator: Integer,
-    /// What was read from the row, and the same over one denominator.
+    /// The numbers that were read from the row, and the same over one denominator.
     numbers: Vec<Option<Number>>,
     integers: Vec<Integer>,
-    /// That denominator.
+    /// The common denominator.
     one: Integer,
     /// The powers of ten that rows need again and again.
     powers: Vec<Integer>,
-    /// How many bits a row's numbers are multiplied by, how much work that was so far, and may be.
+    /// The number of bits that a row's numbers are multiplied by, the work so far, and its limit.
     longest_vertex: u64,
     work: Work,
     most_work: u64,
@@ -47,12 +47,12 @@ pub(crate) struct Model {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Row {
     pub(crate) phi: [Integer; 2],
-    /// Between which φ·θ lies, as far as there is something.
+    /// The bounds of φ·θ, as far as they exist.
     pub(crate) lower: Option<Integer>,
     pub(crate) upper: Option<Integer>,
-    /// How far φ1 may be from what it is here.
+    /// The possible error of φ1.
     pub(crate) x_error: Integer,
-    /// By what they were multiplied.
+    /// The factor that multiplied the numbers.
     pub(crate) times: Integer,
 }
 
@@ -63,7 +63,7 @@ const FREE_BITS: u64 = 1 << 12;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Source {
     quantity: Quantity,
-    /// From 1.
+    /// The column, from 1.
     column: usize,
     /// True if there may be none.
     is_optional: bool,
@@ -73,9 +73,9 @@ struct Source {
 type Form = Vec<(usize, Integer)>;
 
 enum Bounds {
-    /// Around y.
+    /// Bounds around y.
     Around { y: Form, above: Form, below: Form },
-    /// Between what is read, as far as there is something.
+    /// Bounds as they are read, as far as they exist.
     Between { lower: Option<usize>, upper: Option<usize> },
 }
 
@@ -254,7 +254,7 @@ impl Model {
         }
     }
 
-    /// By what all numbers of the row that was read are multiplied.
+    /// Returns the factor that multiplies all numbers of the row.
     fn times(&self) -> Integer {
         &self.denominator * &self.one
     }

@@ -197,7 +197,7 @@ fn check_least(
     if is_least { Ok(ClaimKind::Least) } else { Err(Falsehood::NotLeast) }
 }
 
-/// From no row left out on, one of the rows of each contradiction has to be left out, and all of them are tried.
+/// Tries every row of each contradiction, starting with no row left out: one of its rows has to be left out.
 fn check_left_out(
     least: u64,
     sets: Option<&BTreeSet<BTreeSet<u64>>>,
@@ -240,8 +240,8 @@ struct Probes<'a> {
     sets: Vec<SetProbe<'a>>,
 }
 
-/// Points and rays of statements that differ in no more than the rows that they leave out: whether it is a ray, which one, how
-/// rows are seen, an index of `views`, and which.
+/// The key of points and rays of statements that differ only in the rows that they leave out. It says whether it is a
+/// ray, its vector, how rows are seen (an index of `views`), and its part.
 type Key = (bool, Vector, usize, Part);
 
 struct Probe<'a> {

@@ -100,7 +100,7 @@ pub enum Falsehood {
     NotASet(Vec<u64>),
     /// No statement shows that anything is left without these rows.
     NotShownToBeEnough(Vec<u64>),
-    /// That at least no row has to be left out says nothing.
+    /// A statement that at least no row has to be left out says nothing.
     NoRowsToLeaveOut,
     /// A theorem has another number in a row than the data.
     OtherNumber(Box<OtherNumber>),

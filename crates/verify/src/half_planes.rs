@@ -61,7 +61,7 @@ impl HalfPlanes {
     }
 }
 
-/// Those of some names that are of half-planes.
+/// Returns the names that are of half-planes.
 pub(crate) fn names<'a>(names: impl Iterator<Item = &'a Named>) -> BTreeSet<Name> {
     names.filter_map(|name| if let Named::A(name) = name { Some(*name) } else { None }).collect()
 }

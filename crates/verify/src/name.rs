@@ -20,9 +20,9 @@ pub enum Name {
     WhereLower(u64),
     /// The upper bound of this row at an end of what its x may be: `14 upper +`, `14 upper -`.
     UpperAt(u64, End),
-    /// Its lower bound there: `14 lower +`, `14 lower -`.
+    /// The lower bound of this row at an end of its possible x: `14 lower +`, `14 lower -`.
     LowerAt(u64, End),
-    /// What θ1 is on one side of 0: `side`.
+    /// The sign of θ1 on one side of 0: `side`.
     Side,
 }
 

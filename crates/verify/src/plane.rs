@@ -33,7 +33,7 @@ pub(crate) fn compare_angles(u: &[Integer; 2], v: &[Integer; 2]) -> Ordering {
 pub(crate) struct HalfPlane {
     pub(crate) a: [Integer; 2],
     pub(crate) b: Integer,
-    /// By what they were multiplied.
+    /// The factor that multiplied the numbers.
     pub(crate) times: Integer,
 }
 
@@ -89,7 +89,7 @@ struct Near {
 }
 
 impl Near {
-    /// With as many bits as there is room for.
+    /// Returns the point with as many bits as there is room for.
     fn new(numerators: &[Integer; 2], denominator: &Integer) -> Option<Self> {
         let bits = numerators.iter().map(Integer::bits).max()?;
         let shift = (denominator.bits() + 60).checked_sub(bits)?.min(60);

@@ -32,7 +32,7 @@ impl Proof {
     /// of the data: they are computed from several of these. Cost: linear in the file but for very long numbers.
     ///
     /// # Errors
-    /// What keeps it from being a proof.
+    /// An error for a text that is no proof.
     pub fn read(text: &[u8], limits: &Limits) -> Result<Self, NotAProof> {
         let most_digits = limits.digits.saturating_mul(10);
         if text.trim_ascii_start().starts_with(b"(*") {

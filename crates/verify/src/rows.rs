@@ -125,7 +125,7 @@ enum State {
     CellStart,
     Plain,
     Quoted,
-    /// Behind a quote within quotes, which ends them unless it is doubled.
+    /// The place behind a quote within quotes, which ends them unless it is doubled.
     AfterQuote,
 }
 
@@ -145,8 +145,8 @@ impl Row {
         self.cells == 1 && self.text.trim_ascii().is_empty()
     }
 
-    /// Takes bytes off the front of a piece of the data, up to the end of the row if there is one: how many come before
-    /// that, and which byte it is.
+    /// Takes bytes off the front of a piece of the data, up to the end of the row if there is one. Returns the number
+    /// of bytes before the end, and the byte that ends the row.
     fn take(&mut self, piece: &[u8]) -> Result<(usize, Option<u8>), Failure> {
         let mut at = 0;
         while let Some(&byte) = piece.get(at) {

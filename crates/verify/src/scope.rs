@@ -34,7 +34,7 @@ pub enum ErrorScale {
     AsStated,
     /// A multiple of the errors that the proof states.
     Times(Rational),
-    /// So far from the middle of the bounds.
+    /// A distance from the middle of the bounds.
     Within(Rational),
 }
 
@@ -159,7 +159,7 @@ impl View {
         let (low, high) = (Some(End::Lower), Some(End::Upper));
         let all = match self.side {
             None => vec![(Name::Upper(number), above(None)), (Name::Lower(number), below(None))],
-            // Of what the x may be, the end that asks least of a line like that.
+            // The end of the possible x that asks least of a line like that.
             Some(Side::Rising) => vec![(Name::Upper(number), above(low)), (Name::Lower(number), below(high))],
             Some(Side::Falling) => {
                 vec![(Name::Upper(number), above(high)), (Name::Lower(number), below(low))]

@@ -16,7 +16,7 @@ use crate::shape::{NotAProof, Number, StatementShape, needed};
 pub struct Claim {
     /// The half-planes that make the set.
     pub scope: Scope,
-    /// What is so.
+    /// The content of the statement.
     pub kind: ClaimKind,
 }
 
@@ -35,7 +35,7 @@ pub enum ClaimKind {
     Point([Rational; 2]),
     /// Nothing is.
     Empty,
-    /// With smaller errors than those of the scope nothing would be.
+    /// Smaller errors than those of the scope would leave no point.
     Least,
     /// All of it is known.
     Set {
@@ -50,7 +50,7 @@ pub enum ClaimKind {
     LeftOut {
         /// The least number.
         least: u64,
-        /// Just the sets of so many rows without which something is left, where they are stated.
+        /// The sets of so many rows whose removal leaves a point, and no others, where they are stated.
         sets: Option<BTreeSet<BTreeSet<u64>>>,
     },
 }
@@ -73,7 +73,7 @@ pub(crate) enum Kind {
     LeftOut { least: u64, sets: Option<Vec<Vec<u64>>>, contradictions: Contradictions },
 }
 
-/// For rows that are left out, half-planes of others that contradict each other.
+/// The half-planes of other rows that contradict each other, for rows that are left out.
 pub(crate) type Contradictions = BTreeMap<BTreeSet<u64>, Multiples>;
 
 impl Statement {

@@ -1,7 +1,7 @@
 //! Compares every algorithm on generated sets: `deep [--cases N] [--seed N] [--first N] [--threads N]`.
 //!
-//! Prints how often each kind of region came up in each family of sets. At the first difference it prints the seed and
-//! the number of the case, what differs, and the smallest set that still shows it, as a file; it then exits with 1.
+//! Prints how often each kind of region came up in each family of sets. At the first difference it prints the seed,
+//! the number of the case, the difference, and the smallest set that still shows it, as a file. It then exits with 1.
 
 use std::process::ExitCode;
 use std::time::Instant;

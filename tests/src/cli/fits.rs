@@ -115,7 +115,7 @@ impl Case {
         self.half_planes(|_| whole(0), |row| row.response.clone(), whole)
     }
 
-    /// By how much each half-plane's right-hand side grows with the error bound, in the place of that side.
+    /// Returns the growth of each half-plane's right-hand side with the error bound, in the place of that side.
     pub fn growth(&self) -> System {
         let uniform = self.epsilon.is_some();
         let growth = |row: &Measurement| if uniform { whole(1) } else { row.epsilon.clone() };

@@ -1,4 +1,4 @@
-//! What the tests of the program share.
+//! Code that the tests of the program share.
 
 pub mod fits;
 pub mod half_plane_files;

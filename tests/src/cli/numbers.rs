@@ -4,7 +4,7 @@ use boundfit_exact::{Limits, Rational, Reading};
 use num_bigint::{BigInt, Sign};
 use serde_json::Value;
 
-/// In which direction a decimal is rounded.
+/// The direction in which a decimal is rounded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
     Down,
@@ -149,8 +149,8 @@ fn nearest_double(exact: &str) -> Value {
     if double.is_finite() { double.into() } else { Value::Null }
 }
 
-/// The direction that the reports document for a number, by what it is. How they repeat the error bound that was
-/// asked for is left open here.
+/// The direction that the reports document for a number, by what it is. This function leaves open how reports repeat
+/// the error bound that was asked for.
 fn directions(path: &[String]) -> &'static [Direction] {
     let names: Vec<&str> = path.iter().map(String::as_str).collect();
     match names.as_slice() {

@@ -34,11 +34,11 @@ impl HalfPlane {
 /// A half-plane with the names that a report gives it.
 #[derive(Debug, Clone)]
 pub struct Named {
-    /// Its name in a proof: `{"row": 14, "bound": "upper"}`.
+    /// The name of the half-plane in a proof: `{"row": 14, "bound": "upper"}`.
     pub in_proofs: Value,
-    /// Its name in a list of active half-planes.
+    /// The name of the half-plane in a list of active half-planes.
     pub in_lists: Value,
-    /// What it is.
+    /// The half-plane itself.
     pub half_plane: HalfPlane,
 }
 
@@ -90,7 +90,7 @@ impl System {
         assert!(sum.is_trivial() && sum.b.is_negative(), "{proof}: {sum:?}");
     }
 
-    /// Checks the intervals of θ1 and θ2 of a region that is not empty: every end is the sum of its proof and
+    /// Checks the intervals of θ1 and θ2 of a region that is not empty. Every end is the sum of its proof and
     /// attained, or the region goes on for ever that way. Null stands for no bounded end at all.
     pub fn check_bounds(&self, bounds: &Value, region: &Value) {
         for axis in [0, 1] {

@@ -1,4 +1,4 @@
-//! How the program refuses what it cannot use.
+//! The program's refusal of input that it cannot use.
 
 use std::path::Path;
 
@@ -6,13 +6,13 @@ use crate::program::{Run, root};
 
 use super::{TRANSDUCER, boundfit, command, directory_with, files_in, finish, words};
 
-/// What a number may look like.
+/// The end of a message about a text that is no number.
 pub const A_NUMBER: &str = "(expected a decimal such as 1.30e-2 or a fraction such as 7/19)";
 
 /// An old answer, which a new one may replace.
 const OLD: &[u8] = b"{\"schema\":\"boundfit/fit/1\"}";
 
-/// Checks that the program refuses a command line with this status and message, and that it writes nothing: neither to
+/// Checks that the program refuses a command line with this status and message. It must write nothing: neither to
 /// standard output, nor to a new file, nor over an old one.
 pub fn refuses(directory: &Path, line: &str, status: i32, message: &str) {
     check_refusal(&boundfit(directory, line), line, status, message);

@@ -26,8 +26,11 @@ fn parts_of(kind: &str) -> ([usize; 2], [usize; 2], usize, usize, Option<&'stati
     }
 }
 
-/// Checks a region: its parts are those of its kind, at every vertex and boundary exactly the half-planes that it names
-/// are tight, the order is the documented one, directions are recession directions, and emptiness is proved.
+/// Checks a region.
+/// - Its parts fit its kind.
+/// - At every vertex and boundary exactly the half-planes that it names are tight.
+/// - The order is the documented one.
+/// - Directions are recession directions, and emptiness is proved.
 pub fn check_region(region: &Value, system: &System) {
     let kind = region["kind"].as_str().unwrap();
     let list = |name: &str| region[name].as_array().unwrap();

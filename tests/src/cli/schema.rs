@@ -2,8 +2,9 @@
 
 use serde_json::Value;
 
-/// What `boundfit fit --format json` promises. `text`, `count`, `flag` and `number` stand for values, a key with `?`
-/// may be null, one in brackets may be absent, a list of one stands for any number of such items, a list of two for exactly two.
+/// The keys that `boundfit fit --format json` promises. `text`, `count`, `flag` and `number` stand for values. A key
+/// with `?` may be null, and a key in brackets may be absent. A list of one stands for any number of such items, a
+/// list of two for exactly two.
 pub const FIT: &str = r#"{
   "schema": "text",
   "program": {"name": "text", "version": "text"},
@@ -44,7 +45,7 @@ pub const FIT: &str = r#"{
   }
 }"#;
 
-/// What `boundfit polygon --format json` promises.
+/// The keys that `boundfit polygon --format json` promises.
 pub const POLYGON: &str = r#"{
   "schema": "text",
   "input": {"file?": "text", "rows": "count", "reading": "text", "sha256": "text"},
@@ -66,7 +67,7 @@ pub const POLYGON: &str = r#"{
   ]
 }"#;
 
-/// What `boundfit judge --format json` promises.
+/// The keys that `boundfit judge --format json` promises.
 pub const JUDGE: &str = r#"{
   "schema": "text",
   "input": {"file?": "text", "sha256": "text", "name": "text", "sense": "text", "objective": "text", "constant": "number"},
@@ -97,8 +98,8 @@ pub const JUDGE: &str = r#"{
   }
 }"#;
 
-/// Checks that a report has every key of a template, with the type that stands there; one that may be absent has it where it
-/// is there, and is not null. It may have more keys.
+/// Checks that a report has every key of a template, with the type that stands there. A key that may be absent has
+/// the type wherever it is present, and is not null. It may have more keys.
 pub fn check_schema(report: &Value, template: &str) {
     check(report, &serde_json::from_str(template).unwrap(), "report");
 }

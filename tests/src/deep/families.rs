@@ -10,7 +10,7 @@ use crate::generate::{half_planes, positive, tangents};
 use crate::lp_cases::ten_to;
 use crate::oracle::Row;
 
-/// What is hard about a set of half-planes.
+/// The difficulty of a set of half-planes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
     /// Small integers: ties, parallels, repeated rows, zero normals. All ten kinds of region.

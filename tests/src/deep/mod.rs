@@ -38,7 +38,7 @@ pub trait Case {
     fn fixture(&self) -> String;
 }
 
-/// How often each kind of region came up, by family of sets.
+/// The number of times that each kind of region came up, by family of sets.
 pub type Counts = BTreeMap<&'static str, BTreeMap<&'static str, u64>>;
 
 /// A case about which two algorithms differ.
@@ -48,7 +48,7 @@ pub struct Difference {
     pub number: u64,
     /// The family of the set.
     pub family: &'static str,
-    /// What differs, in the case and in its smallest version.
+    /// The difference, in the case and in its smallest version.
     pub messages: [String; 2],
     /// The smallest version that was found, as a file that boundfit reads.
     pub fixture: String,

@@ -23,14 +23,14 @@ use crate::readings::{line, problem, with_error_bound, with_rows, y_and_epsilon}
 use crate::shape::shape;
 use boundfit_lp::PuiEnd;
 
-/// What is hard about readings.
+/// The difficulty of readings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ReadingsFamily {
-    /// Of lines and of two regressors, under one bound or one per row, with conditions.
+    /// Readings of lines and of two regressors, under one bound or one per row, with conditions.
     Any,
     /// The same at the least error bound: no interior.
     AtLeastBound,
-    /// Of lines on an integer grid: in line, above each other, at the ends of 64 bits.
+    /// Readings of lines on an integer grid: in line, above each other, at the ends of 64 bits.
     Grid,
 }
 
@@ -173,7 +173,8 @@ impl ReadingsCase {
         Ok((system, kind))
     }
 
-    /// By the simplex: something is left at the least bound, nothing just below it, never anything without one.
+    /// Checks by the simplex that a point is left at the least bound, none just below it, and never any without a
+    /// bound.
     fn least_bound_is_least(&self, minimax: Option<&Minimax>) -> Result<(), String> {
         let leaves = |bound: &Rational| {
             is_feasible(&ProgramRows::new(&with_error_bound(&self.problem, bound)).plain())

@@ -10,8 +10,8 @@ use boundfit_report::{h_representation as written_h, v_representation as written
 use crate::deep::{Case, PlacedCase, h_representation};
 use crate::oracle::Row;
 
-/// An H- or V-representation is refused, or read; its half-planes written again are the same system, whose region both
-/// algorithms agree on, and both representations that reports write give the same set.
+/// Refuses an H- or V-representation, or reads it. Half-planes that were read and written again are the same system.
+/// Both algorithms agree on its region, and both representations that reports write give the same set.
 pub fn ine_parser(data: &[u8]) {
     for reading in [Reading::Decimal, Reading::Binary64] {
         let options = TableOptions {

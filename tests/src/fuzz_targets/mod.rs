@@ -1,4 +1,4 @@
-//! What is done with arbitrary bytes: the bodies of the fuzz targets, each of which panics when something is wrong.
+//! The bodies of the fuzz targets, each of which takes arbitrary bytes and panics when something is wrong.
 //!
 //! `fuzz/` runs them under libFuzzer, `tests/tests/formats/fuzz_smoke.rs` on mutations of the seeds.
 
@@ -20,12 +20,12 @@ pub use proofs::proof_files;
 pub use slow::slow_units;
 pub use table::{csv_reader, mat_reader};
 
-/// What is done with bytes, and where inputs to begin with are.
+/// A fuzz target: its work on bytes, and the place of its first inputs.
 #[derive(Clone, Copy)]
 pub struct Target {
-    /// Its name, which is also that of a folder in `fuzz/seeds`.
+    /// The name of the target, which is also the name of a folder in `fuzz/seeds`.
     pub name: &'static str,
-    /// What it does.
+    /// The work of the target.
     pub body: fn(&[u8]),
     /// Folders of fixtures whose files are seeds too.
     pub fixtures: &'static [&'static str],

@@ -9,8 +9,9 @@ use num_traits::{Pow, Zero};
 
 const LIMITS: [Limits; 2] = [Limits { digits: 40, exponent: 400 }, Limits { digits: 3, exponent: 2 }];
 
-/// A text is read as num-rational reads it, or refused when it is no number, looks like a date or is beyond the limits; the
-/// binary64 reading is the nearest double; decimals printed enclose the number; the fast lanes read nothing else.
+/// Reads a text as num-rational reads it, or refuses it if it is no number, looks like a date or is beyond the
+/// limits. The binary64 reading is the nearest double, and printed decimals enclose the number. The fast lanes read
+/// nothing else.
 pub fn number_parser(data: &[u8]) {
     let Ok(text) = std::str::from_utf8(data) else { return };
     let plain = plainly_written(text);
@@ -82,17 +83,18 @@ fn check_nearest(text: &str, value: &Rational, double: f64) {
     }
 }
 
-/// What is put around numbers beside white space of ASCII: spaces that do not break, of a digit's width, and thin.
+/// Characters around numbers beside white space of ASCII: spaces that do not break, of a digit's width, and thin.
 const TYPESETTERS_SPACES: &str = "\u{a0}\u{2007}\u{2009}\u{202f}";
 
-/// A text without the white space around it, with the minus of ASCII and the exponent of C. What it leaves may be anything.
+/// A text without the white space around it, with the minus of ASCII and the exponent of C. The remaining text may be
+/// anything.
 fn plainly_written(text: &str) -> String {
     let is_space =
         |character: char| character.is_ascii_whitespace() || TYPESETTERS_SPACES.contains(character);
     text.trim_matches(is_space).replace('\u{2212}', "-").replace(['d', 'D'], "e")
 }
 
-/// What a text is by another reading of the grammar.
+/// The kind of a text by another reading of the grammar.
 enum Reference {
     Number(Number),
     /// A fraction that looks like a date, with the digits of the longer part that counts.
@@ -141,8 +143,8 @@ fn reference(plain: &str) -> Reference {
     number.map_or(Reference::Nothing, Reference::Number)
 }
 
-/// The most digits in the parts that show that this starts like a date: digits on both sides of a slash, of which one part
-/// has a zero in front of another digit, or that another slash follows.
+/// Returns the most digits in the parts that show that this starts like a date. A date has digits on both sides of a
+/// slash, and one part with a zero in front of another digit or another slash behind it.
 fn date(magnitude: &str) -> Option<usize> {
     let (numerator, rest) = magnitude.split_once('/')?;
     whole(numerator)?;

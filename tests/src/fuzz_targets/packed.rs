@@ -34,7 +34,7 @@ pub fn packed_reader(data: &[u8]) {
     packed.write_all(data).expect("memory takes everything");
     let packed = packed.finish().expect("memory takes everything");
     let table = read(data);
-    // What is packed twice is not unpacked twice.
+    // Data that is packed twice is not unpacked twice.
     let is_packed = [&b"\x1f\x8b"[..], b"\x28\xb5\x2f\xfd"].into_iter().any(|mark| data.starts_with(mark));
     if table.is_ok() && !is_packed {
         assert_eq!(read(&packed), table, "a table is the same when it is packed");

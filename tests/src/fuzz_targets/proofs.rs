@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::proofs::is_true;
 
-/// What the proofs are about.
+/// The readings that the proofs are about.
 const DATA: &[u8] = b"x,y,eps\n1,2,1/2\n2,3,1\n\"3\",5,0.25\n4,6.5,1\n";
 
 /// A proof is refused without a panic, or every statement in it is true, as the engine sees it.

@@ -14,11 +14,11 @@ use cpu_time::ThreadTime;
 
 /// The largest input.
 const MOST_BYTES: usize = 4096;
-/// How long each of the ways that an input is taken may take.
+/// The longest time for each way of reading an input.
 const LONGEST: Duration = Duration::from_secs(2);
 
-/// What has a few kilobytes and is not refused for its work is read, solved and written in two seconds, whatever it is taken
-/// for: a table under three bounds, half-planes, a linear program.
+/// Reads, solves and writes an input within two seconds, whatever it is read as: a table under three bounds,
+/// half-planes, a linear program. The input has a few kilobytes and is not refused for its work.
 pub fn slow_units(data: &[u8]) {
     if data.len() > MOST_BYTES {
         return;

@@ -54,7 +54,8 @@ pub fn csv_reader(data: &[u8]) {
     });
 }
 
-/// Returns whether a text that is no number is refused as a date or a time. Which texts are, the reference does not know.
+/// Returns whether a text that is no number is refused as a date or a time. The reference does not know the texts
+/// that are dates.
 fn is_refused_as_time<T>(found: &Result<T, String>, expected: &Result<T, String>) -> bool {
     let (Err(found), Err(expected)) = (found, expected) else { return false };
     let is_time = |what: &str| {

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use crate::program::binary;
 
-/// What a run may cost.
+/// The cost that a run may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cost {
     /// Processor time of all threads.
@@ -15,10 +15,10 @@ pub struct Cost {
     pub data: u64,
 }
 
-/// What a small input may cost.
+/// The cost that a small input may have.
 pub const LIMITS: Cost = Cost { cpu: Duration::from_secs(2), data: 64 << 20 };
 
-/// How a run ended.
+/// The end of a run.
 #[derive(Debug)]
 pub struct Ended {
     /// Exit status; `None` where a signal ended it: for the processor time, or for memory that could not be had.
@@ -34,7 +34,7 @@ impl Ended {
     }
 }
 
-/// Runs the program in a folder under limits that the system enforces. What it prints is passed over.
+/// Runs the program in a folder under limits that the system enforces. This function ignores the output.
 ///
 /// The limit on memory is one on data: that on addresses would count what threads and the allocator put by and never use.
 pub fn run_limited(folder: &Path, words: &[String], limits: Cost) -> Ended {

@@ -5,7 +5,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::one_of;
 
-/// How the numbers of a column are written.
+/// The style of the numbers of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Written {
     /// One digit.
@@ -14,7 +14,7 @@ pub(super) enum Written {
     Short,
     /// Sixteen or seventeen digits.
     Double,
-    /// So many digits that a few fill the file.
+    /// Numbers of so many digits that a few fill the file.
     Wide,
     /// Powers of ten up to the limit on exponents.
     Far,
@@ -30,7 +30,7 @@ pub(super) enum Written {
     Chain,
     /// Square roots, of which no two differences are alike.
     Root,
-    /// What is no number.
+    /// Texts that are no numbers.
     Junk,
 }
 

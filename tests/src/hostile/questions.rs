@@ -53,7 +53,7 @@ pub(super) fn asked_of_table(rng: &mut ChaCha8Rng, file: &str, fit: &[String]) -
     with_proof(rng, line, file)
 }
 
-/// At times with a proof, which is checked.
+/// Adds a proof at times, and the check of the proof.
 fn with_proof(rng: &mut ChaCha8Rng, line: Vec<String>, file: &str) -> Vec<Vec<String>> {
     if rng.random_bool(0.3) {
         let with_proof = [line, words("-o r.txt --proof p.json")].concat();

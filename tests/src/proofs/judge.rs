@@ -1,4 +1,4 @@
-//! Whether a proof is true, as the engine sees it.
+//! The truth of a proof, as the engine sees it.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;

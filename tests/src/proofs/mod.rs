@@ -25,23 +25,23 @@ use crate::readings::parse_condition;
 /// Data and how they are to be fitted.
 #[derive(Debug, Clone)]
 pub struct Question {
-    /// What it is about.
+    /// The name of the proof's subject.
     pub name: String,
     /// The bytes of the file.
     pub data: Vec<u8>,
     /// Names or numbers of the regressors' columns.
     pub x: Vec<String>,
-    /// That of the response.
+    /// The name of the response.
     pub y: String,
     /// The error bound, or else its column.
     pub epsilon: Result<Rational, String>,
     /// Bounds in place of that.
     pub bounds: Option<EpsilonColumn>,
-    /// Which lines.
+    /// The form of the lines.
     pub form: LineForm,
     /// Conditions as text.
     pub conditions: Vec<String>,
-    /// How the table is read.
+    /// The options for reading the table.
     pub options: TableOptions,
 }
 

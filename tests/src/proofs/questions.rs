@@ -1,4 +1,4 @@
-//! What is proved: published data, every kind of set, text in every form, and generated fits.
+//! The questions that are proved: published data, every kind of set, text in every form, and generated fits.
 
 use std::fmt::Write;
 use std::fs;
@@ -136,7 +136,7 @@ pub fn bounded() -> Vec<Question> {
         upper: upper.and_then(column),
     };
     let table = "x,y,lo,up\n1,2.10,1.5,2.5\n2,3.0,NA,3.25\n4,4.75,4,\n5,6.5e0,5.5,7/1\n";
-    // Of a column alone every cell has a bound.
+    // A question with one column alone needs a bound in every cell.
     let whole = table.replace("NA", "-1").replace("4,\n", "4,1e1\n");
     let line = |name: &str| Question::line(name, table.as_bytes(), ["x", "y"], "0");
     let whole = |name: &str| Question::line(name, whole.as_bytes(), ["x", "y"], "0");

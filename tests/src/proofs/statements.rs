@@ -15,7 +15,7 @@ use super::Question;
 /// A scope's half-planes by name.
 type Named = (Vec<BoxBound>, Polyhedron);
 
-/// How far each x may be from what is read, where that is asked for.
+/// The largest distance of each x from the number that is read, if a question asks for it.
 const X_ERROR: [i64; 2] = [1, 4];
 
 impl Question {

@@ -58,7 +58,7 @@ pub(super) fn replacements(old: &Value) -> Vec<Value> {
         Value::Null => vec![json!(0), json!(1), json!("1")],
         Value::Bool(value) => vec![json!(!value), json!(1)],
         Value::Number(number) => {
-            // What was an index may have been changed to something else.
+            // The change may have replaced an index by something else.
             let number = number.as_u64().unwrap_or(0);
             let less = number.checked_sub(1).map(|less| json!(less));
             let more = json!(number.saturating_add(1));

@@ -119,7 +119,7 @@ pub(super) fn wrong_cell(
     InputError { file: NAME.into(), place: Box::new(place), kind: kind.into().0 }
 }
 
-/// What can be wrong with a cell.
+/// The mistake in a cell.
 pub(super) struct CellError(pub(super) InputErrorKind);
 
 impl From<InputErrorKind> for CellError {

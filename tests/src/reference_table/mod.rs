@@ -1,5 +1,5 @@
-//! A reader of delimited text that shares nothing with the one of the program but the numbers in cells and the words of
-//! messages: all bytes at once, records by the `csv` crate, lines by counting.
+//! A reader of delimited text that shares with the program only the numbers in cells and the words of messages. It
+//! takes all bytes at once, records by the `csv` crate, and lines by counting.
 
 mod cells;
 mod names;
@@ -22,17 +22,17 @@ use records::Records;
 use text::without_blank_lines;
 pub use text::{detect, in_utf8, may_be_binary, may_be_records};
 
-/// What messages call the table.
+/// The name of the table in messages.
 pub const NAME: &str = "data.csv";
 
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// What was found: the names, the number of rows, the hash, and the rows wanted with their numbers.
+/// The result: the names, the number of rows, the hash, and the selected rows with their numbers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Found {
     /// The names of the columns asked for.
     pub names: Vec<String>,
-    /// How many data rows there are.
+    /// The number of data rows.
     pub rows_total: usize,
     /// SHA-256 of the bytes, in hexadecimal.
     pub sha256: String,
@@ -301,7 +301,7 @@ impl Reader<'_> {
     }
 }
 
-/// Where columns are.
+/// The places of columns.
 struct Columns {
     places: Vec<usize>,
     looked_at: Vec<usize>,

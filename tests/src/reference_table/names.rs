@@ -1,4 +1,4 @@
-//! Which columns are meant.
+//! The columns that selectors mean.
 
 use std::collections::BTreeSet;
 
@@ -97,7 +97,8 @@ impl Reader<'_> {
         record.iter().enumerate().map(name).collect::<Result<_, _>>().map(Some)
     }
 
-    /// For each column whether one of its first two cells below the first record that are not missing is a number.
+    /// Returns, for each column, whether one of its first two cells below the first record that are not missing is a
+    /// number.
     pub(super) fn below(&self, records: &Records, width: usize) -> Vec<bool> {
         let mut ahead = Records::new(records.text, records.fails, records.delimiter, self.options.sizes.line);
         let mut record = ByteRecord::new();

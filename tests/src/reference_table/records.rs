@@ -14,7 +14,7 @@ pub(super) struct Records<'a> {
     pub(super) text: &'a [u8],
     reader: csv::Reader<io::Chain<&'a [u8], Failing>>,
     limit: usize,
-    /// Up to here line ends are counted.
+    /// The place up to which line ends are counted.
     counted: usize,
     pub(super) line: u64,
     /// The line of the last record, if the text ends within its quotes.

@@ -5,7 +5,7 @@ use std::{io, iter};
 
 use super::BYTE_ORDER_MARK;
 
-/// What the bytes 0x80 to 0x9f are in Windows-1252.
+/// The characters of the bytes 0x80 to 0x9f in Windows-1252.
 const WINDOWS_1252: &str = "€\u{81}‚ƒ„…†‡ˆ‰Š‹Œ\u{8d}Ž\u{8f}\u{90}‘’“”•–—˜™š›œ\u{9d}žŸ";
 
 /// Returns whether bytes may be those of a binary table, which is refused in words of its own.

@@ -96,8 +96,8 @@ fn a_proof_appears_with_its_report_or_not_at_all() {
     }
 }
 
-/// Runs a shell script in which `$FULL` is a folder on a disk of this many bytes, where the test may mount one: as root or
-/// in a user namespace of its own.
+/// Runs a shell script in which `$FULL` is a folder on a disk of this many bytes. The test must be able to mount the
+/// disk: as root or in a user namespace of its own.
 fn on_a_small_disk(bytes: usize, directory: &Path, script: &str, arguments: &[String]) -> Option<Run> {
     let start = |options: &str, script: &str| {
         let mut command = Command::new("unshare");
@@ -187,7 +187,7 @@ fn a_device_that_is_full_is_an_error_too() {
     }
 }
 
-/// What is in the files of a folder, without the temporary ones that a killed program leaves.
+/// Returns the contents of the files of a folder, without the temporary files that a killed program leaves.
 fn contents(directory: &Path) -> Vec<(String, Vec<u8>)> {
     let is_temporary = |name: &String| name.starts_with(".boundfit-");
     let names = files_in(directory).into_iter().filter(|name| !is_temporary(name));

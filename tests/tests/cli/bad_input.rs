@@ -357,7 +357,7 @@ fn every_bad_file_is_refused() {
     let reading = "--reading binary64";
     for file in files_in(&folder) {
         let line = match file.as_str() {
-            // What is UTF-16 is read.
+            // UTF-16 is read.
             "README.md" | "utf16-be.csv" | "utf16-le.csv" => continue,
             "other-names.csv" => format!("polygon {file}"),
             "negative-bound.csv" => format!("fit {file} --x x --y y --eps-column eps"),

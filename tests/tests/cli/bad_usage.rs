@@ -101,7 +101,7 @@ fn options_that_say_nothing_sensible() {
     for (options, message) in &cases {
         refuses_options(2, &[(options, message)]);
     }
-    // What is wrong with the command line comes before what is wrong with the file.
+    // A fault of the command line comes before a fault of the file.
     refuses(&root(), "fit absent.csv --x x --y y --eps abc", 2, &cases[0].1);
 }
 

@@ -15,7 +15,8 @@ use boundfit_tests::workbooks::{ods, xlsx, xlsx_rows, xlsx_with};
 
 const FIT: &str = "fit FILE --x x --y y --eps 1 --no-lp";
 const TOO_FAR: &str = "refused: it unpacks to more than 67108864 bytes and 100 times its size (the limit); --limit ratio=N raises it\n";
-/// What is refused within two seconds on a quiet machine may take more on a busy one, and what memory a laptop has to spare.
+/// The cost of a refusal on a busy machine that takes two seconds on a quiet one, with the memory that a laptop has
+/// to spare.
 const FEW_SECONDS: Cost = Cost { cpu: Duration::from_secs(6), data: 512 << 20 };
 
 /// Checks that a command about a file ends in time with a message.
@@ -53,7 +54,7 @@ fn packed_text_is_refused_once_it_is_a_hundred_times_its_size() {
     }
 }
 
-/// As many blank lines as may be cost no memory, wherever they stand.
+/// Blank lines up to the limit cost no memory, wherever they stand.
 #[test]
 fn blank_lines_are_not_held() {
     let few = Cost { data: 40 << 20, ..LIMITS };
@@ -173,7 +174,7 @@ fn a_line_without_an_end_is_refused_by_every_command() {
     }
 }
 
-/// What holds every row, or all of a text, stops at a limit; a smaller one shows it.
+/// A reader that holds every row, or all of a text, stops at a limit; a smaller limit shows it.
 #[test]
 fn rows_without_an_end_are_refused_where_they_are_held() {
     let mut rows = b"x,y\n".to_vec();
@@ -217,7 +218,7 @@ fn lines_of_commas_are_refused_before_their_cells_are_kept() {
     }
 }
 
-/// What never ends, and is no text, is not read on.
+/// The program does not read on where a file never ends and is no text.
 #[test]
 fn devices_are_no_claims_and_no_proofs() {
     let directory = directory_with(&[("a.csv", b"x,y\n1,1\n2,2\n")]);
@@ -253,7 +254,7 @@ fn equal_readings_are_counted_by_every_command() {
     }
 }
 
-/// What holds readings says what they take before it takes it.
+/// A command that holds readings reports their memory before it takes it.
 #[test]
 fn readings_take_no_more_memory_than_they_may() {
     let mut rows = b"x,y\n".to_vec();
@@ -311,7 +312,7 @@ fn proofs_and_claims_without_an_end_are_refused() {
     }
 }
 
-/// What readers cannot hand out at once is asked for from the one budget.
+/// Readers ask the one budget for data that they cannot hand out at once.
 #[test]
 fn readers_ask_for_memory_before_they_take_it() {
     let rows: String = (0..20_000).map(|row| format!("{row},{}\n", row % 1009)).collect();

@@ -67,7 +67,7 @@ fn renumbered(mut report: Value, rows: &[(usize, String)]) -> Value {
     report
 }
 
-/// What a fleet says of a group, from the report of a fit of its rows alone.
+/// Returns the line of a fleet about a group, from the report of a fit of its rows alone.
 fn expected(key: &str, rows: &[(usize, String)], alone: Value) -> Value {
     let alone = renumbered(alone, rows);
     let least_squares = match &alone["least_squares"] {

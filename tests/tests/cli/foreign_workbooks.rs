@@ -6,7 +6,8 @@ use boundfit_tests::cli::{boundfit, directory_with, fixture, report};
 use boundfit_tests::program::root;
 use boundfit_tests::workbooks::{archive, ods, ods_rows, ods_with, xlsx, xlsx_rows};
 
-/// What a command says of a workbook among the fixtures: its status, and the line on standard error without the file's name.
+/// Returns the answer of a command to a workbook among the fixtures: its status, and the line on standard error
+/// without the file's name.
 fn said(file: &str, options: &str) -> (i32, String) {
     let path = format!("fixtures/workbooks/{file}");
     let run = boundfit(&root(), &format!("fit {path} --eps 50 {options}"));

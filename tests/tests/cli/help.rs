@@ -73,7 +73,7 @@ fn the_short_help_leaves_limits_out() {
         let help = printed(&root(), &format!("{command} -h"));
         assert!(!help.contains("--limit") && !help.contains("Limits:"), "{help}");
     }
-    // How many readings a page may have is met by anybody who writes one.
+    // Everybody who writes a page meets the limit on its readings.
     assert_eq!(options(&section(&printed(&root(), "lesson -h"), "Limits:")), ["--limit"]);
 }
 

@@ -227,7 +227,7 @@ fn reductions_that_contradict_themselves_are_refused() {
         // x of the fifth reading is 1 and its y is 2, like those of the first row, which says that it stands for itself.
         (record("5", "\"11\",\"16\",\"31\",\"419/10\""), on_hulls),
         (counted("5", "\"11\",\"16\",\"31\",\"419/10\"", ["1", "2"]), so_many),
-        // What is left is a sixth reading without x and y.
+        // The remainder is a sixth reading without x and y.
         (counted("6", "\"11\",\"16\",\"31\",\"419/10\"", ["2", "1"]), beyond),
         // x of the fifth reading is 2 and its y is 9; or its x is 5.
         (record("5", "\"12\",\"23\",\"34\",\"579/10\""), beyond),

@@ -40,7 +40,7 @@ fn split_hash(report: &str) -> (Value, String) {
     let input = parsed["input"].as_object_mut().unwrap();
     let hash = input.remove("sha256").unwrap().as_str().unwrap().to_owned();
     input.remove("file");
-    // What a table was taken for is another matter than its answer.
+    // The format that was detected is no part of the answer.
     input.remove("table");
     (parsed, hash)
 }
@@ -132,7 +132,7 @@ fn quotes_spaces_and_notations() {
             format!("{}e-3,{sign}{}/10000\n", number - 1, digits.trim_start_matches('0'))
         }
     });
-    // Of the rows that are fitted.
+    // This line is the first among the rows that are fitted.
     let (_, first) = scientific.lines().nth(14).unwrap().split_once(',').unwrap();
     let fractions = serde_json::json!([{"column": "Vz", "cells": 23, "first": first}]);
     same_answer_with("scientific notation and fractions", &scientific, "--x Vz --y z", &fractions);

@@ -176,7 +176,7 @@ fn least_squares_solves_the_normal_equations_and_the_eui_is_its_range() {
     });
 }
 
-/// The minimax estimate meets the least error bound (or factor on the bounds), and the proof shows that nothing smaller
+/// The minimax estimate meets the least error bound (or factor on the bounds). The proof shows that no smaller bound
 /// will do: the half-planes at bound 0 sum to `0 ≤ -least` while their growth sums to 1.
 #[test]
 fn the_least_error_bound_is_met_and_proved() {

@@ -68,7 +68,7 @@ Feasible set: unbounded-polygon with 2 vertices
 #[test]
 fn each_limit_names_the_option_that_raises_it() {
     for (option, count) in [("rows", 3), ("columns", 2), ("elements", 6)] {
-        // Of type N too.
+        // Rows of type N count, too.
         let run =
             boundfit_with_input(&root(), &format!("judge - --limit {option}={}", count - 1), DIET.as_bytes());
         assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{option}");

@@ -1,5 +1,5 @@
-//! What an input may ask for: each limit from just below to just above, the message that names the option which raises it,
-//! that this option really does, and that hostile input costs neither memory nor time.
+//! The limits on inputs. Each limit is tried from just below to just above, and its message names the option that
+//! raises it. That option works, and hostile input costs neither memory nor time.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -120,7 +120,7 @@ fn numbers_on_the_command_line_have_the_same_limits() {
             &format!("fit data.csv --x x --y y {options} --limit digits=6 --limit exponent=11"),
         );
     }
-    // What is no number is told so.
+    // The program reports a text that is no number.
     let line = "fit data.csv --x x --y y --eps 1 --sweep 1..x";
     let message = "invalid value '1..x' for '--sweep <FROM..TO>': \"x\": not a number: unexpected character 'x' at character 1 \
                    (expected FROM..TO with numbers 0 <= FROM <= TO, such as 0.5..2)";
@@ -352,7 +352,7 @@ fn within(kilobytes: u64, line: &str, input: &[u8]) -> Run {
     finish(&mut command, input)
 }
 
-/// With one thread the program needs about 10 MB of address space for its own.
+/// Runs with one thread, since the program then needs only about 10 MB of address space for its own.
 #[cfg(unix)]
 #[test]
 fn hostile_numbers_cost_no_memory() {

@@ -271,7 +271,7 @@ fn proofs_of_linearity_are_true_of_the_data() {
         assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{file}");
         let verified = boundfit(directory.path(), &format!("verify p.json {file}"));
         assert_eq!((verified.status, verified.stderr.as_str()), (0, ""), "{file}");
-        // Of changed data it is not true.
+        // The proof is not true of changed data.
         let other = std::fs::read_to_string(directory.path().join(file)).unwrap() + "9,9,9\n";
         std::fs::write(directory.path().join("other.csv"), other).unwrap();
         assert_eq!(boundfit(directory.path(), "verify p.json other.csv").status, 4, "{file}");

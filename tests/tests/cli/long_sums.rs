@@ -37,7 +37,7 @@ fn triangles(corners: &[[Rational; 2]]) -> impl Iterator<Item = (Rational, [Rati
     corners.iter().zip(next).map(|(p, q)| (&p[0] * &q[1] - &p[1] * &q[0], [&p[0] + &q[0], &p[1] + &q[1]]))
 }
 
-/// What is said behind a label of the text report, up to the next one, on one line.
+/// Returns the text behind a label of the text report, up to the next label, on one line.
 fn said<'a>(text: &'a str, label: &str) -> String {
     let mut lines = text.lines().map(str::trim).skip_while(|line| !line.starts_with(label));
     let first = lines.next().unwrap();

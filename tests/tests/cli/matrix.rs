@@ -36,7 +36,7 @@ fn the_list_of_questions_is_the_registry() {
     assert_eq!(Request::NAMES, Request::FORMS.iter().map(|(name, _)| *name).collect::<Vec<_>>());
 }
 
-/// What is asked of a table, in the words of the program.
+/// A question about a table, in the words of the program.
 struct Words<'a> {
     file: &'a str,
     options: BTreeMap<&'a str, &'a str>,
@@ -86,7 +86,7 @@ impl<'a> Words<'a> {
     }
 }
 
-/// What the library says.
+/// Returns the library's answer.
 fn library(words: &Words<'_>, request: &Value, form: Form) -> Result<Answer, Refusal> {
     let path = format!("fixtures/{}", words.file);
     let source = Source::open(root().join(&path).to_str().unwrap()).unwrap();
@@ -96,7 +96,7 @@ fn library(words: &Words<'_>, request: &Value, form: Form) -> Result<Answer, Ref
     Request::of_json(request.clone())?.answer(&asked, source, form, Some(origin), &Style::default())
 }
 
-/// What the program writes, where it writes an answer.
+/// Returns the document that the program writes, where it writes an answer.
 fn program(words: &Words<'_>, command: &str, form: Form) -> Option<String> {
     let (name, own) = command.split_once(' ').unwrap_or((command, ""));
     // Linearity has no bounds on the errors.

@@ -1,4 +1,4 @@
-//! What the program writes, where, and in which shape; and what it says about itself.
+//! The output of the program: its content, its place and its shape, and its statements about itself.
 
 use std::fs;
 use std::path::Path;

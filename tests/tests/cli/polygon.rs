@@ -86,7 +86,7 @@ fn the_region_and_its_proofs_follow_from_the_file() {
     });
 }
 
-/// Without the redundant rows the region stays what it is; without any other row as well it does not.
+/// The region stays the same without the redundant rows, and changes without any other row as well.
 #[test]
 fn the_redundant_rows_are_those_that_can_be_left_out_together() {
     for_each_region(|case, report| {
@@ -362,7 +362,7 @@ fn what_lrs_and_cddlib_write_is_read_as_they_mean_it() {
     assert_eq!(shape(&region("triangle-by-lrs.ine")), shape(&corners["region"]));
 }
 
-/// What the program writes for a set in a format, with status 0, or 3 for the empty set.
+/// Returns the document that the program writes for a set in a format, with status 0, or 3 for the empty set.
 fn converted(input: &str, format: &str) -> String {
     let run = boundfit_with_input(&root(), &format!("polygon - --format {format}"), input.as_bytes());
     assert!([0, 3].contains(&run.status) && run.stderr.is_empty(), "{run:?}");

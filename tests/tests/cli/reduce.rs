@@ -125,7 +125,7 @@ fn readings() -> String {
     format!("u,v,y,lo,up,hi\n{}", (0..300).map(row).collect::<String>())
 }
 
-/// What is reduced under bounds that are fixed.
+/// The tables that are reduced under fixed bounds.
 const FIXED: [&str; 6] = [
     "--x u --y y --lower lo --upper up",
     "--x u,v --lower lo --upper up",
@@ -171,9 +171,9 @@ fn reductions_under_fixed_bounds_are_fitted_judged_drawn_and_converted_like_the_
         let judged = |file: &str| {
             let line = format!("check {file} {options} --solver exact-simplex --format json");
             let mut report: Value = serde_json::from_str(&run(&line).stdout).unwrap();
-            // What the whole was taken for is not known of a reduction.
+            // A reduction does not know the format of the original table.
             ["file", "table"].iter().for_each(|part| drop(report["input"][*part].take()));
-            // Of few readings all are asked about, of a reduction those that it kept.
+            // A small table is asked about all readings, a reduction about those that it kept.
             report["readings"]["asked"].take();
             without_rows(&report)
         };
@@ -365,9 +365,9 @@ fn what_needs_the_set_alone_reads_reductions_too() {
         for bound in report["claims"][0]["bounds"].as_array_mut().unwrap() {
             bound["row"].take();
         }
-        // What the whole was taken for is not known of a reduction.
+        // A reduction does not know the format of the original table.
         ["file", "table"].iter().for_each(|part| drop(report["input"][*part].take()));
-        // Of few readings all are asked about, of a reduction those that it kept.
+        // A small table is asked about all readings, a reduction about those that it kept.
         report["readings"]["asked"].take();
         report
     };

@@ -1,4 +1,4 @@
-//! What is written never destroys: not what is read, not what is read-only, and nothing else that somebody made.
+//! The program's writing never destroys: not its input, not a read-only file, and nothing that somebody else made.
 
 use std::fs;
 use std::path::Path;
@@ -283,7 +283,7 @@ mod unix {
         let run = boundfit(directory.path(), &format!("{FIT} -o /dev/null --proof /dev/stdout"));
         assert_eq!((run.status, run.stderr.as_str()), (0, ""));
         assert!(run.stdout.starts_with("{\n  \"schema\": \"boundfit/proof/1\""), "{}", run.stdout);
-        // What the shell has made empty may be filled.
+        // The program may fill a file that the shell has emptied.
         let shell = format!("\"$0\" {FIT} -o /dev/stdout > redirected");
         let mut command = std::process::Command::new("sh");
         command.args(["-c", &shell]).arg(boundfit_tests::program::binary()).current_dir(directory.path());

@@ -56,7 +56,7 @@ fn case(rng: &mut ChaCha8Rng, count: usize) -> Case {
 
 type Comparison = fn(i64, i64) -> bool;
 
-/// How integers compare.
+/// The signs of comparisons, with the comparison of integers that each stands for.
 const SIGNS: [(&str, Comparison); 6] = [
     ("<", |a, b| a < b),
     ("<=", |a, b| a <= b),

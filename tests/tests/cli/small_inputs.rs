@@ -38,7 +38,7 @@ fn no_small_input_is_expensive() {
     assert!(failures.is_empty(), "{} of {count}:\n{}", failures.len(), failures.join("\n"));
 }
 
-/// What is wrong with a case. Its files are kept then.
+/// Returns the fault of a case. Its files are kept then.
 fn failure(seed: u64, case: &Case) -> Option<String> {
     let folder = tempfile::tempdir().unwrap();
     for (name, content) in &case.files {

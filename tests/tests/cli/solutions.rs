@@ -5,7 +5,7 @@ use std::fs;
 use boundfit_tests::program::{Run, root, run};
 use serde_json::Value;
 
-/// What a solver of this name wrote about a program.
+/// Returns the output of a solver of this name about a program.
 fn fixture(name: &str, solver: &str) -> String {
     format!("fixtures/solutions/tiny-lp/{name}.{solver}.sol")
 }

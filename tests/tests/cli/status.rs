@@ -26,7 +26,7 @@ fn json(table: &str, options: &str, status: i32) -> Value {
     serde_json::from_str(&run.stdout).unwrap()
 }
 
-/// Of each row one text.
+/// Returns one text for each row.
 fn column(json: &Value, part: &str, key: &str) -> Vec<String> {
     let text = |row: &Value| row[key].as_str().unwrap_or("null").to_owned();
     json.pointer(part).and_then(Value::as_array).unwrap().iter().map(text).collect()

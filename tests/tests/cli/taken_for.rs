@@ -1,4 +1,4 @@
-//! What a table was taken for is said by every command: in its document, or else in a note on standard error.
+//! The detected format of a table, which every command reports: in its document, or else in a note on standard error.
 
 use boundfit_tests::cli::{boundfit, boundfit_with_input, directory_with, unbroken};
 use boundfit_tests::program::root;

@@ -1,4 +1,5 @@
-//! `--proof FILE.v`: which theorem is written, and who refuses one. Whether Coq accepts it is asked in the target `kernel`.
+//! `--proof FILE.v`: which theorem is written, and who refuses one. The target `kernel` asks whether Coq accepts the
+//! theorem.
 
 use std::fs;
 use std::path::Path;

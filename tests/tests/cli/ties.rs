@@ -22,7 +22,7 @@ fn quantised(rows: usize) -> String {
 
 const FIT: &str = "fit - --x x --y y --eps 1 --threads 1";
 
-/// Of an active list how many names there are, and how many readings in all.
+/// Returns the number of names in an active list, and the number of readings in all.
 fn counts(vertex: &Value) -> (usize, u64) {
     let listed = vertex["active"].as_array().unwrap().len();
     (listed, listed as u64 + vertex["active_more"].as_u64().unwrap_or(0))
@@ -49,7 +49,7 @@ fn active_rows_are_listed_up_to_a_limit_and_counted() {
     assert!(csv.lines().nth(1).unwrap().ends_with("; and 39000 more"));
 }
 
-/// With more rows than are all kept, and with fewer.
+/// Compares tables with more rows than are all kept, and with fewer.
 #[test]
 fn what_is_counted_is_what_would_be_listed() {
     let (few, many) = (quantised(8_800), quantised(88_000));

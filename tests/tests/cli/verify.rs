@@ -1,4 +1,4 @@
-//! What `boundfit verify` says about proofs, true, false and about other questions, and what it refuses to read.
+//! The verdicts of `boundfit verify` on proofs that are true, false or about other questions, and its refusals.
 
 use std::process::Command;
 
@@ -278,7 +278,7 @@ fn data_that_can_be_read_but_once_are_verified_too() {
     assert_eq!(other.status, 4);
 }
 
-/// In a second or less of both checkers.
+/// Both checkers refuse within about a second.
 #[test]
 fn a_proof_with_an_endless_number_is_none() {
     let directory = proved("--x x --y y --eps 0.2");

@@ -1,5 +1,5 @@
-//! What long numbers take is estimated before it is done: what is refused and what never is, and that the option which the
-//! message names raises the limit.
+//! The estimate of the work on long numbers, made before the work: the refusals, the questions that are never
+//! refused, and the option in the message, which raises the limit.
 
 use std::fmt::Write;
 

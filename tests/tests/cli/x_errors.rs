@@ -280,7 +280,7 @@ fn pictures_that_there_are_not_with_errors_in_x_are_refused() {
     }
 }
 
-/// Where nothing is bounded there are no intervals, as in the report of a fit.
+/// Sets without any bound have no intervals, as in the report of a fit.
 #[test]
 fn intervals_without_ends_are_null() {
     let directory = directory_with(&[("a.csv", b"x,up\n1,2\n")]);

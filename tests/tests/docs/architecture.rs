@@ -1,4 +1,4 @@
-//! What ARCHITECTURE.md says of the size of the parts.
+//! The statements of ARCHITECTURE.md about the size of the parts.
 
 use std::collections::BTreeSet;
 use std::fs;

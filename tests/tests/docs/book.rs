@@ -41,7 +41,7 @@ fn every_link_leads_to_a_file_and_a_heading() {
             if let Some(anchor) = anchor {
                 assert!(Page::read(&file).anchors().contains(&anchor), "{place}: there is no such heading");
             }
-            // What is not in the folder is not in the book.
+            // Files outside the folder are outside the book.
             let in_docs = |path: &Path| path.starts_with("docs");
             assert!(!in_docs(&page.path) || in_docs(&file), "{place}: leads out of the book");
             checked += 1;

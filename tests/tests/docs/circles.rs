@@ -75,7 +75,7 @@ fn uses(code: &str) -> (Vec<Module>, Vec<Module>) {
         let spelt = words.filter(|word| word.starts_with("crate::") || word.starts_with("super::"));
         needed.extend(spelt.flat_map(paths));
     }
-    // What modules within a file take from it.
+    // Modules within a file import `super::*` from it.
     needed.retain(|path| *path != ["super", "*"]);
     (needed, handed_on)
 }
@@ -104,7 +104,7 @@ fn home(code: &Code, from: &Module, path: &[String]) -> Option<Module> {
     Some(origin.unwrap_or(base))
 }
 
-/// Which modules need which. A module does not need those below it that it hands on.
+/// Returns the modules that each module needs. A module does not need those below it that it hands on.
 fn arrows(code: &Code) -> BTreeMap<Module, BTreeSet<Module>> {
     let of_module = |(module, text): (&Module, &String)| {
         let (needed, handed_on) = uses(text);
@@ -155,7 +155,7 @@ fn a_circle_is_found_through_names_that_are_handed_on() {
         ("a/b", "use std::fmt; pub struct B; "),
         ("c", "fn c() -> crate::a::B { } "),
     ];
-    // What `a` only hands on is that of `b`.
+    // A name that `a` only hands on is a name of `b`.
     assert!(circles(&arrows(&code(&files))).is_empty());
     let mut round = files;
     round[3].1 = "use super::{a::{A}, d}; ";

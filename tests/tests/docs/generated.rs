@@ -1,4 +1,4 @@
-//! What is made from the types of answers and from the options of the command line is as it would be made now.
+//! The files made from the types of answers and from the options of the command line are up to date.
 
 #[test]
 fn no_generated_file_is_stale() {

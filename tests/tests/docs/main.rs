@@ -1,4 +1,4 @@
-//! What the documentation says is so: its examples are run, its names exist.
+//! The documentation is true: its examples are run, its names exist.
 
 mod architecture;
 mod book;

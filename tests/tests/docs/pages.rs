@@ -7,7 +7,7 @@ use boundfit_tests::program::root;
 
 /// A page and its text.
 pub struct Page {
-    /// From the top of the repository: `docs/input.md`.
+    /// The path from the top of the repository: `docs/input.md`.
     pub path: PathBuf,
     pub text: String,
 }
@@ -24,7 +24,7 @@ impl Page {
         blocks.flat_map(|block| block.split('`').step_by(2)).collect()
     }
 
-    /// Where links and pictures of the page point to, as they are written; those to other sites are left out.
+    /// Returns the targets of the page's links and pictures as they are written, without links to other sites.
     pub fn links(&self) -> Vec<String> {
         let prose = self.prose();
         let ends = [("](", ')'), ("src=\"", '"')];

@@ -7,7 +7,7 @@ use boundfit_tests::program::{binary, root};
 
 use crate::pages::pages;
 
-/// What a shell prints for a command line of a page, the status added when it is not 0.
+/// Returns the output of a shell for a command line of a page, with the status added when it is not 0.
 fn output_of(command: &str) -> String {
     // The program is on nobody's path here; these functions stand in for an installed one and for `cargo run`.
     let script = format!(
@@ -36,7 +36,7 @@ fn rerun(page: &str) -> (String, usize) {
     let mut in_block = false;
     let mut in_output = false;
     for line in page.lines() {
-        // What stands between these comments is what the command prints, as Markdown.
+        // The text between these comments is the output of the command, as Markdown.
         let output = line.strip_prefix("<!-- output of: ").and_then(|rest| rest.strip_suffix(" -->"));
         if let Some(command) = output {
             commands += 1;

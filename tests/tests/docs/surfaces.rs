@@ -1,4 +1,4 @@
-//! What the libraries say is said in no surface's own words.
+//! The texts of the libraries, which name no option or button of a surface.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use boundfit_tests::program::root;
 
 use super::sources::lines_of_code;
 
-/// Whether an option of the command line stands in a line.
+/// Returns whether an option of the command line stands in a line.
 fn names_an_option(line: &str) -> bool {
     line.split("--").skip(1).any(|behind| behind.starts_with(|first: char| first.is_ascii_lowercase()))
 }

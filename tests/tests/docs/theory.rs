@@ -11,7 +11,7 @@ fn names(page: &str) -> Vec<(usize, &str)> {
         .collect()
 }
 
-/// Whether a Rust file defines a function, type or test of this name.
+/// Returns whether a Rust file defines a function, type or test of this name.
 fn defines(text: &str, name: &str) -> bool {
     ["fn", "struct", "enum"].iter().any(|keyword| {
         text.match_indices(&format!("{keyword} {name}")).any(|(at, found)| {

@@ -1,4 +1,4 @@
-//! There is one version, and every file that names it says the same.
+//! The one version, which every file that names it repeats.
 
 use std::fs;
 

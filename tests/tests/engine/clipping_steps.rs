@@ -78,7 +78,8 @@ fn check_same_set(system: &System, taken: &[usize], region: &Region) {
     }
 }
 
-/// What holds of the steps in every order: they are a chain from the whole plane, and each tells its own difference.
+/// Checks the facts about the steps in every order: they are a chain from the whole plane, and each tells its own
+/// difference.
 fn check_steps(system: &System, order: &[usize], steps: &[Step], tally: &mut Tally) {
     let question = (order, system.inequalities());
     assert_eq!(steps.iter().map(|step| step.index).collect::<Vec<_>>(), order, "{question:?}");
@@ -186,8 +187,8 @@ const SQUARE: [([i64; 2], &[usize]); 4] =
 const TOUCHED_SQUARE: [([i64; 2], &[usize]); 4] =
     [([0, 0], &[0, 2]), ([1, 0], &[1, 2]), ([1, 1], &[1, 4, 6]), ([0, 1], &[0, 4])];
 
-/// The unit square from its four sides, among rows that change nothing; then it is cut in half along a diagonal, down
-/// to the diagonal, to one of its ends, and to nothing.
+/// Makes the unit square from its four sides, among rows that change nothing. Further rows cut it in half along a
+/// diagonal, down to the diagonal, to one of its ends, and to nothing.
 #[test]
 fn the_unit_square_step_by_step() {
     let rows = [

@@ -190,7 +190,7 @@ fn lines_under_errors_in_x_are_those_of_each() {
     assert!(are_counted > 30, "{are_counted}");
 }
 
-/// What is told of a linearity: everything but how many points stand for how many.
+/// Returns the parts of a linearity that must agree: everything but how many points stand for how many.
 fn told(found: &Linearity) -> String {
     let mut text = format!("{:?}", (&found.hysteresis, &found.repeatability));
     for own in [Some(&found.average), found.up.as_ref(), found.down.as_ref()].into_iter().flatten() {

@@ -48,13 +48,13 @@ fn fitted(text: &str, epsilon: &str) -> Result<(Problem, Fit), InputError> {
     Ok((problem, fit))
 }
 
-/// What a reduction says, read without any code of the program.
+/// The statements of a reduction, read without any code of the program.
 #[derive(Debug, PartialEq)]
 struct Said {
     rows: usize,
     /// Σx², Σx, N, Σxy and Σy.
     sums: [Rational; 5],
-    /// How many readings, and where.
+    /// The numbers of readings, with their places.
     kept: Vec<(usize, Place)>,
 }
 
@@ -78,7 +78,7 @@ impl Said {
         Some(Said { rows, sums: [xx, x, Rational::from(rows), xy, y], kept: kept.collect::<Option<_>>()? })
     }
 
-    /// Whether a place is a corner of the hull of all places: in no triangle of three others.
+    /// Returns whether a place is a corner of the hull of all places: in no triangle of three others.
     fn is_corner(&self, place: &Place) -> bool {
         let others: Vec<&Place> = self.kept.iter().map(|(_, own)| own).filter(|own| *own != place).collect();
         let turn = |[p, q]: [&Place; 2]| {
@@ -100,7 +100,7 @@ impl Said {
         })
     }
 
-    /// What is left for the readings that are not known: how many they are, and their sums.
+    /// Returns the rest for the readings that are not known: their number, and their sums.
     fn left(&self) -> (i64, [Rational; 5]) {
         let mut count = self.rows as i64;
         let mut left = self.sums.clone();
@@ -114,8 +114,8 @@ impl Said {
         (count, left)
     }
 
-    /// Whether readings can be left: the spread of their x is one that some x between the ends have, and their mean lies strictly
-    /// between the places that are kept, or on an edge where all of them do.
+    /// Returns whether readings can be left. The spread of their x must be possible for x between the ends. Their
+    /// mean must lie strictly between the kept places, or on an edge that has all of them.
     fn is_possible(&self) -> bool {
         let (count, sums) = self.left();
         if count <= 0 {
@@ -131,7 +131,7 @@ impl Said {
         let is_strict = count > on_edges as i64;
         let [[x_least, x_most], [y_least, y_most]] = [ends(0), ends(1)];
         let spread = xx - &x * &x;
-        // Of numbers within an interval none spread further than those at its ends.
+        // Numbers within an interval spread at most as far as numbers at its ends.
         let most = (&x_most - &x) * (&x - &x_least);
         let beyond = |sign: Sign, side: Sign| sign == side || (is_strict && sign == Sign::Zero);
         // No line through two places with all others on one side has the mean on the other side.

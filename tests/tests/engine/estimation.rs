@@ -1,4 +1,4 @@
-//! What must hold for every fit, on generated readings.
+//! The properties that every fit must have, on generated readings.
 
 use std::collections::BTreeMap;
 

@@ -24,7 +24,7 @@ fn fresh(problem: &Problem, s: &Rational) -> Section {
     section(&Fps::of_every_half_plane(&problem.measurements, &problem.conditions))
 }
 
-/// What a piece says without its ends: two neighbours that agree in this should have been one.
+/// Returns the content of a piece without its ends: two neighbours that agree in this should have been one.
 fn shape(piece: &Piece) -> Piece {
     Piece { from: Rational::zero(), to: Rational::zero(), ..piece.clone() }
 }

@@ -134,7 +134,7 @@ fn points_span_the_boundaries_that_they_are_corners_of() {
     });
 }
 
-/// What a set is, whatever it came from.
+/// Returns the shape of a set, whatever its source.
 fn both_ways(polyhedron: &Polyhedron) -> (Shape, Shape) {
     let again = generators_of(polyhedron.region()).polyhedron();
     (shape(again.region()), shape(polyhedron.region()))

@@ -9,8 +9,9 @@ use boundfit_tests::generate::seeded;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-/// The definition: a point is above the lower hull when another point is below it or the line from one point on its left
-/// to another on its right passes below it; mirrored for the upper hull.
+/// Finds touching points by the definition. A point is above the lower hull if another point is below it. It is also
+/// above if the line from a point on its left to a point on its right passes below it. The upper hull is the mirror
+/// image.
 fn touching_by_definition(points: &[GridPoint]) -> Vec<u64> {
     let wide = |value: i64| Integer::from(value);
     // Positive when the line from p to q passes below r.

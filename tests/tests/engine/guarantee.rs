@@ -120,7 +120,7 @@ fn nearest(rows: &[Measurement]) -> [Rational; 2] {
     [&start[0] + &along[0] * &share, &start[1] + &along[1] * &share]
 }
 
-/// How many of the bands miss more than is guaranteed, for each confidence.
+/// Returns the number of bands that miss more than is guaranteed, for each confidence.
 fn beyond(
     rng: &mut ChaCha8Rng,
     draw: impl Fn(&mut ChaCha8Rng) -> [i64; 2],

@@ -27,8 +27,8 @@ fn text_of(text: &str) -> Source {
     Source::new("text", std::io::Cursor::new(text.as_bytes().to_vec()))
 }
 
-/// The ways in which a table of text may stand in memory: as texts; as exact numbers where none is missing and the reading is
-/// decimal; as doubles where the reading is binary64.
+/// Returns the ways in which a table of text may stand in memory. It may be texts, exact numbers if none is missing
+/// and the reading is decimal, or doubles if the reading is binary64.
 fn ways(text: &str, reading: Reading, is_written_asked: bool) -> Vec<MemoryTable> {
     let (names, columns) = cells(text);
     let exact = |cell: &str| reading.read(cell, &Limits::default()).ok();
@@ -272,7 +272,7 @@ fn rows_that_are_kept_have_their_identities_and_none_are_a_reduction_too() {
         refusal(&table, &elsewhere),
         "memory: there is no column \"key\" (expected one of \"x\", \"y\", \"id\" or a number from 1 to 3)"
     );
-    // Those of nothing go together with others, and with each other.
+    // Reductions of nothing go together with other reductions, and with each other.
     let text = |text: String| try_reduced(&text, &columns, &ScanOptions::default());
     let whole = reduced(&table, &ScanOptions { identity: None, ..elsewhere }).unwrap();
     let nothing = none.replace(",id", "");

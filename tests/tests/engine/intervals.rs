@@ -1,5 +1,5 @@
-//! Readings with bounds of their own, on one side or both, and laws of the error bound: against the oracle, with every bound
-//! computed here from the digits that the table is written with.
+//! Readings with bounds of their own, on one side or both, and laws of the error bound, against the oracle. The test
+//! computes every bound from the digits in the table.
 
 use std::fmt::Write;
 use std::io::Cursor;
@@ -20,7 +20,7 @@ use rand_chacha::ChaCha8Rng;
 use crate::oracle::in_oracle_terms;
 use crate::reducing::{shuffled_parts, try_reduced};
 
-/// What a generated row says.
+/// The statement of a generated row.
 #[derive(Debug, Clone)]
 struct Said {
     regressor: [i64; 2],

@@ -13,7 +13,7 @@ use boundfit_tests::cli::report;
 use boundfit_tests::program::{root, run};
 use serde_json::Value;
 
-/// What is compared of an answer.
+/// The parts of an answer that are compared.
 #[derive(Debug, PartialEq, Eq)]
 struct Answer {
     kind: String,
@@ -22,7 +22,7 @@ struct Answer {
     eui: Option<[Interval; 2]>,
     central: Option<[Rational; 2]>,
     least_squares: Option<[Rational; 2]>,
-    /// With an error bound per row, the least factor on all of them.
+    /// The least factor on all error bounds, if each row has one.
     epsilon_min: Option<Rational>,
 }
 

@@ -6,7 +6,7 @@ use boundfit_tests::definitions::least_bound;
 use boundfit_tests::generate::seeded;
 use boundfit_tests::readings::{problem, with_rows};
 
-/// By ε_min, which cutting planes find without a feasible set or a contradiction.
+/// Returns whether the set is empty by ε_min, which cutting planes find without a feasible set or a contradiction.
 fn is_empty(problem: &Problem) -> bool {
     let in_use = match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => epsilon.clone(),

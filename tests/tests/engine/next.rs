@@ -1,4 +1,5 @@
-//! Where the next reading helps, against the definition: the set cut by every slab that matters, at every x that does.
+//! The places where the next reading helps, against the definition: the set cut by every slab that matters, at every
+//! x that does.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +18,7 @@ fn with(rows: &[Row], more: impl IntoIterator<Item = Inequality>) -> Polyhedron 
     Polyhedron::intersect(system(rows).inequalities().iter().cloned().chain(more).collect())
 }
 
-/// What a reading y at x says.
+/// Returns the statement of a reading y at x.
 fn slab(x: &Rational, y: &Rational, epsilon: &Rational) -> [Inequality; 2] {
     let one = Rational::one();
     [Inequality::new(x.clone(), one.clone(), y + epsilon), Inequality::new(-x, -one, epsilon - y)]
@@ -31,8 +32,8 @@ fn goal_of(set: &Polyhedron, goal: Goal) -> Option<Rational> {
     }
 }
 
-/// The largest value that a goal has after a reading at x, of a bounded set: between two y where a corner comes in or leaves, a length
-/// is linear and an area quadratic in y.
+/// Returns the largest value that a goal of a bounded set has after a reading at x. Between two y where a corner
+/// comes in or leaves, a length is linear and an area quadratic in y.
 fn worst_by_definition(
     rows: &[Row],
     set: &Polyhedron,

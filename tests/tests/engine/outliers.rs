@@ -12,8 +12,10 @@ use boundfit_tests::readings::parse_condition;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-/// Up to nine readings, degenerate more often than not: few different x and y, all x equal, bounds that coincide or cross,
-/// one-sided ones, regressors 0, repeated and parallel rows, rows through one point.
+/// Returns up to nine readings, degenerate more often than not.
+/// - Few different x and y, or all x equal.
+/// - Bounds that coincide or cross, and one-sided bounds.
+/// - Regressors 0, repeated and parallel rows, rows through one point.
 fn case(rng: &mut ChaCha8Rng, most: usize) -> Case {
     let style = rng.random_range(0..8);
     let size: i64 = [1, 2, 3, 9][rng.random_range(0..4)];

@@ -1,5 +1,5 @@
-//! Every way to compute a fit gives the same answer: on machine integers or on numbers of any size, from the half-planes
-//! that can be active or from all, by vertices or by projective images.
+//! Equal answers from every way to compute a fit. The ways use machine integers or numbers of any size, active
+//! half-planes or all of them, vertices or projective images.
 
 use boundfit_estimation::{
     BoundName, Condition, ErrorBound, Fit, Fps, Inverse, InverseParameter, LeastSquares, Measurement,
@@ -203,7 +203,7 @@ fn degenerate_readings() {
     }
 }
 
-/// Where integers on a common denominator leave 62 bits, their products 127, and everything else.
+/// Readings leave 62 bits as integers on a common denominator, leave 127 bits in their products, and do neither.
 #[test]
 fn edges_of_machine_integers() {
     let edges = (60..=65).flat_map(|bits| [-1, 0, 1].map(|beside| (1_i128 << bits) + beside));

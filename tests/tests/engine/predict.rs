@@ -42,8 +42,8 @@ fn number(value: i128) -> Rational {
     Rational::from(i64::try_from(value).expect("a small number"))
 }
 
-/// The largest value of a form over the set of some rows, which is not empty: by duality the least right-hand side of a combination
-/// of at most two rows that adds up to the form.
+/// Returns the largest value of a form over the set of some rows, which is not empty. By duality it is the least
+/// right-hand side of a combination of at most two rows that adds up to the form.
 fn most(rows: &[Row], form: &[Rational; 2]) -> Option<Rational> {
     let [u, v] = form;
     let rows: Vec<[Rational; 3]> = rows.iter().map(|row| row.map(number)).collect();
@@ -79,7 +79,7 @@ fn set(rows: &[Row]) -> Polyhedron {
     Polyhedron::intersect(system)
 }
 
-/// What is known of a further reading: how far the line may be above and below it at x.
+/// The facts about a further reading: how far the line may be above and below it at x.
 struct Known {
     error: FurtherError,
     /// Constants and multiples of |x| and |y|, above and below.
@@ -123,13 +123,13 @@ impl Known {
         Known { error, terms: [above, below], zero }
     }
 
-    /// How far the line may be above and below a reading y at x.
+    /// Returns how far the line may be above and below a reading y at x.
     fn around(&self, x: &Rational, y: &Rational) -> [Rational; 2] {
         let x = (x - &self.zero).abs();
         self.terms.each_ref().map(|[constant, of_x, of_y]| constant + of_x * &x + of_y * y.abs())
     }
 
-    /// Whether a reading y may come from x, where the line has these values.
+    /// Returns whether a reading y may come from x, where the line has these values.
     fn is_possible(&self, line: &Interval, x: &Rational, y: &Rational) -> bool {
         let [above, below] = self.around(x, y);
         line.lower().value().is_none_or(|lower| *lower <= y + above)

@@ -66,9 +66,14 @@ fn generated_fits_are_proved() {
     assert!(kinds.len() == 10 && kinds.values().all(|&count| count >= 5), "{kinds:?}");
 }
 
-/// Changes that leave a proof true: another text of the same number (`3/1`); a name twice or in another place in a set
-/// `active`; another point or ray where nothing bounds, another order of multipliers; a condition more or less or another row, column or
-/// reading that decides nothing; other multiples of a contradiction. Each is shown to be true by asking again.
+/// Changes of these kinds leave a proof true:
+/// - another text of the same number (`3/1`);
+/// - a name twice or in another place in a set `active`;
+/// - another point or ray where nothing bounds, another order of multipliers;
+/// - a condition more or less, or another row, column or reading that decides nothing;
+/// - other multiples of a contradiction.
+///
+/// Each is shown to be true by asking again.
 #[test]
 fn every_change_that_makes_a_proof_false_is_refused() {
     let (mut refused, mut in_other_words, mut still_true) = (0, 0, BTreeMap::<String, usize>::new());
@@ -98,7 +103,7 @@ fn every_change_that_makes_a_proof_false_is_refused() {
     assert!(refused >= 5000 && still_true.values().sum::<usize>() * 25 < refused);
 }
 
-/// Whether all lines have as many commas.
+/// Returns whether all lines have the same number of commas.
 fn is_even(data: &[u8]) -> bool {
     let lines = data.split(|&byte| byte == b'\n').filter(|line| !line.trim_ascii().is_empty());
     let commas = lines.map(|line| line.iter().filter(|&&byte| byte == b',').count());

@@ -7,7 +7,7 @@ use boundfit_tests::runs::readings;
 
 use super::window::verify;
 
-/// How few runs cover these positions, by dynamic programming over all of them.
+/// Returns the least number of runs that cover these positions, by dynamic programming over all of them.
 fn fewest(runs: &[[usize; 2]], count: usize) -> usize {
     let mut least = vec![0; count + 1];
     for position in 0..count {

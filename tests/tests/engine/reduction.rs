@@ -134,7 +134,7 @@ pub(crate) fn essence(fitted: &(Problem, Fit), row: &dyn Fn(usize) -> usize) -> 
     essence_by(fitted, row, &|_| true)
 }
 
-/// Of active bounds how many there are, and the names of those of some rows, which are asked for by their new names.
+/// Returns the number of active bounds, and the names of the bounds of some rows, which have new names.
 pub(crate) fn essence_by(
     (problem, fit): &(Problem, Fit),
     row: &dyn Fn(usize) -> usize,
@@ -263,7 +263,7 @@ fn of_long_tables_too_only_the_rows_that_touch_a_hull_count() {
                     "{kind:?} {reading:?}"
                 );
                 assert_eq!(reduced.1.eui(), whole.1.eui(), "{kind:?} {reading:?}");
-                // Of wide integers there are few, which occur often.
+                // Wide integers are few, and occur often.
                 let kept = reduced.0.measurements.kept().len();
                 assert!(kept < 200 || kind == TableKind::WideIntegers, "{kind:?} {reading:?}: {kept}");
             }

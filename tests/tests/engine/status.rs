@@ -121,7 +121,8 @@ fn every_reading_stands_as_the_definitions_say() {
     }
 }
 
-/// What the multipliers of a repair prove, from the readings alone: no sum of factors is smaller.
+/// Returns the lower bound that the multipliers of a repair prove, from the readings alone: no sum of factors is
+/// smaller.
 fn proved(problem: &Problem, repair: &Repair) -> Rational {
     let rows = problem.measurements.kept();
     let (mut sums, mut least) = ([Rational::zero(), Rational::zero()], Rational::from(repair.count as i64));

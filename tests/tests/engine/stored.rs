@@ -33,7 +33,7 @@ impl Table {
         Table { names, columns }
     }
 
-    /// As vectors of MATLAB's doubles, with NaN where there is no number.
+    /// Returns the table as vectors of MATLAB's doubles, with NaN where there is no number.
     fn mat(&self) -> Vec<u8> {
         let element = |kind: u32, content: &[u8]| {
             let mut bytes = [kind.to_le_bytes(), (content.len() as u32).to_le_bytes()].concat();
@@ -94,7 +94,7 @@ fn binary_files_are_fitted_and_reduced_like_text_of_their_doubles() {
     while count < 400 {
         let mut case = Case::random(&mut rng, 1..=30);
         case.reading = Reading::Binary64;
-        // What is stored has no last digit written.
+        // Stored numbers have no last digit written.
         if case.needs_written() {
             continue;
         }

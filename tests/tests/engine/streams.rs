@@ -55,11 +55,11 @@ fn number(rng: &mut ChaCha8Rng, units: i64, style: u32) -> String {
     }
 }
 
-/// How numbers are written of which columns of integers hold many.
+/// The styles of numbers of which columns of integers hold many.
 const SHORT: Range<u32> = 0..5;
 /// Numbers of 17 and 53 digits, of which no two are alike.
 const LONG: Range<u32> = 5..7;
-/// Those, and numbers so far from 1 that a filter by floats may not tell them.
+/// The styles of long numbers, and numbers so far from 1 that a filter by floats may not tell them.
 const FAR: Range<u32> = 5..8;
 
 impl Case {
@@ -67,7 +67,7 @@ impl Case {
         Case::written(rng, rows, SHORT)
     }
 
-    /// With numbers written in one of these styles.
+    /// Returns a case with numbers written in one of these styles.
     fn written(rng: &mut ChaCha8Rng, rows: RangeInclusive<usize>, styles: Range<u32>) -> Self {
         let is_line = rng.random_bool(0.5);
         let kind = rng.random_range(0..6);
@@ -163,7 +163,7 @@ impl Case {
         Case { text, columns, reading: Reading::Decimal, conditions, is_through_origin: false }
     }
 
-    /// Whether half units of last digits are asked for.
+    /// Returns whether half units of last digits are asked for.
     pub(crate) fn needs_written(&self) -> bool {
         matches!(&self.columns.epsilon, EpsilonColumn::Law(law) if law.needs_written())
     }
@@ -197,13 +197,14 @@ impl Case {
         self.fitted(Measurements::scan(source, &self.columns, &self.conditions, &options, keep).unwrap())
     }
 
-    /// Whether a reduction decides for every multiple of the bounds.
+    /// Returns whether a reduction decides for every multiple of the bounds.
     fn is_open(&self) -> bool {
         self.columns.second.is_none() && matches!(self.columns.epsilon, EpsilonColumn::Column(_))
     }
 
-    /// Reductions of the whole for any threads and chunks are the same text, whose fit is that of the whole, row by row; those of
-    /// parts in any order have its set, and reduced again they keep the same rows.
+    /// Checks reductions. For any threads and chunks the reduction of the whole is the same text, and its fit is the
+    /// fit of the whole, row by row. Reductions of parts in any order have the same set, and reduced again they keep
+    /// the same rows.
     fn check_reductions(
         &self,
         (problem, whole): &(Problem, Fit),
@@ -243,8 +244,9 @@ impl Case {
         self.check_answers(&self.of_reduction(&parts), (problem, whole));
         let again = reduced(&parts, &self.columns, &options(self.reading, 64));
         self.check_answers(&self.of_reduction(&again), (problem, whole));
-        // Of rows without regressors the first one that nothing agrees with is kept, or the first one where no row decides.
-        // Which of several that are told as one depends on their order; how many stand for how many does not.
+        // Among rows without regressors the first one that nothing agrees with is kept, or the first one where no row
+        // decides. The order decides which of several rows represents the others; the number of rows that it stands
+        // for is the same.
         let kept = |text: &str| -> Vec<usize> {
             let regressors = |id: &usize| -> Vec<f64> {
                 let cells = self.text.lines().nth(*id).unwrap().split(',').take(2);
@@ -260,7 +262,7 @@ impl Case {
         assert_eq!(kept(&again), kept(&own), "{}", context());
     }
 
-    /// What does not depend on names and order of rows.
+    /// Checks the answers that do not depend on names and order of rows.
     fn check_answers(&self, (found_problem, found): &(Problem, Fit), (problem, whole): (&Problem, &Fit)) {
         let context = || format!("{:?}\n{}", self.columns, self.text);
         let region = |fit: &Fit| shape(fit.fps.polyhedron().region());
@@ -296,13 +298,13 @@ impl Case {
     }
 }
 
-/// What the rows of reductions have in their last column.
+/// Returns the last column of the rows of reductions.
 fn ids(text: &str) -> Vec<usize> {
     let rows = text.lines().filter(|line| !line.starts_with(['#', 'a']));
     rows.map(|row| row.rsplit_once(',').unwrap().1.parse().unwrap()).collect()
 }
 
-/// How many readings the rows of reductions stand for.
+/// Returns the numbers of readings that the rows of reductions stand for.
 fn counts(text: &str) -> Vec<usize> {
     let (mut counts, mut is_counted) = (Vec::new(), false);
     for line in text.lines() {
@@ -382,7 +384,7 @@ fn long_and_far_numbers_stream_as_short_ones_do() {
     compare(12, 64, 1_000..=2_000, LONG, [50_000, 20_000, 4096]);
 }
 
-/// Where one reading stands for all that go through a vertex, the answer and its proofs are those of all.
+/// The answer and its proofs are the same where one reading stands for all that go through a vertex.
 #[test]
 fn readings_through_one_vertex_stream_as_each_by_itself() {
     let mut kinds = compare_cases(300, 65, [1, 60, 4096], |rng| Case::of_ties(rng, 1..=40));

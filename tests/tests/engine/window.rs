@@ -11,7 +11,7 @@ use boundfit_tests::readings::with_rows;
 use boundfit_tests::runs::{Readings, readings};
 use rand::RngExt;
 
-/// Whether a contradiction is one, from the inequalities that it names alone.
+/// Checks that a contradiction is one, from the inequalities that it names alone.
 pub(super) fn verify(contradiction: &Contradiction, problem: &Problem) {
     let rows = problem.measurements.kept();
     let readings = rows.iter().flat_map(boundfit_estimation::half_planes);
@@ -27,7 +27,7 @@ pub(super) fn verify(contradiction: &Contradiction, problem: &Problem) {
     assert!(total[0].is_zero() && total[1].is_zero() && total[2].is_negative(), "{contradiction:?}");
 }
 
-/// What the window says is what a fit of its readings says.
+/// Checks that the window answers as a fit of its readings does.
 fn check(window: &Window, problem: &Problem, readings: &Readings, case: usize) {
     let rows: Vec<Measurement> = window.readings().cloned().collect();
     let own = with_rows(problem, rows.clone());

@@ -231,7 +231,7 @@ fn check_factor(problem: &XErrorProblem, answer: &XErrorFit, boxes: &Boxes) -> &
     }
 }
 
-/// Whether the rows that fix a factor ask for it by themselves, and for no more.
+/// Returns whether the rows that fix a factor ask for it by themselves, and for no more.
 fn check_reason(problem: &XErrorProblem, least: &LeastFactor) -> bool {
     let LeastFactor { lower, upper, side, fixed_by, .. } = least;
     let Problem { measurements, conditions } = problem.problem();

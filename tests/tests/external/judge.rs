@@ -1,4 +1,5 @@
-//! What GLPK, CBC and HiGHS write about all of `fixtures/tiny-lp`, judged. Needs `glpsol`, `cbc` and, in Python, highspy.
+//! Verdicts on the solutions of GLPK, CBC and HiGHS for all of `fixtures/tiny-lp`. Needs `glpsol`, `cbc` and, in
+//! Python, highspy.
 //!
 //! Right is what `fixtures/tiny-lp/README.md` says: the status, and the optimum within 10⁻⁶ of its scale. Whatever is right must pass,
 //! and a wrong status must be refuted, and an optimum that is wrong by more than its printed digits.
@@ -18,7 +19,7 @@ const RIGHT_BUT: [(&str, &str, &str); 1] = [
     ("wide-range", "cbc", "complementary-slackness"),
 ];
 
-/// Those that do not read the sense of a file are told, and given the file without it.
+/// Solvers that do not read the sense of a file get it as an option, and the file without it.
 fn without_sense(name: &str, folder: &Path) -> PathBuf {
     let text = fs::read_to_string(root().join(format!("fixtures/tiny-lp/{name}.mps"))).unwrap();
     let mut lines = Vec::new();
@@ -93,7 +94,7 @@ fn claimed(solver: &str, path: &Path) -> (&'static str, Rational) {
     (status, number(&objective))
 }
 
-/// What the status and the optimum of a file are.
+/// The status and the optimum of a file.
 #[derive(PartialEq, Eq)]
 enum Truth {
     Right,

@@ -18,7 +18,7 @@ use serde_json::Value;
 /// Groups in which GLPK's simplex errs on no program, once it reads it as it is meant, but for what its tolerance excuses.
 const GROUPS: [&str; 6] = ["bounds", "degenerate", "faces", "fixed", "format", "many-rows"];
 
-/// What GLPK finds: the status and the optimum.
+/// Returns GLPK's answer: the status and the optimum.
 fn solved(model: &Path, options: &[&str], folder: &Path) -> (&'static str, Option<Rational>) {
     let solution = folder.join("solution");
     let output = Command::new("glpsol")
@@ -69,7 +69,7 @@ fn glpk_exact_answers_generated_models() {
             continue;
         }
         let text = model.text(ExchangeFormat::Lp);
-        // What has no decimals is written as another program.
+        // A program with a number that has no decimals is written as another program.
         if text.contains(" is multiplied by ") || text.contains("its bounds are those of the row") {
             continue;
         }

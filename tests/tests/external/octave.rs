@@ -10,7 +10,7 @@ use boundfit_tests::generate::{seeded, system, tangents};
 use boundfit_tests::program::{root, run, run_with_input};
 use rand::RngExt;
 
-/// What Octave prints for a program, run in a folder.
+/// Returns the output of Octave for a program, run in a folder.
 fn octave(folder: &Path, program: &str) -> String {
     fs::write(folder.join("program.m"), program).unwrap();
     let output = Command::new("octave-cli")

@@ -1,7 +1,7 @@
 //! lrs and cddlib (`cddexec_gmp`, Debian packages `lrslib` and `libcdd-tools`) on generated sets, from half-planes to
 //! generators and back: the same sets as ours, exactly, up to order and scale.
 //!
-//! What the two programs write, and what we write, is read here by a reader of its own.
+//! A reader of its own reads the output of the two programs, and ours.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -23,8 +23,8 @@ const CASES: usize = 1_250;
 
 type Row = [Rational; 3];
 
-/// A set up to the order and scale of its rows. Of a flat set, or one with lines, there are many equivalent matrices;
-/// this has one form: `linear` in reduced echelon form, the other rows reduced by it, so that equal sets are equal.
+/// A set up to the order and scale of its rows. A flat set, or a set with lines, has many equivalent matrices. This
+/// has one form: `linear` in reduced echelon form, the other rows reduced by it, so that equal sets are equal.
 #[derive(Debug, PartialEq, Eq)]
 struct Canonical {
     linear: BTreeSet<Vec<String>>,
@@ -209,7 +209,7 @@ fn ours(text: &str) -> Polyhedron {
     Polyhedron::intersect(file.system)
 }
 
-/// What a program made of a set.
+/// The answer of a program about a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Outcome {
     Same,
@@ -236,7 +236,7 @@ fn compare(program: &str, input: &str, output: &str, expected: &str, is_empty: b
     assert_eq!(found.is_v, expected_matrix.is_v, "{program}:\n{input}\n{output}");
     let difference = format!("{program}:\n{input}\n{output}\nours:\n{expected}");
     assert_eq!(found.canonical(), expected_matrix.canonical(), "{difference}");
-    // What the program wrote, we read as the same set.
+    // The output of the program reads as the same set.
     let again = ours(output);
     let same = [h_representation, v_representation].map(|write| read(&write(&again)).unwrap().canonical());
     let set = ours(expected);

@@ -10,13 +10,13 @@ use boundfit_tests::proofs::{Question, bounded, generated, mutated, questions, s
 use rand::RngExt;
 use serde_json::Value;
 
-/// Which of the changes are tried: every so manyth. With 1 it takes minutes.
+/// The step between the changes that are tried. With 1 it takes minutes.
 const EVERY: usize = 4;
 
-/// How many mutated proofs are tried; `PROOF_CASES` sets another number.
+/// The number of mutated proofs; `PROOF_CASES` sets another number.
 const MUTATED: usize = 6_000;
 
-/// How many proofs one Python process is given.
+/// The number of proofs for one Python process.
 const AT_A_TIME: usize = 5_000;
 
 /// Asks the checker about proofs and data, each after its length, in one process, and prints the statuses.

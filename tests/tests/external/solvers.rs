@@ -97,7 +97,7 @@ fn judged(options: &str, reading: &str, way: (&str, &str, &[&str]), folder: &Pat
     claims[0]["bounds"].as_array().expect("bounds are a list").clone()
 }
 
-/// Whether a bound is the exact one, rounded to what GLPK prints.
+/// Returns whether a bound is the exact one, rounded to the digits that GLPK prints.
 fn is_printed_exactly(bound: &Value) -> bool {
     let exact = |key: &str| bound[key]["exact"].as_str().map(number);
     match (exact("exact"), exact("claimed")) {

@@ -18,7 +18,7 @@ fn words(list: &Value) -> Vec<String> {
     list.as_array().unwrap().iter().map(|words| words.as_str().unwrap().to_owned()).collect()
 }
 
-/// What is asked of a table beside its columns.
+/// Returns the options for a table beside its columns.
 fn options(case: &Value) -> TableOptions {
     let text = |key: &str| case.get(key).map(|value| value.as_str().unwrap());
     let dialect = AskedDialect {
@@ -46,7 +46,7 @@ fn options(case: &Value) -> TableOptions {
     }
 }
 
-/// What is wrong with how a table was read, if anything is.
+/// Returns the fault in the reading of a table, if there is one.
 fn fault(case: &Value) -> Option<String> {
     let text = |key: &str| case[key].as_str().unwrap();
     let path = root().join("fixtures/foreign").join(text("file"));

@@ -1,4 +1,4 @@
-//! What a table is taken for: header, names, blocks. No guess goes unsaid.
+//! The detected format of a table: header, names, blocks. No guess goes unsaid.
 
 use boundfit_formats::{
     AskedBlock, ColumnSelector, Header, Missing, MissingWords, ScanOptions, Source, TableNotes, TableOptions,
@@ -210,8 +210,8 @@ fn marks_of_spreadsheets_are_understood_or_explained() {
     );
 }
 
-/// Quoted commas in a table that commas divide, between rows of integers: the first one that cannot group digits tells what they
-/// are, wherever chunks end, and whatever stands in columns that are not asked for.
+/// Reads quoted commas in a table that commas divide, between rows of integers. The first comma that cannot group
+/// digits decides their meaning. Neither the ends of chunks nor columns outside the question matter.
 #[test]
 fn quoted_decimal_commas_are_told_from_grouped_digits() {
     let text = |head: &str, cells: &str| {
@@ -337,8 +337,8 @@ fn edit(lines: &mut Vec<String>, delimiter: &str, rng: &mut ChaCha8Rng) {
     }
 }
 
-/// Of 5,000 tables with one to three changes none is read with other numbers than those of the plain one, unless a report says
-/// what it was taken for.
+/// Changes 5,000 tables in one to three places: none is read with other numbers than the plain table, unless a report
+/// mentions the format.
 #[test]
 fn no_edit_gives_another_answer_without_a_word() {
     let mut rng = seeded(0x6e55);

@@ -133,7 +133,7 @@ fn transducer(file: &str, options: &[&str]) -> Value {
     let mut report: Value = serde_json::from_str(&run.stdout).unwrap();
     report["input"]["sha256"] = Value::Null;
     report["input"]["file"] = Value::Null;
-    // What a text was taken for.
+    // The format in which a text was read.
     report["input"]["table"] = Value::Null;
     report
 }
@@ -297,7 +297,7 @@ fn a_member_of_a_struct_is_a_column() {
 #[test]
 fn rows_are_picked_by_lists_and_comparisons() {
     let x: Vec<f64> = (0..60).map(|k| f64::from(k * 7 % 23)).collect();
-    // What is not picked need not be finite.
+    // Columns that no selector picks may hold infinite numbers.
     let y: Vec<f64> =
         x.iter().enumerate().map(|(k, &x)| if x < 5.0 { f64::NAN } else { k as f64 / 8.0 }).collect();
     let bytes = file(&[doubles("x", 60, 1, &x), doubles("y", 60, 1, &y)], false, true);
@@ -332,7 +332,7 @@ fn rows_are_picked_by_lists_and_comparisons() {
         message,
         "row 1, column 2 (y): \"NaN\": the value is missing, and in 12 rows more (expected a number in every row)"
     );
-    // What is not a number says nothing about a comparison: the row is left out, unless another comparison does not hold.
+    // A cell that is no number decides no comparison: the row is left out, unless another comparison does not hold.
     let skip = |conditions: &[&str]| TableOptions {
         conditions: conditions.iter().map(|text| any_condition(text)).collect(),
         missing: Missing::Skip,

@@ -91,7 +91,7 @@ fn a_file_on_its_own_assumes_nothing_over_the_rational_numbers() {
     let (rational, real) = output.split_once("Axioms:\n").unwrap();
     assert_eq!(rational, "Closed under the global context\n");
     let axioms: Vec<&str> = real.lines().filter(|line| !line.starts_with(' ')).collect();
-    // Of Coq's own real numbers.
+    // The axioms of Coq's own real numbers.
     assert_eq!(
         axioms,
         ["ClassicalDedekindReals.sig_forall_dec", "FunctionalExtensionality.functional_extensionality_dep"]

@@ -23,7 +23,7 @@ pub fn theory() -> &'static Path {
     directory.path()
 }
 
-/// What a program prints in a directory, or its complaint.
+/// Returns the output of a program in a directory, or its complaint.
 pub fn run(directory: &Path, program: &str, arguments: &[&str]) -> Result<String, String> {
     let output = Command::new(program).args(arguments).current_dir(directory).output();
     let output = output.unwrap_or_else(|error| panic!("{program}: {error} (Debian's package is coq)"));
@@ -31,7 +31,7 @@ pub fn run(directory: &Path, program: &str, arguments: &[&str]) -> Result<String
     if output.status.success() { Ok(text) } else { Err(text + &String::from_utf8_lossy(&output.stderr)) }
 }
 
-/// What `coqc` prints of a file that may require the theory.
+/// Returns the output of `coqc` for a file that may require the theory.
 pub fn compiled(name: &str, text: &str) -> Result<String, String> {
     fs::write(theory().join(format!("{name}.v")), text).unwrap();
     run(theory(), "coqc", &["-q", "-R", ".", "Boundfit", &format!("{name}.v")])

@@ -13,7 +13,7 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::coq::compiled;
 
-/// What a file states about half-planes.
+/// The statement of a file about half-planes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Statement {
     rows: Vec<Vec<String>>,
@@ -22,7 +22,7 @@ struct Statement {
     /// `Polygon`, `Segment`, ...; `None` of an empty set.
     kind: Option<String>,
     numbers: Vec<String>,
-    /// Whether the numbers are a list.
+    /// `true` if the numbers are a list.
     is_list: bool,
     /// `lowest`, `fst` and the bound, if there is one.
     ends: Vec<(String, String, Option<String>)>,
@@ -104,7 +104,7 @@ impl Statement {
         text + ")%bool.\n"
     }
 
-    /// Whether it is true, by the oracle.
+    /// Returns whether the statement is true, by the oracle.
     fn is_true(&self) -> bool {
         let Some(rows) = integers(&self.rows, 3) else { return false };
         let rows: Vec<Row> = rows.iter().map(|own| [own[0], own[1], own[2]]).collect();
@@ -151,7 +151,7 @@ impl Statement {
     }
 }
 
-/// Whether an end is that of a set of these points and rays.
+/// Returns whether an end is that of a set of these points and rays.
 fn is_end(
     (which, form, bound): &(String, String, Option<String>),
     points: &[[i128; 3]],
@@ -262,7 +262,7 @@ fn no_forgery_is_accepted_that_is_false() {
         let truth = Statement::of(&text);
         assert!(truth.is_true(), "{text}");
         cases.push((truth.clone(), true));
-        // What is changed nowhere is no forgery.
+        // A text without any change is no forgery.
         let forgeries = std::iter::repeat_with(|| forged(&mut rng, &truth)).filter(|own| *own != truth);
         cases.extend(forgeries.take(20).map(|own| (own, false)));
     }

@@ -15,7 +15,7 @@ use crate::document::{Lesson, count, fixtures, generated, items, steam_generator
 use boundfit_tests::cli::numbers::{exact, pair, rational};
 use boundfit_tests::cli::schema::check_schema;
 
-/// What schema `boundfit/lesson/2` promises; the fit has a schema of its own.
+/// The keys that schema `boundfit/lesson/2` promises; the fit has a schema of its own.
 const LESSON: &str = r#"{
   "schema": "text", "title": "text", "is_default_title": "flag", "file": "text", "units": {"x?": "text", "y?": "text", "theta1?": "text", "theta2?": "text"},
   "model": {"kind": "text", "y": "text"},

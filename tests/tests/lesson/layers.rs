@@ -1,4 +1,4 @@
-//! What linear programs make of the data.
+//! The results of linear programs for the data.
 
 use boundfit_check::{CheckOptions, check, source_names};
 use boundfit_exact::{Rational, Reading};

@@ -8,7 +8,7 @@ use crate::document::{Lesson, count, fixtures, generated, items};
 
 /// More ways than this are not offered.
 const MOST: usize = 12;
-/// With more readings than this, there are too many sets of them to try.
+/// The number of readings above which there are too many sets of them to try.
 const MOST_READINGS: usize = 9;
 
 /// The smallest sets of rows without which something is left, by trying all, in lexicographic order; none where nothing helps.

@@ -16,7 +16,7 @@ fn lesson_line(fit: &str) -> String {
     fit.replacen("fit ", "lesson ", 1)
 }
 
-/// What stands in the page between two marks, the first of which occurs once.
+/// Returns the text of the page between two marks, the first of which occurs once.
 fn between<'a>(page: &'a str, before: &str, after: &str) -> &'a str {
     let (_, rest) = page.split_once(before).unwrap_or_else(|| panic!("no {before}"));
     assert!(!rest.contains(before), "{before} twice");

@@ -13,7 +13,7 @@ use serde_json::Value;
 
 use crate::document::{count, items};
 
-/// What schema `boundfit/polytope/1` promises.
+/// The keys that schema `boundfit/polytope/1` promises.
 const POLYTOPE: &str = r#"{
   "schema": "text",
   "errors": [{"line": "count", "column": "count", "kind": "text", "message": "text"}],
@@ -70,7 +70,7 @@ fn inside(rows: &[Row], theta: &Pair) -> bool {
     rows.iter().all(|row| !slack(row, theta).is_negative())
 }
 
-/// What multiples of rows add up to: a form and a right-hand side. Each multiple is positive.
+/// Returns the sum of multiples of rows: a form and a right-hand side. Each multiple is positive.
 fn sum(rows: &[Row], terms: &Value) -> (Pair, Number) {
     let mut total = ([whole(0), whole(0)], whole(0));
     for term in items(terms) {
@@ -281,7 +281,7 @@ fn check_redundant(rows: &[Row], truth: &Answer, answer: &Value, tally: &mut Tal
     }
 }
 
-/// Whether there is a greatest value, and which.
+/// Checks the objective: the existence of a greatest value, and the value.
 fn check_objective(
     rows: &[Row],
     truth: &Answer,
@@ -380,7 +380,7 @@ fn check_ways(rows: &[Row], form: &Pair, value: &Number, ways: &Value, tally: &m
     });
 }
 
-/// Whether positive multiples of two or three rows with normals add up to `0 ≤ 0`.
+/// Returns whether positive multiples of two or three rows with normals add up to `0 ≤ 0`.
 fn adds_up_to_nothing(rows: &[Row]) -> bool {
     let det = |f: &Row, g: &Row| f[0] * g[1] - f[1] * g[0];
     let rows: Vec<&Row> = rows.iter().filter(|row| row[..2] != [0, 0]).collect();

@@ -46,7 +46,7 @@ fn check_text(text: &str, end: char) {
     for wrong in ["  ", "{", "}", "..", " ,", "one readings", " 1 readings", "of the 1 ", "None.", "()"] {
         assert!(!text.contains(wrong), "{wrong:?} in {text}");
     }
-    // What follows a full stop begins with a capital letter, a number, a symbol or the name of a solver.
+    // The text after a full stop begins with a capital letter, a number, a symbol or the name of a solver.
     for rest in text.split(". ").skip(1) {
         let is_solver = ["microlp", "clarabel", "highs"].iter().any(|name| rest.starts_with(name));
         assert!(is_solver || !rest.starts_with(|letter: char| letter.is_ascii_lowercase()), "{text}");

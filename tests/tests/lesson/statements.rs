@@ -1,4 +1,5 @@
-//! What answers claim, recomputed from the text: reasons for what changes nothing, emptiness by conditions, optimisers.
+//! The claims of answers, recomputed from the text: reasons for rows that change nothing, emptiness by conditions,
+//! optimisers.
 
 use std::collections::BTreeSet;
 

@@ -62,7 +62,7 @@ fn recedes(model: &Model, ray: &[Rational]) -> bool {
     })
 }
 
-/// What prices prove of the objective, by the conventions that `Prices` documents.
+/// Returns the bound on the objective that prices prove, by the conventions that `Prices` documents.
 fn bound_of(model: &Model, prices: &Prices) -> Rational {
     let all: Vec<Rational> = prices.rows.iter().chain(&prices.columns).cloned().collect();
     let limits = limits(model);
@@ -217,9 +217,9 @@ fn check(model: &Model) -> &'static str {
     status
 }
 
-/// Writes the model in both formats, reads it back, and answers that: rows may have been scaled or split, but the points are
-/// the same. Tells how many of the two could be compared: bounds of columns that have no decimals become rows, after which
-/// more columns may be left, and an objective of that kind is scaled.
+/// Writes the model in both formats, reads it back, and answers that: rows may have been scaled or split, but the
+/// points are the same. Returns how many of the two could be compared. Bounds of columns that have no decimals become
+/// rows, after which more columns may be left, and an objective of that kind is scaled.
 fn check_in_files(model: &Model) -> usize {
     let answer = Answer::of(model).unwrap();
     let compared = ExchangeFormat::ALL.into_iter().filter(|&format| {
@@ -347,7 +347,7 @@ fn assert_same_face(face: &Face, expected: &Value) {
         };
         value.as_array().into_iter().flatten().map(vector).collect()
     };
-    // Of a line either direction will do.
+    // A line has two directions, and either will do.
     let turned = |lines: Vec<Vec<Rational>>| -> Vec<Vec<Rational>> {
         let turn = |line: Vec<Rational>| {
             let first = line.iter().find(|entry| !entry.is_zero()).expect("a direction");

@@ -96,7 +96,7 @@ fn tampered(outcome: &ExactOutcome, rows: &[Row]) -> Vec<(&'static str, ExactOut
         let steps = (row.slack(theta) + ten_to(-30)).checked_div(&square)?;
         Some([0, 1].map(|i| &theta[i] + &row.a[i] * &steps))
     };
-    // Whether a multiplier counts: 0 ≤ 0 adds nothing.
+    // A multiplier counts unless its row is 0 ≤ 0, which adds nothing.
     let counts = |m: &Multiplier| rows[m.row].a.iter().any(|a| !a.is_zero()) || !rows[m.row].b.is_zero();
     let mut with = |multipliers: &[Multiplier],
                     most: usize,

@@ -1,4 +1,5 @@
-//! What is printed as an estimate with its error bound encloses the exact interval, with any number of digits, in every format.
+//! The enclosure of the exact interval by a printed estimate with its error bound, for any number of digits, in every
+//! format.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -131,7 +131,7 @@ impl Field {
 )]
 impl Shape {
     /// # Panics
-    /// Where a schema has what no type of an answer has yet.
+    /// If a schema has a part that no type of an answer has yet.
     fn of(schema: &Value) -> Self {
         let Some(schema) = schema.as_object() else { panic!("not the schema of a value: {schema}") };
         if let Some(Value::String(reference)) = schema.get("$ref") {

@@ -14,7 +14,7 @@ pub(super) enum Kind {
 pub(super) struct Paragraph {
     /// The line of the file that it begins in.
     pub(super) line: usize,
-    /// Where it stands.
+    /// The place of the paragraph.
     pub(super) kind: Kind,
     /// The words of the paragraph in one line; a piece of code is the one word `` `x` ``.
     pub(super) text: String,

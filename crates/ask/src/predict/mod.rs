@@ -1,4 +1,4 @@
-//! Where the line runs, where further readings lie, and where readings may come from.
+//! The values of the line, the places of further readings, and the places that readings may come from.
 
 mod values;
 
@@ -24,20 +24,21 @@ use values::{ValueKey, Values};
 /// Values that a proof may be about.
 const MOST_PROVED: usize = 1_000;
 
-/// Where the line runs at an x, where a further reading lies there, and which x a reading may come from.
+/// The question for the line at an x, for the place of a further reading there, and for the x that a reading may come
+/// from.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Predict {
-    /// At which x: each text is numbers, `3.7,9/2`, or a column of a table, `FILE:COL`; of two regressors pairs, `1;2,3;4`, or
-    /// `FILE:COL;COL2`.
+    /// The x in question: each text is numbers, `3.7,9/2`, or a column of a table, `FILE:COL`. Two regressors have
+    /// pairs, `1;2,3;4`, or `FILE:COL;COL2`.
     pub at: Vec<String>,
-    /// Of which readings it is asked what x they may come from, as in `at`.
+    /// The readings whose possible x are asked for, as in `at`.
     pub from: Vec<String>,
     /// Values of x in equal steps, `FROM..TO/N`, before those of `at`.
     pub grid: Option<String>,
     /// The error bound of a further reading, where it is not that of the fitted ones: a number, or a law.
     pub new_eps: Option<String>,
-    /// Whether reports show the readings that prove each end.
+    /// `true` shows in reports the readings that prove each end.
     pub proofs: bool,
 }
 
@@ -51,7 +52,7 @@ pub struct Predicted {
 }
 
 impl Predict {
-    /// What is stated of the error of a further reading.
+    /// Returns the law that is stated for the error of a further reading.
     fn law(&self, limits: &Limits, is_line: bool) -> Result<Option<Law>, Refusal> {
         let Some(text) = &self.new_eps else { return Ok(None) };
         let refuse = |problem| Refusal::Value { key: "new_eps", text: text.clone(), problem };

@@ -15,7 +15,7 @@ const MOST_STEPS: usize = 100_000;
 #[derive(Default)]
 pub(super) struct Values {
     parts: Vec<Part>,
-    /// What stands beside a single number.
+    /// The second number of a value with a single number.
     second: Rational,
 }
 
@@ -35,9 +35,9 @@ enum Part {
 #[derive(Clone, Copy)]
 pub(super) struct ValueKey {
     pub(super) key: &'static str,
-    /// How many numbers make a value.
+    /// The number of numbers in a value.
     pub(super) numbers: usize,
-    /// What stands beside a single number.
+    /// The second number of a value with a single number.
     pub(super) second: i64,
 }
 
@@ -150,7 +150,7 @@ impl Values {
         }
     }
 
-    /// What arithmetic on them takes, beside numbers of so many bits.
+    /// Returns the work of arithmetic on the values, beside numbers of so many bits.
     pub(super) fn work(&self, bits: u64) -> Work {
         let mut work = Work::default();
         for part in &self.parts {

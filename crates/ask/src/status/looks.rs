@@ -18,7 +18,7 @@ const ROWS_AT_ONCE: usize = 4096;
 
 /// A problem whose readings can be looked at once more.
 pub struct Judgeable {
-    /// What was read in the first look.
+    /// The problem that the first look read.
     pub problem: Problem,
     columns: Columns,
     options: ScanOptions,
@@ -39,7 +39,7 @@ impl Judgeable {
         Judgeable { problem, columns, options, name, again, tables: asked.tables.clone() }
     }
 
-    /// Where further tables are found.
+    /// Returns the place of further tables.
     pub(super) fn tables(&self) -> Result<&dyn Tables, Refusal> {
         self.tables.as_deref().ok_or(Refusal::Misuse(Misuse::NoTables))
     }

@@ -1,4 +1,4 @@
-//! What every reading and the set of all, and that of the others, say of each other.
+//! The standing of every reading against the set of all readings, and against the set of the others.
 
 mod looks;
 
@@ -30,9 +30,9 @@ const MOST_PROVED: usize = 1_000;
 pub struct Status {
     /// A table of further readings, in the same columns, which are judged by the set as it is.
     pub new: Option<String>,
-    /// Whether to find the least total widening of the bounds under which something meets all of them.
+    /// `true` finds the least total widening of the bounds under which some parameters meet all of them.
     pub repair: bool,
-    /// Whether reports list every reading.
+    /// `true` lists every reading in reports.
     pub all: bool,
 }
 

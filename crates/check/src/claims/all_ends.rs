@@ -42,8 +42,8 @@ fn number(text: &str, limits: &Limits) -> Result<Printed, ClaimError> {
     Ok(Printed::typed(text, value))
 }
 
-/// Reads a claims file in JSON. `name` stands in for a missing source. A missing or null end of an optimal answer is claimed
-/// unbounded; without `pui` the ends are read off the points, which come in the order of the four programs: minimum and
+/// Reads a claims file in JSON. `name` stands in for a missing source. A missing or null end of an optimal answer is
+/// claimed unbounded. Without `pui` the ends come from the points, in the order of the four programs: minimum and
 /// maximum of θ1, then of θ2. Ends beside another status are not looked at; points are measured.
 ///
 /// # Errors

@@ -24,13 +24,13 @@ use solution::parse_solution;
 pub struct ClaimText {
     /// The file, as it was named.
     pub file: Foreign,
-    /// What it says.
+    /// The text of the claim.
     pub text: String,
 }
 
-/// Reads claims files. Their content tells the format. JSON is an answer by itself; a solution file answers the program
-/// that its name says (`theta1-min` and so on, the last one in it) or that it is about, and those whose paths differ in
-/// nothing else form one answer, in which nothing is claimed about ends without a file. Numbers are exact as printed.
+/// Reads claims files. Their content tells the format. A JSON file is a whole answer. A solution file answers the
+/// last program in its name (`theta1-min` and so on), or the program that it states. Files whose paths differ in
+/// nothing else form one answer, which claims nothing about ends without a file. Numbers are exact as printed.
 ///
 /// # Errors
 /// The first file with something wrong, and what that is.

@@ -9,7 +9,7 @@ use boundfit_lp::{BoundClaim, Claimed, Printed, PuiEnd};
 /// Reads a solver's own file about θ1 and θ2.
 ///
 /// # Errors
-/// What is wrong with it, or that it is about other columns.
+/// An error for a faulty text, or for a file about other columns.
 pub(super) fn parse_solution(text: &str, limits: &Limits) -> Result<SolutionFile, SolutionError> {
     let file = read_solution(text, limits)?;
     match &file.announced {

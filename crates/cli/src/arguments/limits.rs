@@ -1,4 +1,4 @@
-//! What an input may ask for at most, so that a hostile one costs neither memory nor time: one option, which names the limit.
+//! The limits on inputs, so that a hostile input costs neither memory nor time: one option, which names the limit.
 
 use std::ops::RangeInclusive;
 use std::sync::{Arc, OnceLock};
@@ -113,12 +113,12 @@ fn about(limit: Limit) -> (String, &'static str) {
     (text, what)
 }
 
-/// Whether it is counted in bytes.
+/// Returns whether the limit is counted in bytes.
 fn is_size(limit: Limit) -> bool {
     matches!(limit, Limit::Line | Limit::Unpacked | Limit::Workbook | Limit::Text | Limit::Memory)
 }
 
-/// What can be asked for.
+/// Returns the values that a user may ask for.
 fn range(limit: Limit) -> RangeInclusive<u64> {
     const LONG: u64 = 1_000_000;
     match limit {
@@ -165,12 +165,12 @@ fn parse(text: &str, own: &[Limit]) -> Result<AskedLimit, String> {
 }
 
 impl LimitArguments {
-    /// What is asked for; of several the last.
+    /// Returns the value that was asked for; the last one if there are several.
     pub(crate) fn asked(&self, limit: Limit) -> Option<u64> {
         self.limit.iter().rev().find(|asked| asked.limit == limit).map(|asked| asked.most)
     }
 
-    /// Of one number.
+    /// Returns the limits on one number.
     pub(crate) fn number(&self) -> Limits {
         let usual = Limits::default();
         Limits {
@@ -182,7 +182,7 @@ impl LimitArguments {
         }
     }
 
-    /// Of a file.
+    /// Returns the limits on a file.
     pub(crate) fn sizes(&self) -> SizeLimits {
         let usual = SizeLimits::default();
         let count = |limit, usual| self.asked(limit).map_or(usual, size);
@@ -205,18 +205,18 @@ impl LimitArguments {
         }
     }
 
-    /// Of what is said about an answer: a proof, a claim, a solution.
+    /// Returns the limit on a statement about an answer: a proof, a claim, a solution.
     pub(crate) fn statement(&self) -> u64 {
         const USUAL: u64 = 1 << 28;
         self.asked(Limit::Text).unwrap_or(USUAL)
     }
 
-    /// Of a lesson.
+    /// Returns the limit on the readings of a lesson.
     pub(crate) fn readings(&self) -> usize {
         self.asked(Limit::Readings).map_or(boundfit_lesson::MOST_ROWS, size)
     }
 
-    /// Of outliers.
+    /// Returns the limits on outliers.
     pub(crate) fn outliers(&self) -> OutlierLimits {
         let usual = OutlierLimits::default();
         OutlierLimits {

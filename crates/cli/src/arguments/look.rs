@@ -1,4 +1,4 @@
-//! How a figure looks: its size, axes and colours.
+//! The look of a figure: its size, axes and colours.
 
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use boundfit_figures::{Encoding, PictureFormat, PlotOptions};
@@ -65,12 +65,12 @@ impl PictureArguments {
         self.look.check_format(format)
     }
 
-    /// How to draw.
+    /// Returns the options for drawing.
     pub(crate) fn options(&self) -> PlotOptions {
         self.look.options(self.title.clone())
     }
 
-    /// How to encode what is drawn.
+    /// Returns the encoding of the drawing.
     pub(crate) fn encoding(&self) -> Encoding {
         self.look.encoding()
     }
@@ -122,7 +122,7 @@ impl LookArguments {
         given.into_iter().find(|(_, is_given)| *is_given).map(|(option, _)| option)
     }
 
-    /// How to draw, under this title.
+    /// Returns the options for drawing, under this title.
     pub(crate) fn options(&self, title: Option<Foreign>) -> PlotOptions {
         PlotOptions {
             title,
@@ -137,7 +137,7 @@ impl LookArguments {
         }
     }
 
-    /// How to encode what is drawn.
+    /// Returns the encoding of the drawing.
     pub(crate) fn encoding(&self) -> Encoding {
         let plain = Encoding::default();
         Encoding { real_text: self.real_text, dpi: self.dpi.unwrap_or(plain.dpi) }

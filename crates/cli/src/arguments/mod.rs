@@ -120,7 +120,7 @@ const MAN_NOTES: Notes = Notes {
     statuses: &[],
 };
 
-/// What the help of a command ends with.
+/// Returns the end of the help of a command.
 pub(crate) fn notes(command: &str) -> Option<&'static Notes> {
     Some(match command {
         "fit" => &fit::NOTES,

@@ -52,7 +52,7 @@ pub(crate) struct NextArguments {
 }
 
 impl NextArguments {
-    /// What is asked.
+    /// Returns the question.
     pub(crate) fn question(&self) -> Result<Next, Failure> {
         let exact = |text: &str| Given::Exact { exact: text.trim().to_owned() };
         let within = self.within.as_deref().map(|text| {

@@ -1,4 +1,4 @@
-//! What stands below the options in a command's help, and at the end of its manual page: examples and exit statuses.
+//! The text below the options in a command's help, and at the end of its manual page: examples and exit statuses.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -10,9 +10,9 @@ pub(super) const BAD_USAGE: (u8, &str) = (2, "bad usage");
 
 /// Examples and exit statuses of a command.
 pub(crate) struct Notes {
-    /// What each example does, and the lines that a shell takes.
+    /// The purpose of each example, and the lines that a shell takes.
     pub(crate) examples: &'static [(&'static str, &'static str)],
-    /// What each exit status means. A command without a list has the usual ones.
+    /// The meaning of each exit status. A command without a list has the usual ones.
     pub(crate) statuses: &'static [(u8, &'static str)],
 }
 

@@ -58,7 +58,7 @@ pub(crate) struct OutliersArguments {
 }
 
 impl OutliersArguments {
-    /// What is asked.
+    /// Returns the question.
     pub(crate) fn question(&self) -> Outliers {
         let OutlierLimits { sets, steps } = self.data.table.limits.outliers();
         Outliers { most: self.most.map(|most| most as usize), max_sets: Some(sets), max_steps: Some(steps) }

@@ -133,7 +133,7 @@ impl PlotArguments {
 /// The value of `--figure` that asks for each figure of a fit.
 const ALL: &str = "all";
 
-/// Which figures are drawn.
+/// The figures that are drawn.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Figures {
     One(Figure),

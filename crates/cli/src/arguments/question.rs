@@ -13,7 +13,7 @@ use super::VerifyArguments;
 use super::values::Regressors;
 use crate::exit::Failure;
 
-/// What is asked for; what is `None` is not compared.
+/// The question; a part that is `None` is not compared.
 pub(crate) struct Question {
     x: Option<Regressors>,
     y: Option<ColumnSelector>,
@@ -79,7 +79,7 @@ fn refuse(what: &str, instead: &str) -> Failure {
 }
 
 impl Question {
-    /// How the question that a proof answers differs from this one, a sentence for each difference.
+    /// Returns the differences between the question that a proof answers and this one, a sentence for each.
     pub(crate) fn differences(&self, statement: &Statement) -> Vec<String> {
         let about = &statement.about;
         let mut differences = Vec::new();
@@ -201,7 +201,7 @@ fn normal((numbers, is_equation): &Terms) -> Terms {
     (numbers.each_ref().map(|number| scaled(number).unwrap_or_default()), *is_equation)
 }
 
-/// Whether just these of so many rows are named.
+/// Returns whether exactly these of so many rows are named.
 fn have_rows(about: &About, rows: &RowSet, total: u64) -> bool {
     let mut asked = (1..=total).filter(|row| usize::try_from(*row).is_ok_and(|row| rows.contains(row)));
     let range = |pair: &[u64]| match *pair {
@@ -225,12 +225,12 @@ fn asked_rows(rows: &RowSet, total: u64) -> String {
 struct Columns<'a>(&'a Statement);
 
 impl Columns<'_> {
-    /// Whether a column is taken once, and is the one that is asked for.
+    /// Returns whether a column is taken once, and is the one that was asked for.
     fn is(&self, (column, times): &(u64, Rational), asked: &ColumnSelector) -> bool {
         *times == Rational::one() && self.is_column(*column, asked)
     }
 
-    /// By its name, with its unit or without, else by its number.
+    /// Compares a column by its name, with its unit or without, else by its number.
     fn is_column(&self, column: u64, asked: &ColumnSelector) -> bool {
         let wanted = asked.text().raw();
         let name = self.0.names.get(&column).map(Foreign::raw);
@@ -260,7 +260,7 @@ impl Columns<'_> {
         column.text().to_string()
     }
 
-    /// What kind of bound a proof is about, and which.
+    /// Returns the kind of bound that a proof is about, and the bound.
     fn bound(&self, about: &About) -> (String, String) {
         let side =
             |side: Option<u64>| side.map_or_else(|| "nothing".to_owned(), |column| self.column(column));
@@ -313,10 +313,10 @@ fn given(number: &Rational) -> String {
     number.exact_decimal(17).map_or_else(|| number.to_string(), |decimal| decimal.to_string())
 }
 
-/// How many times each quantity of a column is taken.
+/// The multiples of each quantity of a column.
 type Sum = BTreeMap<(&'static str, u64), Rational>;
 
-/// Above and below y.
+/// Returns the law above and below y.
 fn stated_law(about: &About) -> [Sum; 2] {
     let (column, times) = &about.model[3];
     let law = about.law.clone().unwrap_or_default();

@@ -57,7 +57,7 @@ pub(crate) struct RangeArguments {
 }
 
 impl RangeArguments {
-    /// What is asked.
+    /// Returns the question.
     pub(crate) fn question(&self) -> Range {
         let by = match (self.by_x, self.by_row) {
             (true, _) => Some("x".to_owned()),

@@ -1,4 +1,4 @@
-//! From options to what the libraries take.
+//! The way from options to the arguments of the libraries.
 
 use boundfit_ask::{Asked, FitXErrors, Misuse, Shows};
 use boundfit_estimation::{
@@ -36,7 +36,7 @@ impl DataArguments {
         &self.data
     }
 
-    /// How this file is read in parts.
+    /// Returns the options for reading this file in parts.
     pub(crate) fn scan_options(&self, source: &Source) -> Result<ScanOptions, Failure> {
         self.table.scan_options(source, Some(&self.rows))
     }
@@ -66,8 +66,8 @@ impl DataArguments {
     }
 }
 
-/// The data of a command. The file is opened before the options are understood, since it tells how numbers are read in
-/// both; that it cannot be opened is said when it is to be read, after what is wrong with the options.
+/// The data of a command. The file is opened before the options are read, since it tells how numbers are read in
+/// both. A file that cannot be opened is reported when it is read, after the faults of the options.
 pub(crate) struct Data<'a> {
     arguments: &'a DataArguments,
     origin: Origin<'a>,
@@ -77,7 +77,7 @@ pub(crate) struct Data<'a> {
 }
 
 impl<'a> Data<'a> {
-    /// Where the readings come from, for reports.
+    /// Returns the source of the readings, for reports.
     pub(crate) fn origin(&self) -> Origin<'a> {
         self.origin
     }
@@ -107,12 +107,13 @@ impl<'a> Data<'a> {
         self.read(|table| TableOptions { keep_others: true, ..table })
     }
 
-    /// As [`Data::problem_with_others`], with the texts of the cells.
+    /// Reads as [`Data::problem_with_others`] does, with the texts of the cells.
     pub(crate) fn problem_with_cells(self) -> Result<Problem, Failure> {
         self.read(|table| TableOptions { keep_others: true, keep_cells: true, ..table })
     }
 
-    /// As [`Data::problem_with_others`], without the hash of the data: in less memory where no reading may be left out.
+    /// Reads as [`Data::problem_with_others`] does, without the hash of the data: in less memory if every reading is
+    /// needed.
     pub(crate) fn shown_problem(self) -> Result<Problem, Failure> {
         let arguments = self.arguments;
         self.asked()?;
@@ -134,7 +135,7 @@ impl<'a> Data<'a> {
         self.scanned(asked, keep, |options| ScanOptions { hash: false, list_rows: false, ..options })
     }
 
-    /// What is asked of which readings, and the file they stand in.
+    /// Returns the question with its readings, and the file that has them.
     pub(crate) fn asked_with(self, x_errors: Option<&XErrorArguments>) -> Result<(Asked, Source), Failure> {
         let question = self.asked()?;
         let limits = self.arguments.table.limits.number();
@@ -221,7 +222,7 @@ fn short_problem(
     problem.map_err(|error| Failure::of(&error.into(), data.file_name()))
 }
 
-/// Why readings cannot be had; of more than a lesson shows, what to do.
+/// Returns the reason why readings are not available; if a lesson has too many readings, also the remedy.
 fn refused_reading(error: InputError) -> Failure {
     match error.kind {
         InputErrorKind::TooManyWanted { limit } => Failure::data(format_args!(
@@ -234,7 +235,7 @@ fn refused_reading(error: InputError) -> Failure {
 }
 
 impl LineArguments {
-    /// Where x is counted from.
+    /// Returns the x from which x is counted.
     pub(super) fn form(
         &self,
         reading: Reading,
@@ -288,7 +289,7 @@ pub(super) struct AskedEpsilon {
 }
 
 impl EpsilonArguments {
-    /// What is asked for; `None` where nothing is said about it.
+    /// Returns the setting that was asked for; `None` if no option states it.
     pub(super) fn asked(
         &self,
         reading: Reading,
@@ -341,7 +342,7 @@ impl ReduceArguments {
     }
 }
 
-/// What `--eps` asks for.
+/// Returns the bound that `--eps` asks for.
 fn asked_bound(
     text: &str,
     reading: Reading,
@@ -364,7 +365,7 @@ fn asked_bound(
     }
 }
 
-/// What is wrong with a text; where that is a number in it, as it is said of numbers in every option.
+/// Returns the fault of a text; if the fault is in a number, in the words that every option uses for numbers.
 fn text_problem<K: TextProblem>(error: &ParseTextError<K>, number: Option<&ParseNumberErrorKind>) -> String {
     match (number.cloned(), error.kind.expected()) {
         (Some(kind), expected) => {
@@ -384,7 +385,7 @@ fn condition_problem(error: &ParseConditionError) -> String {
 }
 
 impl TableArguments {
-    /// How a table is read, and which of its rows; all of them when that is left out.
+    /// Returns the options for reading a table and its rows; by default all rows.
     pub(crate) fn options(
         &self,
         reading: Reading,
@@ -419,7 +420,7 @@ impl TableArguments {
         })
     }
 
-    /// How a table is read in parts, which may be many.
+    /// Returns the options for reading a table in parts, which may be many.
     pub(crate) fn scan_options(
         &self,
         source: &Source,

@@ -1,4 +1,4 @@
-//! Which data rows are used.
+//! The data rows that are used.
 
 use boundfit_exact::{Limit, Limits, Reading};
 use boundfit_formats::{ParseRowConditionError, RowCondition, RowRange, RowSet};
@@ -40,17 +40,17 @@ impl RowArguments {
         })
     }
 
-    /// Whether some rows are asked for or left out by number.
+    /// Returns whether some rows are included or excluded by number.
     pub(super) fn are_asked(&self) -> bool {
         self.rows.is_some() || self.without.is_some()
     }
 
-    /// Whether rows are asked for by what stands in them.
+    /// Returns whether rows are chosen by their cells.
     pub(super) fn depend_on_cells(&self) -> bool {
         !self.where_row.is_empty()
     }
 
-    /// What must hold for each of them.
+    /// Returns the conditions on each row.
     pub(super) fn conditions(&self, reading: Reading, limits: &Limits) -> Result<Vec<RowCondition>, Failure> {
         let condition = |text: &String| {
             RowCondition::parse(text, reading, limits)

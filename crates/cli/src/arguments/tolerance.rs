@@ -1,4 +1,4 @@
-//! How far an answer may be off before it is refuted.
+//! The deviation up to which an answer is not refuted.
 
 use boundfit_exact::{Limits, Rational, Reading};
 use clap::{Args, ValueEnum};

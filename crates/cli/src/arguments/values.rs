@@ -18,7 +18,7 @@ pub(crate) struct Regressors {
     pub(crate) second: Option<ColumnSelector>,
 }
 
-/// What separates the columns; nothing when the file tells.
+/// Returns the separators of columns; nothing when the file tells.
 pub(super) fn delimiters() -> impl Iterator<Item = (&'static str, Option<u8>)> {
     let named = DELIMITERS.into_iter().map(|(name, byte)| (name, Some(byte)));
     iter::once(("auto", None)).chain(named)
@@ -150,7 +150,8 @@ fn split_at_commas(text: &str) -> Vec<&str> {
     .collect()
 }
 
-/// What is wrong with a number: that it is none, with what was expected, or how the limit is raised that it passes.
+/// Returns the fault of a number: the expected form if it is no number, or the option that raises the limit that it
+/// passes.
 pub(crate) fn number_problem(error: &ParseNumberError, expected: &str) -> String {
     match Limit::of_number(&error.kind) {
         Some(limit) => format!("refused: {error}; {}", raises(limit)),

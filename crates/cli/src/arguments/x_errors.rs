@@ -25,7 +25,7 @@ pub(crate) struct XErrorArguments {
 }
 
 impl XErrorArguments {
-    /// Whether x has errors.
+    /// Returns whether x has errors.
     ///
     /// # Errors
     /// When strong agreement is asked for without them.

@@ -46,7 +46,7 @@ impl Tables for FilesBeside {
     fn open(&self, name: &str) -> Result<(Source, ScanOptions), Refusal> {
         let source = input::open(name)?;
         let options = self.0.scan_options(&source, None);
-        // What is wrong with these options was said before the data were read.
+        // The faults of these options were reported before the data were read.
         let options = options.map_err(|failure| Refusal::Readings(failure.message().to_owned()))?;
         Ok((source, options))
     }
@@ -56,7 +56,7 @@ impl Tables for FilesBeside {
     }
 }
 
-/// What is asked about, and where the answer goes.
+/// The data that a question is about, and the destination of the answer.
 pub(super) struct Job<'a> {
     pub(super) data: &'a dyn Given,
     pub(super) form: Form,
@@ -65,7 +65,7 @@ pub(super) struct Job<'a> {
     pub(super) proof: Option<&'a str>,
 }
 
-/// What a command adds to an answer, or writes beside it: bytes, and the file that they go to.
+/// The addition of a command to an answer: bytes, and the file that they go to.
 type Beside<'a> = Option<(Vec<u8>, &'a str)>;
 
 impl<'a> Job<'a> {
@@ -79,7 +79,7 @@ impl<'a> Job<'a> {
         Ok(Self { data, form, style: output.style(), output: output.file.output.as_deref(), proof })
     }
 
-    /// What is not to be written over, once it is known that the answer may be written where it is to go.
+    /// Returns the files that must not be written over, once the answer may be written to its file.
     pub(super) fn guard(&self, replace: &ReplaceArguments, beside: &[&str]) -> Result<Guard, Failure> {
         let guard = replace.guard([self.data.path()].into_iter().chain(beside.iter().copied()));
         guard.check(self.output)?;
@@ -93,7 +93,7 @@ impl<'a> Job<'a> {
         self.run_with(question, guard, |_, _, _| Ok(None))
     }
 
-    /// As [`Job::run`], with what only this program adds to an answer once it is found.
+    /// Runs as [`Job::run`] does, with the additions that only this program makes to an answer.
     pub(super) fn run_with<Q: Ask>(
         &self,
         question: &Q,
@@ -154,11 +154,11 @@ impl<'a> Job<'a> {
     }
 }
 
-/// An answer that is written as it is found. What follows the first part that nobody reads any more is not computed; that part
+/// An answer that is written as it is found. Parts after the first one that has no reader are not computed. That part
 /// counts as written, so that an answer of one part keeps its exit status.
 struct Stream {
     output: Output,
-    /// Why no more is written.
+    /// The reason why no more is written.
     stop: Option<Stop>,
 }
 

@@ -15,7 +15,7 @@ use crate::output::{self, Output};
 use crate::progress::while_working;
 use crate::work::{refuse_long_problem, times};
 
-/// Where programs go.
+/// The destination of programs.
 enum Destination<'a> {
     /// One program to a file, or to standard output.
     One(PuiEnd, Option<&'a str>),
@@ -72,7 +72,7 @@ fn told_format(arguments: &ConvertArguments) -> Result<ExchangeFormat, Failure> 
     })
 }
 
-/// What goes where.
+/// Returns the destination of each program.
 fn destination(arguments: &ConvertArguments) -> Result<Destination<'_>, Failure> {
     let file = arguments.output.as_deref().filter(|file| *file != "-");
     if let Some(objective) = arguments.objective {
@@ -95,7 +95,7 @@ fn destination(arguments: &ConvertArguments) -> Result<Destination<'_>, Failure>
     Ok(Destination::All(folder))
 }
 
-/// What the program asks for.
+/// Returns the aim of the program.
 fn heading(end: PuiEnd) -> String {
     let what = match end {
         PuiEnd::Theta1Min => "the smallest theta1",
@@ -106,7 +106,7 @@ fn heading(end: PuiEnd) -> String {
     format!("{}: {what}, that agrees with every reading", end.name())
 }
 
-/// Where the rows come from.
+/// Returns comments about the source of the rows.
 fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -> Vec<String> {
     let measurements = &problem.measurements;
     let y = measurements.response();

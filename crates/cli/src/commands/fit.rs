@@ -62,7 +62,7 @@ fn theorem(
 }
 
 impl FitArguments {
-    /// What is asked about, and where the answer goes.
+    /// Returns the data of the question, and the destination of the answer.
     pub(super) fn job(&self, form: Form) -> Job<'_> {
         Job {
             data: &self.data,

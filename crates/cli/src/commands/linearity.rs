@@ -91,7 +91,7 @@ fn check_look(arguments: &LinearityArguments, format: Option<PictureFormat>) -> 
     format.map_or(Ok(()), |format| arguments.look.check_format(format))
 }
 
-/// Where the picture goes and how it is encoded, if one is asked for.
+/// Returns the file and the encoding of the picture, if one is asked for.
 fn figure(arguments: &LinearityArguments) -> Result<Option<(&str, PictureFormat)>, Failure> {
     let Some(file) = arguments.figure.as_deref() else { return Ok(None) };
     let refuse = |problem: &str| Err(Failure::value("--figure <FILE>", file, problem));

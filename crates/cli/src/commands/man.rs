@@ -39,7 +39,7 @@ fn page(command: Command) -> io::Result<Vec<u8>> {
     let has_commands = command.has_subcommands();
     let synopsis = synopsis(command.clone());
     let source = format!("boundfit {}", env!("CARGO_PKG_VERSION"));
-    // Of an option that the short help leaves out, the library would print the name alone.
+    // For an option that the short help omits, the library would print the name alone.
     let command = command.mut_args(|argument| argument.hide_short_help(false));
     let manual = Man::new(command).source(source).manual("boundfit");
     let mut page = Vec::new();

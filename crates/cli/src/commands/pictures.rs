@@ -1,4 +1,4 @@
-//! What the commands that draw have in common: formats by the names of files.
+//! The code that the commands that draw share: formats by the names of files.
 
 use boundfit_figures::PictureFormat;
 

@@ -6,12 +6,12 @@ use boundfit_report::Theory;
 use crate::exit::Failure;
 use crate::output;
 
-/// Whether a proof is a theorem for Coq, which the ending of its file's name says.
+/// Returns whether a proof is a theorem for Coq, as the ending of its file's name tells.
 pub(super) fn is_theorem(proof: Option<&str>) -> bool {
     proof.is_some_and(|file| file.ends_with(".v"))
 }
 
-/// Where a theorem has its theory from; `None` when the proof is JSON.
+/// Returns the source of a theorem's theory; `None` when the proof is JSON.
 ///
 /// # Errors
 /// When the theory of another kind of proof is asked for.

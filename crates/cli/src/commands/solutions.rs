@@ -36,7 +36,7 @@ pub(super) fn judged(
     arguments.solutions.iter().map(one).collect()
 }
 
-/// Whether one of them is refuted.
+/// Returns whether one of them is refuted.
 pub(super) fn is_refuted(judged: &[JudgedSolution]) -> bool {
     judged.iter().any(|judged| Findings::is_refuted(&judged.findings))
 }

@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> CommandResult {
     let verdict = match verdict {
         Ok(statement) => Ok(statement),
         Err(Unverified::False(falsehood)) => Err(falsehood),
-        // What is refused says nothing of the proof.
+        // A refusal tells nothing about the proof.
         Err(other) => {
             let raised = match &other {
                 Unverified::Refused(refusal) => refusal.limit().map(|limit| format!("; {}", raises(limit))),
@@ -72,7 +72,7 @@ fn file_name(file: &str) -> Option<&str> {
 enum Data<'a> {
     /// A file, which can be opened again.
     File(&'a str),
-    /// What can be read but once is kept in a temporary file without a name.
+    /// Data that can be read only once, kept in a temporary file without a name.
     Once { source: &'a str, kept: Option<File> },
 }
 

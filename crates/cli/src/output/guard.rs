@@ -1,5 +1,5 @@
-//! What an answer may replace: nothing that is read, nothing that is read-only, and of all else only what this program wrote,
-//! unless more is asked for.
+//! The files that an answer may replace: no input, no read-only file, and without a further option only files that
+//! this program wrote.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read};
@@ -12,7 +12,8 @@ use same_file::Handle;
 use super::marks::{START, is_ours};
 use crate::exit::Failure;
 
-/// The files that this run has opened to read them. What a command forgets to tell its guard before it works is told here.
+/// The files that this run has opened to read them. The list covers a file that a command forgets to name to its
+/// guard.
 static OPENED: Mutex<Vec<String>> = Mutex::new(Vec::new());
 
 /// Remembers that a file is read, so that nothing is written over it.
@@ -105,7 +106,7 @@ impl Guard {
     }
 }
 
-/// Whether the system keeps this user from writing to a file.
+/// Returns whether the system keeps this user from writing to a file.
 fn is_denied(file: &str) -> bool {
     OpenOptions::new()
         .append(true)

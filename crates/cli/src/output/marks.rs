@@ -1,9 +1,9 @@
-//! How files that this program wrote are told from all others: by how they begin.
+//! The way to tell files that this program wrote from all others: by their beginning.
 
-/// How many bytes at the start of a file tell.
+/// The number of bytes at the start of a file that tell.
 pub(super) const START: u64 = 4096;
 
-/// What a format begins with, and what else is found in its first bytes.
+/// The beginning of each format, and the text that is found in its first bytes.
 const MARKS: &[(&str, &str)] = &[
     // Reports as text, Markdown and LaTeX.
     ("Set-membership fit\n", ""),
@@ -61,8 +61,8 @@ const MARKS: &[(&str, &str)] = &[
     (".ie \\n(.g", ".TH boundfit"),
 ];
 
-/// Whether a file that starts like this was written by this program. Well-known text and the files of cdd and lrs look the
-/// same whoever wrote them, and are not recognised.
+/// Returns whether this program wrote a file that starts like this. Well-known text and the files of cdd and lrs look
+/// the same whoever wrote them, and are not recognised.
 pub(super) fn is_ours(start: &[u8]) -> bool {
     if start.starts_with(b"\x89PNG\r\n\x1a\n") {
         return contains(start, b"tEXtSoftware\0boundfit");

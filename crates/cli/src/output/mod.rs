@@ -18,10 +18,10 @@ use crate::exit::Failure;
 pub(crate) use guard::{Guard, is_read};
 pub(crate) use text::written;
 
-/// Writes several answers, each to its own file that the guard lets be written, or to standard output without one or for `-`. All
-/// files are written whole and are on the disk before the first of them appears, and an interruption waits until the last one
-/// has: a new proof never stands beside an old report, unless the program is killed or the power fails between two renamings.
-/// What goes to standard output goes there last.
+/// Writes several answers, each to its own file that the guard lets be written, or to standard output without one or
+/// for `-`. All files are written whole and are on the disk before the first of them appears, and an interruption
+/// waits until the last one has. So a new proof never stands beside an old report, unless the program is killed or
+/// the power fails between two renamings. Standard output comes last.
 pub(crate) fn write_together(parts: &[(&[u8], Option<&str>)], guard: &mut Guard) -> Result<(), Failure> {
     let (mut files, mut streams) = (Vec::new(), Vec::new());
     for &(bytes, file) in parts {
@@ -90,7 +90,7 @@ where
         .map_err(|error| Failure::data(format_args!("{}: cannot create: {error}", Foreign::of(folder))))
         .and_then(|()| write_into(folder, files, guard));
     if written.is_err() {
-        // Those in which something is stay.
+        // Folders that hold files stay.
         made.iter().take_while(|path| fs::remove_dir(path).is_ok()).count();
     }
     written
@@ -136,17 +136,17 @@ pub(crate) fn end_without_unfinished(status: i32) -> ! {
     process::exit(status)
 }
 
-/// Why writing ends before everything is written.
+/// The reason why writing ends before everything is written.
 pub(crate) enum Stop {
     /// The reader of standard output has gone away; that is no error.
     Closed,
-    /// It cannot be written.
+    /// The output cannot be written.
     Failed(Failure),
 }
 
 /// An answer that is written in parts. A file appears whole when it is finished, or not at all.
 pub(crate) struct Output {
-    /// As messages call it.
+    /// The name of the file in messages.
     name: String,
     target: Target,
 }
@@ -156,7 +156,7 @@ enum Target {
     Standard,
     /// A device or a pipe, which may not be replaced.
     Device(fs::File),
-    /// Beside the file that it becomes.
+    /// A file beside the final one.
     Temporary {
         temporary: NamedTempFile,
         becomes: PathBuf,
@@ -260,8 +260,8 @@ impl Target {
             _ => PathBuf::from("."),
         };
         let mut unfinished = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
-        // Created here and not by the library, so that it gets what any new file gets, less the user's mask, and so that an
-        // error does not name it: its name says nothing to the user.
+        // The temporary file is created here and not by the library. So it gets the permissions of any new file, less
+        // the user's mask, and no error names the temporary file, whose name means nothing to the user.
         let temporary =
             Builder::new().prefix(".boundfit-").make_in(directory, |path| fs::File::create_new(path))?;
         unfinished.push(temporary.path().to_owned());
@@ -278,11 +278,11 @@ fn sync_folder_of(file: &Path) {
     let _ = fs::File::open(folder).and_then(|folder| folder.sync_all());
 }
 
-/// Here a folder cannot be opened like a file; the system keeps names in a journal.
+/// Does nothing: this system cannot open a folder like a file, and keeps names in a journal.
 #[cfg(not(unix))]
 fn sync_folder_of(_: &Path) {}
 
-/// Whether two names are those of one file, which need not exist yet.
+/// Returns whether two names mean one file, which need not exist yet.
 pub(crate) fn is_one_file(first: &str, second: &str) -> bool {
     let whole = |file: &str| {
         let resolved = resolved(Path::new(file));
@@ -299,7 +299,7 @@ pub(crate) fn is_one_file(first: &str, second: &str) -> bool {
 
 /// The file behind any links, which need not exist yet.
 fn resolved(file: &Path) -> PathBuf {
-    /// As many links as the kernel follows.
+    /// The number of links that the kernel follows.
     const MOST_LINKS: usize = 40;
     if let Ok(target) = fs::canonicalize(file) {
         return target;
@@ -325,7 +325,7 @@ mod tests {
         let files = vec![("c.txt".to_owned(), fails)];
         assert!(write_all(folder.to_str().unwrap(), &files, &guard).is_err());
         assert!(!directory.path().join("a").exists() && directory.path().exists());
-        // What was there before stays, and so does what something is in.
+        // Earlier folders stay, and so do folders that hold files.
         fs::create_dir_all(&folder).unwrap();
         assert!(write_all(folder.to_str().unwrap(), &files, &guard).is_err());
         assert!(folder.exists());

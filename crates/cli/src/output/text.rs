@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::{Output, Stop};
 
-/// What is written at once.
+/// The number of bytes that are written at once.
 const PART: usize = 1 << 16;
 
 /// Text on its way to an output.

@@ -13,7 +13,7 @@ pub struct MovingArea<'a> {
     growth: &'a AreaGrowth,
 }
 
-/// By how much an area grows with s: `slope + 2·quadratic·s`.
+/// The growth of an area with s: `slope + 2·quadratic·s`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct AreaGrowth {
     slope: LongSum,
@@ -31,7 +31,7 @@ impl AreaGrowth {
 }
 
 impl<'a> MovingArea<'a> {
-    /// Of corners at s = 0, which go around a polygon.
+    /// Returns the area with the corners at s = 0, which go around a polygon.
     pub(super) fn new(at_zero: Vec<Point>, growth: &'a AreaGrowth) -> Self {
         let corners = at_zero.into_iter().map(Cow::Owned).collect();
         MovingArea { at_zero: Measures::of(RegionKind::Polygon, corners), growth }

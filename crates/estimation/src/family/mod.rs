@@ -1,7 +1,7 @@
 //! The error bound as a coordinate: the whole family of sets FPS(s·ε), s being one factor on every error bound.
 //!
-//! The triples (θ, s) with θ in FPS(s·ε) are a polyhedron in space, so the family is piecewise linear in s: between two
-//! of finitely many breakpoints the same half-planes meet in the same order, and every vertex moves along a line.
+//! The triples (θ, s) with θ in FPS(s·ε) are a polyhedron in space, so the family is piecewise linear in s. Between
+//! two of finitely many breakpoints the same half-planes meet in the same order, and every vertex moves along a line.
 //! (Parametric linear programming in the right-hand side; Gal and Nedoma, "Multiparametric linear programming",
 //! *Management Science* 18, 1972.)
 
@@ -51,8 +51,8 @@ impl Family {
     /// The family for s from `from` to `to`. Exact. Negative factors have no meaning: the range is cut at 0; an end
     /// before the start makes a range of one factor.
     ///
-    /// Cost: for each piece one intersection of all half-planes, O(N log N), and a look at each of them; for a line under
-    /// a uniform error bound, of those half-planes only whose readings are on a hull.
+    /// Cost: for each piece one intersection of all half-planes, O(N log N), and a look at each half-plane. For a
+    /// line under a uniform error bound, only half-planes whose readings are on a hull count.
     pub fn new(problem: &Problem, from: Rational, to: Rational) -> Self {
         let from = from.max(Rational::zero());
         let to = to.max(from.clone());

@@ -1,4 +1,4 @@
-//! What a family looks like between two breakpoints.
+//! The form of a family between two breakpoints.
 
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::{Direction, Point, Polyhedron, RegionKind, Support};
@@ -18,7 +18,7 @@ pub struct Piece {
     pub from: Rational,
     /// The factor before which it ends.
     pub to: Rational,
-    /// What kind of region the sets are.
+    /// The kind of region of the sets.
     pub kind: RegionKind,
     /// Counter-clockwise, the lexicographically smallest first.
     pub vertices: Vec<MovingVertex>,
@@ -32,14 +32,14 @@ pub struct Piece {
     pub pui: Option<[[Option<Linear>; 2]; 2]>,
     /// A minimal set of bounds that describes the sets, sorted.
     pub shaped_by: Vec<BoundName>,
-    /// By how much the area of a polygon grows with s.
+    /// The growth of the area of a polygon with s.
     pub growth: AreaGrowth,
 }
 
 /// A vertex as a function of s.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MovingVertex {
-    /// Where it is.
+    /// The place of the vertex.
     pub theta: [Linear; 2],
     /// The bounds met with equality.
     pub active: ActiveBounds,

@@ -10,7 +10,7 @@ use crate::ties::ActiveBounds;
 /// A set FPS(s·ε) at one s, all exact.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Section {
-    /// What kind of region it is.
+    /// The kind of region of the set.
     pub kind: RegionKind,
     /// Counter-clockwise, the lexicographically smallest first.
     pub vertices: Vec<SectionVertex>,
@@ -27,7 +27,7 @@ pub struct Section {
 /// A vertex with the bounds that are active there.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SectionVertex {
-    /// Where it is.
+    /// The place of the vertex.
     pub theta: [Rational; 2],
     /// The bounds met with equality.
     pub active: ActiveBounds,
@@ -45,7 +45,7 @@ pub struct SectionBoundary {
 }
 
 impl Section {
-    /// Its area and centroid.
+    /// Returns the area and the centroid of the set.
     pub fn measures(&self) -> Measures<'static> {
         let corners = self.vertices.iter().map(|vertex| Point::new(&vertex.theta[0], &vertex.theta[1]));
         Measures::of(self.kind, corners.map(Cow::Owned).collect())

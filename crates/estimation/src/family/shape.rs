@@ -1,7 +1,7 @@
-//! How far the shape of a set reaches over the factors.
+//! The range of factors over which a set keeps its shape.
 //!
-//! What decides are linear functions of s that must not be negative. Each is about two or three half-planes, whichever others
-//! there are, so that it is the same one in every piece in which these are neighbours: it is kept.
+//! The shape holds as long as certain linear functions of s are not negative. Each is about two or three half-planes,
+//! whichever others there are, so that it is the same one in every piece in which these are neighbours: it is kept.
 
 use std::collections::HashMap;
 
@@ -12,20 +12,20 @@ use super::area::AreaGrowth;
 use super::functions::Linear;
 use super::growing::GrowingSystem;
 
-/// What is known of the half-planes of a family, by their indices.
+/// The facts about the half-planes of a family, by their indices.
 #[derive(Default)]
 pub(super) struct Shape {
     /// The moving corner of one with the next by angle; `None` where a set goes on between them.
     corners: HashMap<(usize, usize), Option<[Linear; 2]>>,
-    /// Between one and the next in the opposite direction.
+    /// The distance between a side and the next one in the opposite direction.
     gaps: HashMap<(usize, usize), Option<Change>>,
-    /// Along the second between the first and the third.
+    /// The length along the second half-plane between the first and the third.
     edges: HashMap<[usize; 3], Option<Change>>,
-    /// Between the first, which is redundant, and the corner of its neighbours.
+    /// The distance between the first half-plane, which is redundant, and the corner of its neighbours.
     slacks: HashMap<[usize; 3], Option<Change>>,
 }
 
-/// Where a linear function changes its sign.
+/// The place where a linear function changes its sign.
 struct Change {
     at: Rational,
     is_rising: bool,
@@ -44,7 +44,7 @@ pub(super) struct Reach {
 }
 
 impl Reach {
-    /// Where one more function is not negative.
+    /// Narrows the range to the factors at which one more function is not negative.
     fn require(&mut self, change: &Change) {
         if change.is_rising {
             if change.at > self.from {
@@ -63,8 +63,8 @@ impl Shape {
         found.as_ref()
     }
 
-    /// Returns how far the shape at a sample reaches: as far as no edge of it has shrunk to nothing, its parallel sides have not
-    /// met, and every other half-plane still contains it.
+    /// Returns how far the shape at a sample reaches. The shape ends where an edge shrinks to nothing, parallel sides
+    /// meet, or another half-plane stops containing it.
     pub(super) fn reach(
         &mut self,
         system: &GrowingSystem,
@@ -99,10 +99,10 @@ impl Shape {
         reach
     }
 
-    /// By how much the area of a polygon grows: for each edge by its length times the speed of its boundary. In the units of the
-    /// half-plane these are the change of a coordinate along the edge over a coefficient of its form, times the growth of its
-    /// bound. As a sum over corners there is no term where the boundaries that meet move alike, as they do nearly everywhere
-    /// for a line under one bound.
+    /// Returns the growth of the area of a polygon: the sum, over the edges, of the length times the speed of the
+    /// boundary. In the units of the half-plane these are the change of a coordinate along the edge over a
+    /// coefficient of its form, times the growth of its bound. As a sum over corners there is no term where the
+    /// boundaries that meet move alike, as they do nearly everywhere for a line under one bound.
     pub(super) fn growth(&mut self, system: &GrowingSystem, spokes: &[usize]) -> AreaGrowth {
         let speed = |spoke: usize| {
             let [a1, a2] = system.form(spoke);
@@ -147,7 +147,7 @@ fn corner(system: &GrowingSystem, f: usize, g: usize) -> Option<[Linear; 2]> {
     Some([theta1.times(&reciprocal), theta2.times(&reciprocal)])
 }
 
-/// Between two sides, if they are parallel.
+/// Returns the gap between two sides if the sides are parallel.
 fn gap(system: &GrowingSystem, spoke: usize, next: usize) -> Option<Change> {
     let opposite = system.form(next).each_ref().map(|coefficient| -coefficient);
     let factor = multiple_of(&opposite, system.form(spoke))?;

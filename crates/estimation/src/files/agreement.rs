@@ -1,4 +1,4 @@
-//! Whether what a reduction says of all its readings can be true beside the rows that it keeps.
+//! A check of a reduction's statements about all its readings against the rows that it keeps.
 
 use std::collections::HashMap;
 
@@ -11,7 +11,7 @@ use crate::meaning::Meaning;
 use crate::moments::Sums;
 use crate::reduction::NoLeastSquares;
 
-/// What the rows that reductions keep come to. Those of parts add up.
+/// The sums and counts of the rows that reductions keep. Sums of parts add up.
 #[derive(Debug)]
 pub(super) struct KeptRows {
     count: usize,
@@ -57,7 +57,7 @@ impl Default for KeptRows {
 }
 
 impl KeptRows {
-    /// Those of one batch of these reductions, with numbers of this meaning, x as it is.
+    /// Sums and counts the rows of one batch of these reductions, with numbers of this meaning and x as it is.
     pub(super) fn of_batch(meaning: &Meaning, batch: &Batch, reductions: &Reductions) -> Self {
         let columns = batch.columns.as_slice();
         let count = columns.first().map_or(0, Column::len);
@@ -108,10 +108,11 @@ impl KeptRows {
         };
     }
 
-    /// Refuses what reductions say, if no readings beside these rows could make it true: fewer readings than rows, sums that are
-    /// not those of the rows where nothing was left out, and sums over what was left out that no numbers have. Readings that a row
-    /// stands for are equal to it, but of a line under one bound for all, which has an outline, only at its corners; others lie within
-    /// an edge. What such a line leaves out without counting it lies strictly within.
+    /// Refuses statements of reductions that no readings beside these rows could make true. Such statements have
+    /// fewer readings than rows, sums that differ although no reading is missing, or sums of missing readings that no
+    /// numbers have. A row stands for readings that equal it. Only a line under one bound for all readings has an
+    /// outline, and there rows at its corners stand for equal readings, other rows for readings within an edge.
+    /// Readings of such a line that no row counts lie strictly within the outline.
     ///
     /// # Errors
     /// The first contradiction.
@@ -168,7 +169,7 @@ impl KeptRows {
     }
 }
 
-/// What reductions leave out.
+/// The readings that reductions leave out.
 struct Rest {
     count: usize,
     sums: Sums,
@@ -179,8 +180,9 @@ impl Rest {
         self.sums.parts().into_iter().all(Rational::is_zero)
     }
 
-    /// Returns whether some readings have these sums: Σu² and Σv² are not negative and (Σuv)² ≤ Σu²·Σv² (Cauchy and Schwarz); where
-    /// these are equal, au + bv is 0 for all readings, and so is a·Σuy + b·Σvy. Nothing else follows, since y may be anything.
+    /// Returns whether some readings have these sums. Σu² and Σv² must not be negative, and (Σuv)² ≤ Σu²·Σv² (Cauchy
+    /// and Schwarz). Where the two sides are equal, au + bv is 0 for all readings, and so is a·Σuy + b·Σvy. Nothing
+    /// else follows, since y may be anything.
     fn is_possible(&self) -> bool {
         let Sums { uu, uv, vv, uy, vy, .. } = &self.sums;
         let determinant = uu * vv - uv * uv;
@@ -194,7 +196,7 @@ impl Rest {
         (uv * uy == uu * vy) && (vv * uy == uv * vy)
     }
 
-    /// Their mean x and y.
+    /// Returns the mean x and the mean y of the readings.
     fn mean(&self) -> [Rational; 2] {
         let Sums { uv: x, vy: y, .. } = &self.sums;
         let count = Rational::from(self.count);
@@ -224,7 +226,7 @@ impl Rest {
 
 /// The sums over all readings but some.
 fn without(all: &Sums, kept: &Sums) -> Sums {
-    // What a file claims may be fewer than it keeps: then the sums say so, too.
+    // A file may claim fewer readings than it keeps: then the sums disagree, too.
     let count = all.count.saturating_sub(kept.count);
     let [own, other] = [all.parts(), kept.parts()];
     Sums::new(count, std::array::from_fn(|part| own[part] - other[part]))

@@ -1,4 +1,4 @@
-//! Which columns of a table are what.
+//! The meaning of each column of a table.
 
 use boundfit_exact::{Column, Foreign, Rational, Work};
 use boundfit_formats::{Batch, ColumnSelector, InputError, InputErrorKind};
@@ -10,7 +10,7 @@ use crate::measurements::Measurements;
 /// The error bound as it is asked for.
 pub type EpsilonColumn = ErrorBound<ColumnSelector>;
 
-/// Which columns of a table are what.
+/// The meaning of each column of a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Columns {
     /// x, or φ1.
@@ -21,7 +21,7 @@ pub struct Columns {
     pub response: Option<ColumnSelector>,
     /// ε.
     pub epsilon: EpsilonColumn,
-    /// Which lines are fitted.
+    /// The form of the lines that are fitted.
     pub form: LineForm,
 }
 
@@ -37,8 +37,8 @@ impl Columns {
         Measurements::of_meaning(self.meaning(&names), Vec::new())
     }
 
-    /// The work on what each of so many readings gets beside its own numbers, estimated before memory is taken for it: the bound
-    /// and the origin that are the same for all, and these other numbers.
+    /// Estimates the work on the numbers that this many readings get beside their own, before memory is taken for
+    /// them. These are the shared bound and origin, and the numbers given here.
     pub fn work_of_every<'a>(
         &'a self,
         readings: usize,

@@ -16,14 +16,14 @@ use crate::reduction::Reduction;
 use crate::selection::Selection;
 use crate::ties::Ties;
 
-/// After so many rows of which few are equal it is not looked for more of them.
+/// The number of rows after which the search for equal rows stops if it has found few.
 const ENOUGH_TO_TELL: usize = 4096;
 
 /// The rows of a batch, equal ones once.
 #[derive(Debug)]
 pub struct CountedBatch {
     columns: Vec<Column>,
-    /// Where the first row of each kind stands, and all of that kind.
+    /// The place of the first row of each kind, and all rows of that kind.
     kinds: Vec<(usize, Tally)>,
     rows: usize,
 }
@@ -206,10 +206,10 @@ impl CountedRows {
 }
 
 impl Measurements {
-    /// As [`Measurements::read_beside`] of a table that is no reduction, without the rows that are not wanted. Of more than
-    /// `most_rows` readings equal ones are kept once, where at least every other one is equal to one before it: numbers of further
-    /// columns belong to what is equal, and are told once too. Exact. Cost: one pass; memory for the different readings, and about a
-    /// byte for the number of each row.
+    /// Reads as [`Measurements::read_beside`] does for a table that is no reduction, without the unwanted rows. Keeps
+    /// equal readings once if there are more than `most_rows` readings and at least half of them equal an earlier
+    /// one. Equal readings have equal numbers in the further columns, too, and the further columns list each number
+    /// once. Exact. Cost: one pass; memory for the different readings, and about a byte for the number of each row.
     ///
     /// # Errors
     /// The first thing wrong with the file, a negative error bound included; more rows, or more memory for them, than there may be.

@@ -25,17 +25,17 @@ const MOST_BYTES_OF_FILE: usize = 96 << 20;
 /// Bytes of numbers kept from standard input, which cannot be read again: 134 million x at four bytes each.
 const MOST_BYTES_OF_STREAM: usize = 512 << 20;
 
-/// What is settled before the first reading is read, and what all threads use.
+/// The settings that all threads use, fixed before the first reading is read.
 pub(super) struct FirstLook<'a> {
     pub(super) name: Foreign,
-    /// Where the readings can be read again.
+    /// The file in which the readings can be read again.
     pub(super) path: Option<String>,
     pub(super) columns: &'a Columns,
     pub(super) options: ScanOptions,
     pub(super) selectors: Vec<ColumnSelector>,
     pub(super) reductions: Option<Reductions>,
     pub(super) keep: Keep,
-    /// Up to this many readings all of them are kept.
+    /// The largest number of readings of which all are kept.
     pub(super) most_rows: usize,
     pub(super) sieve: SharedSieve,
     pub(super) bounds: FixedBounds<'a>,
@@ -45,7 +45,7 @@ pub(super) struct FirstLook<'a> {
     held: Option<Arc<HeldRows>>,
 }
 
-/// What the first look keeps of all readings.
+/// The readings and sums that the first look keeps of all readings.
 pub(super) struct Collected {
     batches: Vec<Batch>,
     pub(super) rows: usize,
@@ -67,18 +67,18 @@ struct Digest {
     kept_rows: Option<KeptRows>,
 }
 
-/// What is kept of the readings of a batch.
+/// The readings that are kept of a batch.
 enum Part {
-    /// Of a line under a uniform bound, whatever it is.
+    /// Part of a line under a uniform bound, whatever the bound is.
     Open(LineSummary),
-    /// Under bounds that are fixed, with the sums of each column.
+    /// Part under fixed bounds, with the sums of each column.
     Fixed(FixedPart, Vec<Rational>),
     /// Nothing where bounds are only known when all readings are.
     Nothing,
 }
 
 impl<'a> FirstLook<'a> {
-    /// At a source whose numbers have this meaning; with the source to read.
+    /// Prepares the look at a source whose numbers have this meaning, and returns the source to read.
     pub(super) fn new(
         source: Source,
         columns: &'a Columns,
@@ -94,7 +94,7 @@ impl<'a> FirstLook<'a> {
             options.table.header = reductions.header();
             // Records stand between the rows of several.
             options.table.block = Some(AskedBlock::All);
-            // Whether the reduction serves these bounds comes first.
+            // The reduction must serve these bounds, and this check comes first.
             (options.unbounded_rows, options.same_columns) = (true, true);
         }
         // A proof names every row that touches; of a reduction the rows are few, and stand for others by their numbers.
@@ -105,7 +105,7 @@ impl<'a> FirstLook<'a> {
         // Rows that stand for others are looked for again where a proof takes them.
         let can_look = reductions.is_none() && (keep.eui || path.is_some());
         let bounds = if can_look { bounds.telling_vertices_as_one() } else { bounds };
-        // Of a reduction what was kept was kept for a reason.
+        // A reduction kept each of its readings for a reason.
         let keeps_all = reductions.is_some() || !(meaning.is_open() || meaning.are_bounds_known());
         let most_rows = if keeps_all { usize::MAX } else { keep.most_rows };
         // Others are kept only as long as they are few.

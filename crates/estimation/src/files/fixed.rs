@@ -20,12 +20,13 @@ use crate::ties::{TiedReading, Ties};
 
 /// Merging waits for at least this many new rows, so that small parts do not each pay for the whole.
 const LEAST_TO_MERGE: usize = 1024;
-/// From so many rows on that no sieve has discarded, another one is made from some of these.
+/// The number of readings that no sieve discarded from which on a new sieve is made.
 const LEAST_TO_SIEVE: usize = 128;
 
-/// Of readings, those with a bound that touches an envelope, by row, and of several that say the same only the first: they decide
-/// the feasible set, whatever other readings and conditions there are. They depend on the readings alone, not on how these
-/// are split. At most so many numbers are listed of those that say the same. Exact. Cost: O(n log n).
+/// Returns the readings with a bound that touches an envelope, by row. They decide the feasible set, whatever other
+/// readings and conditions there are. Readings that say the same are represented by the first. They depend on the
+/// readings alone, not on how these are split. At most so many numbers are listed of those that say the same. Exact.
+/// Cost: O(n log n).
 fn touching(readings: Vec<TiedReading>, scale: &Scale, most: usize, keep: &AtVertices) -> Vec<TiedReading> {
     let readings = told_once(readings, most);
     let (of, constraints) = scale.constraints(readings.iter().map(|own| &own.reading));
@@ -73,14 +74,14 @@ fn told_once(mut readings: Vec<TiedReading>, most: usize) -> Vec<TiedReading> {
     once
 }
 
-/// What is known of all readings.
+/// The facts about all readings so far.
 struct Known {
     sieve: EnvelopeSieve,
-    /// Where the readings to come may be told as one.
+    /// The vertices at which one reading may stand for the readings to come.
     vertices: Vec<Vertex>,
 }
 
-/// What is known of all readings, for those to come; all threads use it.
+/// The facts about all readings so far, for the readings to come; all threads use it.
 #[derive(Default)]
 pub(crate) struct SharedEnvelopeSieve(RwLock<Option<(Arc<Known>, usize)>>);
 
@@ -90,14 +91,14 @@ impl SharedEnvelopeSieve {
     }
 }
 
-/// What is to be kept of which readings.
+/// The choice of the readings that are kept.
 pub(crate) struct FixedBounds<'a> {
     pub(crate) meaning: &'a Meaning,
     pub(crate) scale: &'a Scale,
     pub(crate) sieve: SharedEnvelopeSieve,
-    /// How many numbers of rows are listed of readings that say the same.
+    /// The largest number of rows that are listed for readings that say the same.
     most_listed: usize,
-    /// Which readings are kept of those that go through one vertex.
+    /// The choice of readings that are kept at one vertex.
     at_vertices: AtVertices,
 }
 
@@ -107,8 +108,9 @@ impl<'a> FixedBounds<'a> {
         FixedBounds { meaning, scale, sieve: SharedEnvelopeSieve::default(), most_listed, at_vertices }
     }
 
-    /// Of readings under a uniform bound that go through one vertex of an envelope, one stands for all. The set, whatever the
-    /// conditions, is the same; of a set that is a point or empty the proof may take readings that are not kept.
+    /// Lets one reading under a uniform bound stand for all readings through the same vertex of an envelope. The set,
+    /// whatever the conditions, is the same; of a set that is a point or empty the proof may take readings that are
+    /// not kept.
     pub(crate) fn telling_vertices_as_one(self) -> Self {
         let at_vertices = match self.scale {
             Scale::AsStated => AtVertices::First,
@@ -130,7 +132,7 @@ impl<'a> FixedBounds<'a> {
 
     /// Lets the sieve start with what some of the readings say at this scale.
     pub(crate) fn knowing(self, some: &[Measurement]) -> Self {
-        /// So many that no part is more than twice as many: what is known is better than what a part says.
+        /// A count that no part exceeds twofold, since the known facts are better than the facts of a part.
         const MANY: usize = usize::MAX / 2;
         /// More would take longer to look at than they are worth.
         const ENOUGH: usize = 1024;
@@ -263,7 +265,8 @@ impl<'a> FixedBounds<'a> {
         readings
     }
 
-    /// Of the readings in columns the first with the least slack at a point, with that slack. Exact. Cost: linear.
+    /// Returns the first reading in the columns with the least slack at a point, with that slack. Exact. Cost:
+    /// linear.
     pub(crate) fn tightest(
         &self,
         columns: &[Column],
@@ -327,14 +330,14 @@ impl<'a> FixedBounds<'a> {
     }
 }
 
-/// What is kept of the readings of one batch.
+/// The readings that are kept of one batch.
 pub(crate) struct FixedPart {
     pub(crate) touching: Vec<TiedReading>,
     sums: Result<Sums, NoLeastSquares>,
     has_widths: bool,
 }
 
-/// What is kept of all readings so far.
+/// The readings that are kept of all readings so far.
 pub(crate) struct FixedSummary {
     pub(crate) support: FixedSupport,
     pub(crate) sums: Result<Sums, NoLeastSquares>,

@@ -16,8 +16,8 @@ pub(crate) struct Halves {
 }
 
 impl Halves {
-    /// Of readings in columns; `None` where a bound is missing, where bounds are no intervals, and where 128 bits do not hold them.
-    /// Exact. Cost: linear.
+    /// Takes the bounds from columns; `None` where a bound is missing, where bounds are no intervals, and where 128
+    /// bits do not hold them. Exact. Cost: linear.
     pub(crate) fn of_columns(meaning: &Meaning, columns: &[Column]) -> Option<Self> {
         let ErrorBound::Interval { lower: Some(_), upper: Some(_) } = &meaning.error_bound else {
             return None;

@@ -5,8 +5,8 @@ use boundfit_formats::RowNumbers;
 
 use crate::summary::{Spread, Thresholds};
 
-/// All numbers of some columns seen so far, at four bytes each where those of a part lie within 32 bits of each other, until
-/// they would take more memory than allowed; from then on none.
+/// All numbers of some columns seen so far, until they would take more memory than allowed; from then on none. Where
+/// the numbers of a part lie within 32 bits of each other, each takes four bytes.
 #[derive(Debug)]
 pub(super) struct KeptColumns {
     /// `None` once there were too many.

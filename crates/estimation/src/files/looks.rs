@@ -21,10 +21,10 @@ use crate::moments::Sums;
 use crate::reduction::{NoEui, Reach};
 use crate::ties::Ties;
 
-/// Where readings can be seen again.
+/// The source in which readings can be seen again.
 pub(super) struct Looks<'a> {
     pub(super) kept: &'a KeptColumns,
-    /// Where they are read from a file, and how many bytes of it.
+    /// The file that the readings come from, and the number of its bytes that were read.
     pub(super) file: Option<(&'a str, u64)>,
     pub(super) options: &'a ScanOptions,
     pub(super) selectors: &'a [ColumnSelector],
@@ -39,8 +39,8 @@ impl Looks<'_> {
         self.kept.parts().is_some() || self.file.is_some()
     }
 
-    /// Calls `work` for the columns of some rows and their numbers, on the threads of the current pool, and
-    /// `take` with what it made of them: of the columns kept in memory, or else of a file that is still the same.
+    /// Calls `work` for the columns of some rows and their numbers, on the threads of the current pool, and `take`
+    /// with its results, in order. The columns come from memory, or else from a file that is still the same.
     pub(super) fn look<T: Send>(
         &self,
         work: impl Fn(&[Column], &RowNumbers) -> T + Sync + Send,
@@ -67,7 +67,7 @@ impl Looks<'_> {
             totals.iter_mut().zip(part).for_each(|(total, part)| *total = &*total + part);
             take(made);
         })
-        // What was right the first time is wrong only because it is something else now.
+        // A file that was right the first time has changed if it is wrong now.
         .map_err(|error| match error.kind {
             InputErrorKind::Io(_) | InputErrorKind::Interrupted => error,
             _ => InputError::of_file(path, InputErrorKind::Changed),
@@ -115,8 +115,8 @@ impl Looks<'_> {
         Ok(support.into_rows(bounds))
     }
 
-    /// Bounds with which the readings that prove the set are found, where one that is a point or empty takes some for which others
-    /// stood so far: the first with a bound through the point is one of its proof, and so are those that face it.
+    /// Returns bounds that find the readings that prove the set. A set that is a point or empty takes readings that
+    /// others represent: the first reading with a bound through the point, and the readings that face it.
     pub(super) fn proving_bounds<'a>(
         &self,
         bounds: &FixedBounds<'a>,
@@ -140,9 +140,9 @@ impl Looks<'_> {
         Some(bounds.again(keep)?.knowing(rows))
     }
 
-    /// The readings that decide the least factor on the error bounds, from some that may not: those that touch at the least
-    /// factor of these are all of them as soon as something is left of all readings at that factor. A look for each attempt,
-    /// of which two or three suffice in practice.
+    /// Finds the readings that decide the least factor on the error bounds, from some that may not. The readings that
+    /// touch at the least factor of these are complete as soon as that factor leaves a point for all readings. A look
+    /// for each attempt, of which two or three suffice in practice.
     pub(super) fn deciding_minimax(
         &self,
         meaning: &Meaning,

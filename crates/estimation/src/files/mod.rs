@@ -38,7 +38,8 @@ use crate::selection::{FractionCells, Selection};
 use crate::summary::Keep;
 
 impl Measurements {
-    /// Reads the columns of a table. Of a reduction they are the readings that were kept, with what is known of all.
+    /// Reads the columns of a table. A table that is a reduction gives the readings that were kept, with the facts
+    /// about all readings.
     ///
     /// # Errors
     /// The first thing wrong with the file, a negative error bound included.
@@ -50,8 +51,8 @@ impl Measurements {
         Ok(Measurements::read_beside(source, columns, &[], options)?.0)
     }
 
-    /// As [`Measurements::read`] of a table that is no reduction, with the numbers of further columns in the order of the readings
-    /// that are fitted, a list for each column.
+    /// Reads as [`Measurements::read`] does for a table that is no reduction. Adds the numbers of further columns in
+    /// the order of the fitted readings, a list for each column.
     ///
     /// # Errors
     /// The first thing wrong with the file, a negative error bound included.

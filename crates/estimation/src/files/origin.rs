@@ -22,7 +22,7 @@ impl Selection {
 }
 
 impl FractionCells {
-    /// Of columns with these names; of those that are read in several ways only once.
+    /// Returns the fractions of columns with these names; a column that is read in several ways appears once.
     pub fn of(names: &[Foreign], fractions: &[Fractions]) -> Vec<Self> {
         let mut found: Vec<FractionCells> = Vec::new();
         for (column, Fractions { cells, first }) in names.iter().zip(fractions) {
@@ -37,8 +37,9 @@ impl FractionCells {
 }
 
 impl Measurements {
-    /// These readings of a table whose rows have these numbers, in its order, in the place of 1, 2, 3 and so on; what was asked for is
-    /// said of them too. `None` unless there are as many numbers as rows, and every reading is in memory.
+    /// Numbers the readings of a table by these numbers, in its order, instead of by 1, 2, 3 and so on, and records
+    /// the selection that was asked for. `None` unless there are as many numbers as rows, and every reading is in
+    /// memory.
     #[must_use]
     pub fn numbered(mut self, numbers: &RowNumbers, asked: Selection) -> Option<Self> {
         let Readings::All(rows) = &mut self.readings else { return None };
@@ -59,8 +60,8 @@ impl Measurements {
         self.origin.table.as_ref()
     }
 
-    /// Returns where in the file the numbers stand: regressors, response and, with one per row, error bound; `None` unless the
-    /// readings come from delimited text that has a row for each of them.
+    /// Returns where in the file the numbers stand: regressors, response and, if each row has one, the error bound.
+    /// Returns `None` unless the readings come from delimited text that has a row for each of them.
     pub fn layout(&self) -> Option<&TextLayout> {
         self.origin.layout.as_ref()
     }

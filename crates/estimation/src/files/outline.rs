@@ -12,14 +12,14 @@ use crate::measurement::Measurement;
 #[derive(Debug)]
 pub(super) struct Outline<'a> {
     corners: HashSet<[&'a Rational; 2]>,
-    /// By x.
+    /// The lower outline, sorted by x.
     lower: Vec<[&'a Rational; 2]>,
-    /// By x.
+    /// The upper outline, sorted by x.
     upper: Vec<[&'a Rational; 2]>,
 }
 
 impl<'a> Outline<'a> {
-    /// That of readings with x as it is. Exact. Cost: O(n log n).
+    /// Returns the outline of readings with x as it is. Exact. Cost: O(n log n).
     pub(super) fn of(rows: &'a [Measurement]) -> Self {
         let extremes = Extremes::new(rows, None);
         let place = |position: usize| {

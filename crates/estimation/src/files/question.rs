@@ -1,4 +1,4 @@
-//! What is asked of a table, whatever it comes from.
+//! A question about a table, whatever its source.
 
 use boundfit_exact::{Limits, Rational, Reading, TooMuchWork, Work};
 use boundfit_formats::{ColumnSelector, InputError, ScanOptions, Source};
@@ -13,8 +13,9 @@ use crate::problem::Problem;
 use crate::summary::Keep;
 use crate::terms::ParseBoundError;
 
-/// Which columns of a table are fitted, under which bounds on the errors, and what is known of the parameters besides. Files and
-/// columns in memory ([`Source::of_table`]) are asked in the same words, and so are whole tables, fleets and what is to be reduced.
+/// The columns of a table that are fitted, the bounds on the errors, and the conditions on the parameters. Files and
+/// columns in memory ([`Source::of_table`]) are asked in the same words, and so are whole tables, fleets and what is
+/// to be reduced.
 ///
 /// ```
 /// use boundfit_estimation::Question;
@@ -35,9 +36,9 @@ use crate::terms::ParseBoundError;
 pub struct Question {
     /// The columns.
     pub columns: Columns,
-    /// What the parameters are known to satisfy.
+    /// The conditions that the parameters satisfy.
     pub conditions: Vec<Condition>,
-    /// How many times ε_min of the readings bounds every error, in the place of the bound in `columns`.
+    /// The multiple of ε_min of the readings that bounds every error, in the place of the bound in `columns`.
     pub multiple_of_least: Option<Rational>,
 }
 
@@ -58,8 +59,8 @@ impl Question {
         Question { columns, conditions: Vec::new(), multiple_of_least: None }
     }
 
-    /// With a bound on the errors in words: a number, a law such as `0.05%*|y| + 2e-3`, or a multiple of ε_min such as
-    /// `1.2*min` ([`AskedBound::parse`]).
+    /// Sets the bound on the errors from words: a number, a law such as `0.05%*|y| + 2e-3`, or a multiple of ε_min
+    /// such as `1.2*min` ([`AskedBound::parse`]).
     ///
     /// # Errors
     /// With the place where the text stops making sense.
@@ -77,7 +78,7 @@ impl Question {
         Ok(self)
     }
 
-    /// With bounds from columns.
+    /// Takes the bounds from columns.
     #[must_use]
     pub fn within_columns(mut self, epsilon: EpsilonColumn) -> Self {
         self.multiple_of_least = None;
@@ -136,8 +137,9 @@ impl Question {
         Problem { measurements, conditions: self.conditions.clone() }
     }
 
-    /// The work on what each of so many readings gets beside its own numbers, estimated before memory is taken for it: the bound
-    /// and the origin that are the same for all, and where the bound comes from the readings, what it may take from a condition.
+    /// Estimates the work on the numbers that this many readings get beside their own, before memory is taken for
+    /// them. These are the shared bound and origin and, where the bound comes from the readings, numbers from a
+    /// condition.
     pub fn work_of_every(&self, readings: usize) -> Work {
         let right_sides = self.conditions.iter().map(|condition| &condition.inequality().b);
         let longest = right_sides.max_by_key(|number| number.bits());

@@ -1,5 +1,5 @@
-//! How far least squares may move, for readings whose error bounds differ or whose regressors are two: only known when all
-//! readings have been seen.
+//! The reach of least squares for readings whose error bounds differ or that have two regressors; it is known only
+//! when all readings have been seen.
 
 use boundfit_exact::{Column, Rational, Sum};
 
@@ -144,9 +144,10 @@ impl<'a> Phi<'a> {
         Phi { u, v, rounded: [floats(u), v.map_or_else(|| vec![1.0; u.len()], floats)] }
     }
 
-    /// Of which rows p·u + q·v is negative. Exact. Cost: linear, with a few fractions where it is almost 0.
+    /// Returns, for each row, whether p·u + q·v is negative. Exact. Cost: linear, with a few fractions where it is
+    /// almost 0.
     fn are_negative(&self, [p, q]: &[Rational; 2]) -> Vec<bool> {
-        /// Of both terms together, more than their sum may be off by roundings: 2⁻⁴⁸.
+        /// The relative margin, 2⁻⁴⁸, that exceeds the rounding error of the sum of both terms.
         const MARGIN: f64 = 1.0 / (1_u64 << 48) as f64;
         // Only the sign matters, so that the larger of the two may be a float in the middle of its range.
         let size = p.abs().max(q.abs());
@@ -166,7 +167,7 @@ impl<'a> Phi<'a> {
             if weight.abs() > MARGIN * size {
                 weight < 0.0
             } else {
-                // What is 0 exactly is no product that underflowed.
+                // A result of exactly 0 is no product that underflowed.
                 size != 0.0 && exact(row)
             }
         };

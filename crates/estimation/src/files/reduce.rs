@@ -31,12 +31,12 @@ pub struct ReducedTable {
     record: ReductionRecord,
     header: Option<Vec<u8>>,
     rows: Vec<Vec<u8>>,
-    /// How many readings each of these stands for.
+    /// The number of readings that each of these stands for.
     counts: Vec<usize>,
     table: Option<TableNotes>,
 }
 
-/// Which readings are kept.
+/// The rule for the readings that are kept.
 struct Rule<'a> {
     /// The column of bounds, of a line for which readings are kept that decide under every multiple of these; `None` under
     /// bounds that are fixed.
@@ -45,7 +45,7 @@ struct Rule<'a> {
     fixed: FixedBounds<'a>,
 }
 
-/// What is kept of the readings of one batch.
+/// The readings that are kept of one batch.
 enum Part {
     Open(LineSummary),
     Fixed(FixedPart, usize),
@@ -72,11 +72,12 @@ struct Collected {
 }
 
 impl ReducedTable {
-    /// Reduces a table. Of a line under a uniform error bound readings are kept that decide for every such bound, and of one
-    /// with a column of bounds those that decide for every multiple of these; of anything else those that decide under the
-    /// bounds asked for. Feasible set, PUI and least squares are the same before and after, whatever the conditions and
-    /// [`Columns::form`], with rows counted anew; so is ε_min where the bounds are not fixed. The union of reductions,
-    /// reduced, is the reduction of the union. With [`ScanOptions::allow_nothing`] what has no rows is reduced to none.
+    /// Reduces a table. A line under a uniform error bound keeps the readings that decide for every such bound. A
+    /// line with a column of bounds keeps the readings that decide for every multiple of these bounds. Every other
+    /// table keeps the readings that decide under the bounds asked for. Feasible set, PUI and least squares are the
+    /// same before and after, whatever the conditions and [`Columns::form`], with rows counted anew; so is ε_min
+    /// where the bounds are not fixed. The union of reductions, reduced, is the reduction of the union. With
+    /// [`ScanOptions::allow_nothing`] what has no rows is reduced to none.
     ///
     /// Exact. Cost: one pass; memory for the rows that are kept.
     ///
@@ -87,7 +88,7 @@ impl ReducedTable {
         let name = source.name().to_owned();
         // Identities may have several lines, and go together with counted rows of other parts.
         let is_named = options.identity.is_some();
-        // Which readings decide does not depend on where x is counted from, and the sums are told of x as it is.
+        // The deciding readings do not depend on the origin of x, and the sums refer to x as it is.
         let columns = Columns { form: LineForm::default(), ..columns.clone() };
         let unnamed = columns.meaning(&[]);
         refuse_late(&name, &unnamed)?;
@@ -97,12 +98,12 @@ impl ReducedTable {
             options.table.header = reductions.header();
             // Records stand between the rows of several.
             options.table.block = Some(AskedBlock::All);
-            // Whether they fit together comes first.
+            // The check that reductions fit together comes first.
             (options.unbounded_rows, options.same_columns) = (true, true);
-            // Those of nothing are reductions too.
+            // Reductions of nothing are reductions too.
             options.allow_nothing = true;
         }
-        // Of a reduction the rows stand for others by their numbers.
+        // The numbers of a reduction's rows say how many readings each row stands for.
         let rule = Rule::new(&unnamed, if reductions.is_some() { usize::MAX } else { 1 });
         let mut all = Collected::default();
         let mut unbounded = None;
@@ -157,7 +158,7 @@ impl ReducedTable {
             widths: own.has_widths,
             sums: written(&own.sums),
         };
-        // What reductions were made from is no longer known.
+        // A reduction no longer knows the tables that reductions were made from.
         let table = scanned.table.filter(|_| reductions.is_none());
         Ok(ReducedTable { record, header: scanned.header_line, rows, counts, table })
     }
@@ -180,7 +181,7 @@ impl ReducedTable {
     /// Writes the reduction as text.
     ///
     /// # Errors
-    /// Of the writer.
+    /// Errors of the writer.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let record = self.record.line();
         for line in [record.as_bytes()].into_iter().chain(self.header.as_deref()) {
@@ -259,7 +260,7 @@ impl Collected {
             Part::Fixed(part, rows) => self.fixed.merge(part, rows, &rule.fixed),
         }
         self.texts.extend(texts);
-        // Of each kind there is only one.
+        // Only one part of each kind exists.
         let kept = || self.open.row_numbers().chain(self.fixed.support.row_numbers());
         if self.texts.len() > 2 * kept().count() + MOST_SUPERFLUOUS {
             let kept: HashSet<usize> = kept().collect();

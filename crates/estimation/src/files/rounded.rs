@@ -7,11 +7,12 @@ use super::scale::Scale;
 use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::measurement::Measurement;
 
-/// Of a sum of two rounded numbers, more than it may be off: 2⁻⁴⁸. Those of columns are within 2⁻⁵⁰, relatively, products of them
-/// with a factor within 2⁻⁴⁹, and each operation adds 2⁻⁵³.
+/// The relative margin, 2⁻⁴⁸, that exceeds the error of a sum of two rounded numbers. Numbers of columns are within a
+/// relative error of 2⁻⁵⁰, their products with a factor within 2⁻⁴⁹, and each operation adds 2⁻⁵³.
 const MARGIN: f64 = 1.0 / (1_u64 << 48) as f64;
 
-/// A number within a relative error of 2⁻⁵⁰, or NaN where a filter may not compute with it. What is 0 is 0 exactly.
+/// A number within a relative error of 2⁻⁵⁰, or NaN where a filter may not compute with it. Exact zeros are
+/// exactly 0.
 pub(super) fn float(number: &Rational) -> f64 {
     let float = number.to_f64();
     if float == 0.0 && !number.is_zero() { f64::NAN } else { in_range(float) }
@@ -110,8 +111,8 @@ fn stated(side: Option<[&Column; 2]>, sign: f64, count: usize) -> Vec<f64> {
     bounds.map(is_there).collect()
 }
 
-/// Bounds about their middles at a factor on their distance. Those that cross, or of which one is missing, stay as they are, and
-/// others may be too close to tell: `other` says what these are.
+/// Bounds about their middles at a factor on their distance. Bounds that cross, or of which one is missing, stay as
+/// they are. Other bounds may be too close to tell: `other` gives their values.
 fn about_middles(sides: [[&Column; 2]; 2], factor: f64, other: impl Fn(usize) -> [f64; 2]) -> [Vec<f64>; 2] {
     let [[lower, has_lower], [upper, has_upper]] = sides.map(|side| side.map(floats));
     let bounds = |row: usize| {
@@ -139,9 +140,9 @@ fn exact_bounds([lower, upper]: [Option<Rational>; 2]) -> [f64; 2] {
     [lower, upper.map_or(f64::INFINITY, |bound| rounded(&bound, -1.0))]
 }
 
-/// Of some readings, those that may be the first with the least slack at a point, by position. Cost: linear.
+/// Returns the positions of the readings that may be the first with the least slack at a point. Cost: linear.
 pub(super) fn may_be_tightest(strips: &RoundedStrips, theta: [f64; 2]) -> Vec<usize> {
-    /// Of all terms together, more than the slack may be off: 2⁻⁴⁴.
+    /// The relative margin, 2⁻⁴⁴, that exceeds the error of the slack, for all terms together.
     const ALL: f64 = 16.0 * MARGIN;
     let size = |bound: f64| if bound.is_infinite() { 0.0 } else { bound.abs() };
     // The least that a slack may be, and the most; NaN where that is not known.

@@ -10,12 +10,12 @@ use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::minimax::Growing;
 
-/// Which bounds of readings are meant.
+/// The choice of the bounds of readings.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Scale {
-    /// Those that they have.
+    /// The bounds as the readings state them.
     AsStated,
-    /// About the middle, at a multiple of their half width; as stated where that has no meaning.
+    /// A multiple of the half width about the middle; as stated where a reading has no middle.
     Times(Rational),
     /// All at this distance from the middle.
     Within(Rational),

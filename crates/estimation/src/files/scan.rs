@@ -25,8 +25,9 @@ impl Measurements {
     /// [`Measurements::read`]. The conditions are those of the problem to come: ε_min under bounds that are not the same for all
     /// readings of a line depends on them.
     ///
-    /// Exact. Cost: one pass; another where the EUI is asked for of a file with more readings than are kept for it, and then
-    /// also some more, in practice two or three, for ε_min unless the model is a line under a uniform error bound.
+    /// Exact. Cost: one pass, and another where the EUI is asked for of a file with more readings than are kept for
+    /// it. The factor ε_min then takes some more passes, in practice two or three, unless the model is a line under a uniform
+    /// error bound.
     ///
     /// # Errors
     /// The first thing wrong with the file, a negative error bound included.
@@ -41,12 +42,12 @@ impl Measurements {
         Measurements::scan_and_see(source, columns, conditions, options, keep, nothing, |()| ())
     }
 
-    /// As [`Measurements::scan`], and shows every reading on the way: `see` is given the readings of one part of the table after
-    /// the other, on the threads of the current pool, and `seen` what it made of them, in the order of the table. Readings under
-    /// a law that takes something from all of them are shown without it.
+    /// Scans as [`Measurements::scan`] does, and shows every reading on the way. `see` gets the readings of each part
+    /// of the table, on the threads of the current pool. `seen` gets its results, in the order of the table. Readings
+    /// under a law that takes something from all of them are shown without it.
     ///
     /// # Errors
-    /// Those of [`Measurements::scan`].
+    /// The errors of [`Measurements::scan`].
     pub fn scan_and_see<T: Send>(
         source: Source,
         columns: &Columns,
@@ -64,7 +65,7 @@ impl Measurements {
         if let Some(reductions) = &look.reductions {
             let readings = readings_of_reductions(&look, reductions, all, &mut meaning, scanned.rows_total)?;
             let mut own = measurements(meaning, selection, scanned, readings);
-            // What its table was taken for is said in its record.
+            // The record of a reduction says how its table was read.
             own.origin = Origin { rows_total: own.fitted(), layout: None, table: None, ..own.origin };
             return Ok(own);
         }
@@ -146,7 +147,7 @@ fn readings_of_line(
     meaning.settle(&mut rows);
     let totals = [sums.uv.clone()];
     let sums = sums.counted_from(&form.x_origin);
-    // Which rows lack a number is told by all columns.
+    // Only all columns together tell which rows lack a number.
     let seen = if scanned.rows_missing > 0 { look.selectors.len() } else { 1 };
     let looks = Looks {
         kept: &all.kept,

@@ -6,8 +6,8 @@ use boundfit_exact::{Column, Rational, Unit};
 
 use super::fleet::Counts;
 
-/// How many numbers a segment has. One number that needs more room makes its segment longer, not the whole column, and a
-/// column grows without being moved.
+/// The number of numbers in a segment. One number that needs more room makes its segment longer, not the whole
+/// column, and a column grows without being moved.
 const SEGMENT: usize = 1 << 16;
 
 /// Numbers, added at the end and read anywhere. Exact.

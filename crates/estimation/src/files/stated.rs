@@ -1,4 +1,4 @@
-//! What reductions say about all their readings, and whether they serve what is asked for.
+//! The statements of reductions about all their readings, and the check that they serve the question.
 
 use boundfit_exact::{Foreign, Limits};
 use boundfit_formats::{
@@ -9,13 +9,13 @@ use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::moments::Sums;
 use crate::reduction::NoLeastSquares;
 
-/// How many times as many digits as a reading a sum may have: that of squares has twice as many, and those of the
-/// fractions on top.
+/// The number of times as many digits as a reading that a sum may have. Squares have twice as many digits, and the
+/// digits of fractions come on top.
 const DIGITS_OF_SUMS: usize = 10;
 
-/// What reductions one after the other say about all their readings.
+/// The statements of successive reductions about all their readings.
 pub(super) struct Stated {
-    /// How many there are.
+    /// The number of readings.
     pub(super) count: usize,
     /// The sums, with x as it is.
     pub(super) sums: Result<Sums, NoLeastSquares>,

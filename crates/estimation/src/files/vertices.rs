@@ -13,7 +13,7 @@ use super::scale::Scale;
 use crate::hulls::touching_a_hull;
 use crate::ties::TiedReading;
 
-/// Which readings are kept of those that go through one vertex.
+/// The choice of readings that are kept at one vertex.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum AtVertices {
     /// Each.
@@ -28,7 +28,7 @@ pub(crate) enum AtVertices {
 }
 
 impl AtVertices {
-    /// Of readings that go through one vertex, by row, the ones beside the first that are kept.
+    /// Returns the readings, by row, that are kept beside the first one at the same vertex.
     fn decisive(&self, readings: &[TiedReading], through: &[(usize, Touch)]) -> Vec<usize> {
         let normal = |(own, touch): &(usize, Touch)| {
             let [u, v] = &readings[*own].reading.regressor;
@@ -103,8 +103,9 @@ fn sign(number: i128) -> Sign {
     number.cmp(&0).into()
 }
 
-/// Of some normals the first that is opposite to one, and on either side the first of those next to its opposite. `from_one` tells
-/// on which side of it one is, and whether it turns away; `turn` on which side of another one.
+/// Returns the first normal that is opposite to a given one, and on either side the first of the normals next to its
+/// opposite. `from_one` tells on which side of it one is, and whether it turns away; `turn` on which side of another
+/// one.
 fn nearest_to_opposite(
     count: usize,
     from_one: impl Fn(usize) -> (Sign, bool),
@@ -131,8 +132,9 @@ fn is_lower(position: usize) -> bool {
     position % 2 == 1
 }
 
-/// Of readings by row, those of which some half-plane touches an envelope, at vertices as asked for; one that does is given by
-/// its position. At most so many numbers are listed of those that one stands for. Exact.
+/// Returns the readings by row of which some half-plane touches an envelope, at vertices as `keep` asks; `touches`
+/// gives each touching half-plane by its position. At most so many numbers are listed of those that one stands for.
+/// Exact.
 pub(super) fn told_at_vertices(
     readings: Vec<TiedReading>,
     touches: &[(usize, Touch)],
@@ -180,7 +182,7 @@ pub(super) fn with_others(readings: &mut [TiedReading], others: BTreeMap<usize, 
 /// A vertex of an envelope that many readings go through.
 #[derive(Debug)]
 pub(super) struct Vertex {
-    /// What is 0 for each of these, times a1, a2 and b.
+    /// The coefficients for a1, a2 and b whose sum is 0 for each half-plane through the vertex.
     through: [Rational; 3],
     /// The normals of the two that meet there.
     ends: [[Rational; 2]; 2],
@@ -228,7 +230,8 @@ impl Vertex {
         busiest.into_iter().take(MOST).filter_map(vertex).collect()
     }
 
-    /// For columns with these units and bounds at this distance from y; `None` where the integers would be too long.
+    /// Returns the vertex for columns with these units and bounds at this distance from y; `None` where the integers
+    /// would be too long.
     pub(super) fn in_units(&self, [u, v, y]: [Unit; 3], epsilon: &Rational) -> Option<VertexInUnits> {
         let [u, v, y] = [u, v, y].map(Unit::value);
         let Vertex { through: [a1, a2, b], ends, is_above } = self;

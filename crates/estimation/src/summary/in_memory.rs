@@ -9,29 +9,29 @@ use crate::measurements::{Measurements, Origin, Readings};
 use crate::reduction::{DecidingMinimax, NoEui, Reach, Reduction};
 use crate::ties::Ties;
 
-/// How many readings are summarised at a time: few enough for sums in 128 bits, many enough for what is kept of them to
-/// be little.
+/// The number of readings that are summarised at a time: few enough for sums in 128 bits, many enough to keep little
+/// of them.
 const ROWS_PER_PART: usize = 1 << 16;
 
-/// What is wrong with columns.
+/// The kind of mistake in columns.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ColumnsError {
     /// Regressors, response and, with one for each reading, error bounds are not as many.
     #[error("the model has {expected} columns, not {found}")]
     Count {
-        /// How many there should be.
+        /// The expected number of columns.
         expected: usize,
-        /// How many there are.
+        /// The number of columns that were given.
         found: usize,
     },
     /// The columns differ in length.
     #[error("column {column} has {found} numbers, not {expected} like the first")]
     Length {
-        /// Which one, from 1.
+        /// The number of the column, from 1.
         column: usize,
-        /// How many numbers the first column has.
+        /// The number of numbers in the first column.
         expected: usize,
-        /// How many this one has.
+        /// The number of numbers in this column.
         found: usize,
     },
     /// The error bound of all readings is negative.
@@ -46,9 +46,9 @@ pub enum ColumnsError {
 }
 
 impl Measurements {
-    /// Readings from columns: x of a line or φ1 and φ2, then the response, and the error bounds if each reading has its
-    /// own. Rows are numbered from 1. Of more than `keep.most_rows` readings of a line under a uniform error bound only those are
-    /// kept that support a hull.
+    /// Readings from columns: x of a line or φ1 and φ2, then the response, and the error bounds if each reading has
+    /// its own. Rows are numbered from 1. Keeps only the readings that support a hull if a line under a uniform error
+    /// bound has more than `keep.most_rows` readings.
     ///
     /// ```
     /// use boundfit_estimation::{ErrorBound, Keep, Measurements, Model, Problem, fit};

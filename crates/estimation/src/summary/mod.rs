@@ -1,8 +1,9 @@
 //! Readings of any number in memory that does not grow with them.
 //!
-//! Under a uniform error bound, whatever it is, a line is decided by the readings that support a hull; under bounds that are
-//! fixed any model is decided by the readings that touch an envelope. Least squares needs six sums. All of these follow from
-//! those of parts. The EUI needs a second look, when the sums are known, and so does the least factor on bounds that are fixed.
+//! Under a uniform error bound, whatever it is, the readings that support a hull decide a line. Under fixed bounds
+//! the readings that touch an envelope decide any model. Least squares needs six sums. All of these follow from those
+//! of parts. The EUI needs a second look, when the sums are known, and so does the least factor on bounds that are
+//! fixed.
 
 mod in_memory;
 mod sieve;
@@ -24,10 +25,11 @@ use crate::moments::Sums;
 use crate::ties::{TiedReading, Ties};
 use support::SupportRows;
 
-/// How many readings are kept in memory.
+/// The number of readings that are kept in memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Keep {
-    /// Up to this many readings all of them; of more only those that decide the feasible set.
+    /// The largest number of readings of which all are kept; beyond it only the readings that decide the feasible set
+    /// are kept.
     pub most_rows: usize,
     /// True if what takes a second look is wanted of more readings than that: the EUI and, unless the model is a line under
     /// a uniform error bound, ε_min.
@@ -38,8 +40,8 @@ pub struct Keep {
 }
 
 impl Keep {
-    /// Above this many readings the LP solvers and binary64 least squares, which need all of them, are left out of
-    /// reports. Measured: at this size microlp takes half a second, at ten times as many readings five seconds and
+    /// The number of readings above which reports omit the LP solvers and binary64 least squares, which need all
+    /// readings. Measured: at this size microlp takes half a second, at ten times as many readings five seconds and
     /// 400 MB.
     pub const MOST_ROWS: usize = 10_000;
     /// All readings.
@@ -53,7 +55,7 @@ impl Default for Keep {
     }
 }
 
-/// What is kept of readings of a line, however many they are.
+/// The summary that is kept of readings of a line, however many there are.
 #[derive(Debug, Default)]
 pub(crate) struct LineSummary {
     pub(crate) sums: Sums<Sum>,
@@ -63,7 +65,7 @@ pub(crate) struct LineSummary {
 }
 
 impl LineSummary {
-    /// What is kept of columns of equal length, as far as the readings before leave it open; `row` tells the number of the
+    /// Summarises columns of equal length, as far as earlier readings leave it open; `row` returns the number of the
     /// row at a position, and ascends. Exact.
     pub(crate) fn of_columns(
         [x, y]: [&Column; 2],
@@ -90,7 +92,7 @@ impl LineSummary {
 
     /// Adds what is kept of other readings, and lets the sieve learn from it. Exact.
     pub(crate) fn merge(&mut self, other: LineSummary, sieve: &SharedSieve) {
-        /// After fewer readings at once, most likely none are to come, for which a sieve would have to be made.
+        /// The number of readings at once below which no sieve is made, since most likely no more readings come.
         const FEW: usize = 1000;
         let is_all = self.sums.count == 0 && other.sums.count < FEW;
         self.sums = std::mem::take(&mut self.sums).and(other.sums);

@@ -1,4 +1,5 @@
-//! What the readings seen so far say about those to come: most of them lie strictly between the hulls of these.
+//! The consequences of the readings seen so far for the readings to come: most of these lie strictly between the
+//! hulls of the former.
 
 use std::sync::RwLock;
 
@@ -9,17 +10,17 @@ use super::support::SupportRows;
 
 /// A sieve that all threads use, and that becomes finer while readings are taken.
 pub(crate) struct SharedSieve {
-    /// How many numbers of rows are listed of those that one reading stands for.
+    /// The largest number of rows that are listed for one reading that stands for others.
     pub(super) most_listed: usize,
     current: RwLock<Option<Current>>,
 }
 
 struct Current {
-    /// With the grid that it is for; `None` where there is none.
+    /// The sieve with the grid that it is for; `None` where there is none.
     on_grid: Option<([Unit; 2], Sieve)>,
-    /// For readings on other grids, or on none.
+    /// The sieve for readings on other grids, or on none.
     rounded: Option<RoundedSieve>,
-    /// How many readings these were made from.
+    /// The number of readings that the sieves were made from.
     rows: usize,
 }
 
@@ -29,7 +30,7 @@ impl SharedSieve {
         SharedSieve { most_listed, current: RwLock::default() }
     }
 
-    /// Of two columns, those that may support a hull of all readings; see [`SupportRows::of_columns`].
+    /// Returns the readings of two columns that may support a hull of all readings; see [`SupportRows::of_columns`].
     pub(super) fn support(&self, x: &Column, y: &Column, row: &dyn Fn(usize) -> usize) -> SupportRows {
         let row = |position: usize| row(position) as u64;
         if let (Column::Narrow(x), Column::Narrow(y)) = (x, y)
@@ -48,7 +49,7 @@ impl SharedSieve {
 
     /// The positions of the readings that may support a hull, by what binary64 tells of them; `None` where that leaves many.
     fn by_leading_digits(&self, x: &Column, y: &Column) -> Option<Vec<usize>> {
-        /// Of so many readings one may be left.
+        /// The number of readings of which at most one may remain.
         const RARE: usize = 16;
         let current = self.current.read().ok()?;
         let sieve = current.as_ref()?.rounded.as_ref()?;

@@ -1,4 +1,4 @@
-//! Where the x of a line lie, as the EUI needs it: only known when all readings have been seen.
+//! The positions of the x of a line, as the EUI needs them; they are known only when all readings have been seen.
 
 use boundfit_exact::{
     Column, Count, DoubleSum, Dyadic, Long, LongTotal, Rational, Scaled, Sum, Unit, WideSum, compare_words,
@@ -7,14 +7,14 @@ use boundfit_exact::{
 use crate::line_form::LineForm;
 use crate::moments::Sums;
 
-/// The values of x at which a weight of least squares changes its sign: A_1k that of N·x_k − Σx, A_2k that of
-/// Σx² − x_k·Σx, and the one of a line through the origin that of x_k.
+/// The values of x at which a weight of least squares changes its sign: A_1k at the root of N·x_k − Σx, A_2k at that
+/// of Σx² − x_k·Σx. For a line through the origin it is the root of x_k.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Thresholds {
     values: [Rational; 3],
 }
 
-/// How many x lie above each threshold, and their sum.
+/// The number of x above each threshold, and their sum.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Spread {
     above: [Above; 3],

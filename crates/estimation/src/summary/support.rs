@@ -10,13 +10,13 @@ use boundfit_geometry::grid::{
 use crate::hulls::touching_a_hull;
 use crate::ties::TiedReading;
 
-/// Merging waits for at least this many new readings and numbers of rows, so that small parts do not each pay for the whole; measured: the
-/// cost of merging vanishes beside that of reading from a few thousand on.
+/// The number of new readings and row numbers that merging waits for, so that small parts do not each pay for the
+/// whole. Measured: from a few thousand on, merging costs next to nothing beside reading.
 const LEAST_TO_MERGE: usize = 4096;
 
-/// Of the readings seen so far, those on the lower or the upper hull of (x, y): each corner once, and of those strictly within an
-/// edge the first, with how many each stands for. They depend on the readings alone, not on how these were split or in which
-/// order the parts came.
+/// The readings seen so far that are on the lower or the upper hull of (x, y), with how many each stands for. Each
+/// corner appears once; the first reading represents those strictly within an edge. They depend on the readings
+/// alone, not on how these were split or in which order the parts came.
 #[derive(Debug, Clone, Default)]
 pub(super) struct SupportRows {
     merged: Vec<Rows>,
@@ -27,18 +27,19 @@ pub(super) struct SupportRows {
 /// Some readings.
 #[derive(Debug, Clone)]
 enum Rows {
-    /// On a grid with a unit for each axis.
+    /// Readings on a grid with a unit for each axis.
     Grid { units: [Unit; 2], points: Vec<GridPoint> },
-    /// Where no grid of machine integers holds them all.
+    /// Readings that no grid of machine integers holds.
     General(Vec<TiedReading>),
-    /// As those, with each place within an edge: where readings of other bounds are beside these, it tells which of them
-    /// contradict each other first.
+    /// General readings, with each place within an edge. Where readings of other bounds are beside these, the places
+    /// show which readings contradict each other first.
     Places(Vec<TiedReading>),
 }
 
 impl SupportRows {
-    /// Those of two columns of equal length; `row` tells the number of the row at a position, and ascends. At most so many
-    /// numbers are listed of each. Exact. Cost: linear in almost all cases, O(n log n) in all.
+    /// Returns the support of two columns of equal length; `row` returns the number of the row at a position, and
+    /// ascends. At most so many numbers are listed of each. Exact. Cost: linear in almost all cases, O(n log n) in
+    /// all.
     pub(super) fn of_columns(x: &Column, y: &Column, row: &dyn Fn(usize) -> u64, most: usize) -> Self {
         let rows = match (x, y) {
             (Column::Narrow(x), Column::Narrow(y)) => Rows::Grid {
@@ -72,7 +73,7 @@ impl SupportRows {
         SupportRows { merged: vec![rows], ..SupportRows::default() }
     }
 
-    /// Those among some positions of two columns, of which few are not.
+    /// Returns the support among some positions of two columns, of which most support a hull.
     pub(super) fn of_positions(
         x: &Column,
         y: &Column,
@@ -215,7 +216,7 @@ impl Rows {
         }
     }
 
-    /// Without most of the readings strictly between the hulls, which leading digits tell.
+    /// Removes most of the readings strictly between the hulls, as leading digits tell.
     fn near_a_hull(rows: Vec<TiedReading>) -> Vec<TiedReading> {
         let [x, y] = columns_of(&rows);
         let (Some(x), Some(y)) = (x.rounded(), y.rounded()) else { return rows };
@@ -224,7 +225,7 @@ impl Rows {
         rows.into_iter().enumerate().filter_map(is_near).collect()
     }
 
-    /// Without the readings strictly between the hulls, and those that others stand for.
+    /// Removes the readings strictly between the hulls, and the readings that others represent.
     fn reduced(self, most: usize) -> Self {
         match self {
             Rows::Grid { units, points } => Rows::Grid { units, points: touching(points, most) },

@@ -69,7 +69,8 @@ impl Column {
         column
     }
 
-    /// So many units each, in the shorter integers if these hold all of them; `None` if neither do.
+    /// Returns a column of these counts of units, in the shorter integers if these hold all of them; `None` if
+    /// neither do.
     fn of_words(counts: Vec<i128>, unit: Unit) -> Option<Self> {
         let bits = counts.iter().fold(0, |bits, count| bits | count.unsigned_abs());
         if bits >> <i64 as Count>::BITS == 0 {

@@ -9,14 +9,14 @@ use crate::{Integer, Rational};
 
 /// Digits of a word.
 const WORD_DIGITS: i32 = 18;
-/// What a word counts up to.
+/// The number above the largest count of a word.
 const RADIX: i64 = 10_i64.pow(WORD_DIGITS as u32);
 /// No number of a column takes more words, so that one long number among many short ones costs little memory.
 pub(crate) const MOST_WORDS: usize = 16;
 
-/// Decimals whose digits are kept in words of eighteen, the place of each word the same for all: word `j` of a number counts
-/// `10^(18·(place + j))`, and all words of a number have its sign. Numbers of different length are in line without a product,
-/// their sums have no carries before the end, and they compare word by word.
+/// Decimals whose digits are kept in words of eighteen. Each word has the same place in all numbers: word `j` of a
+/// number counts `10^(18·(place + j))`, and all words of a number have its sign. Numbers of different length are in
+/// line without a product, their sums have no carries before the end, and they compare word by word.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Long {
     words: Vec<i64>,
@@ -33,7 +33,7 @@ pub(crate) struct LongNumber {
 }
 
 impl LongNumber {
-    /// From the words that count `10^(18·place)` and so on; `None` when there are too many.
+    /// Returns the number with the words that count `10^(18·place)` and so on; `None` when there are too many.
     pub(crate) fn new(of: impl Iterator<Item = i64>, place: i32) -> Option<Self> {
         let (mut words, mut width) = ([0; MOST_WORDS], 0);
         for word in of {
@@ -76,7 +76,7 @@ impl Long {
         Long { words: Vec::new(), width: 0, place: 0 }
     }
 
-    /// So many units each; `None` when one is too long, or the unit no power of ten.
+    /// Returns a column of these counts of units; `None` when one is too long, or the unit no power of ten.
     pub(super) fn of_counts(counts: impl Iterator<Item = i128>, unit: Unit) -> Option<Self> {
         let exponent = match unit {
             Unit::Any => 0,
@@ -211,7 +211,7 @@ impl Long {
         let round = |words: &[i64]| {
             let Some(top) = words.iter().rposition(|&word| word != 0) else { return 0.0 };
             let word = |j: usize| words.get(j).map_or(0.0, |&word| word as f64);
-            // What is further below is less than 10^-18 of the number.
+            // Lower words are less than 10^-18 of the number.
             let Some(next) = top.checked_sub(1) else { return word(0) * scales.first().unwrap_or(&0.0) };
             (word(top) * RADIX as f64 + word(next)) * scales.get(next).unwrap_or(&0.0)
         };
@@ -260,7 +260,7 @@ fn total(words: &[i64]) -> Integer {
 pub struct LongTotal(Vec<WideSum>);
 
 impl LongTotal {
-    /// Of numbers with so many words.
+    /// Returns an empty sum of numbers with so many words.
     pub fn new(width: usize) -> Self {
         LongTotal(vec![WideSum::default(); width])
     }
@@ -282,7 +282,7 @@ impl LongTotal {
 pub struct LongProducts(Vec<WideSum>);
 
 impl LongProducts {
-    /// Of numbers with so many words.
+    /// Returns an empty sum of products of numbers with so many words.
     pub fn new(left: usize, right: usize) -> Self {
         LongProducts(vec![WideSum::default(); (left + right).saturating_sub(1)])
     }
@@ -312,7 +312,7 @@ fn in_radix(sums: &[WideSum]) -> Integer {
 /// The digits of a decimal in words: a sign or none, digits with or without a point, an exponent or none, and nothing
 /// else. `None` for everything else, and for what takes more than [`MOST_WORDS`] words.
 pub(crate) fn long_number(text: &[u8]) -> Option<LongNumber> {
-    /// So many digits are in `MOST_WORDS` words, wherever the point is.
+    /// The number of digits that `MOST_WORDS` words hold, wherever the point is.
     const MOST_DIGITS: usize = (MOST_WORDS - 1) * WORD_DIGITS as usize;
     let (negative, text) = match text {
         [b'-', rest @ ..] => (true, rest),

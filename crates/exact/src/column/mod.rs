@@ -18,8 +18,8 @@ pub use long::{Long, LongProducts, LongTotal, compare_words};
 pub use scaled::{Count, Scaled};
 pub use unit::Unit;
 
-/// Exact numbers in the order in which they were added. How they are kept follows from how long they are, and no answer
-/// depends on it.
+/// Exact numbers in the order in which they were added. The storage follows from the lengths of the numbers, and no
+/// answer depends on it.
 ///
 /// ```
 /// use boundfit_exact::{Column, Rational};
@@ -60,7 +60,7 @@ impl FromIterator<Rational> for Column {
 }
 
 impl Column {
-    /// So many units each. Exact.
+    /// Returns a column of these counts of units. Exact.
     pub fn of_counts(counts: impl Iterator<Item = i128> + Clone, unit: Unit) -> Self {
         if let Some(narrow) = Scaled::new(counts.clone(), unit) {
             return Column::Narrow(narrow);
@@ -71,9 +71,10 @@ impl Column {
         Column::Fractions(counts.map(|count| unit.times(count)).collect())
     }
 
-    /// So many units each, told by how far they are above one of them. Exact. Cost: an addition each.
+    /// Returns a column of these counts of units, given by their offsets above one of them. Exact. Cost: an addition
+    /// each.
     pub fn of_offsets(base: i64, offsets: &[u32], unit: Unit) -> Self {
-        // Of integers of 62 bits none is beyond 63 with 32 bits added.
+        // A sum of an integer of 62 bits and one of 32 bits is never beyond 63 bits.
         let counts: Vec<i64> = offsets.iter().map(|&offset| base.wrapping_add(offset.into())).collect();
         let is_narrow = |count: &i64| <i64 as Count>::new((*count).into()).is_some();
         match base.unsigned_abs() >> <i64 as Count>::BITS == 0 && counts.iter().max().is_none_or(is_narrow) {
@@ -220,9 +221,9 @@ impl Column {
         }
     }
 
-    /// Adds the decimal that is all of a text, when that has more digits than other columns take: a sign or none, digits with or
-    /// without a point, an exponent or none. Gives `false` for other texts, and for numbers so long that only fractions hold
-    /// them beside the others.
+    /// Adds the decimal that is all of a text, if it has more digits than other columns take. Its form is a sign or
+    /// none, digits with or without a point, an exponent or none. Gives `false` for other texts, and for numbers so
+    /// long that only fractions hold them beside the others.
     pub fn push_text(&mut self, text: &[u8]) -> bool {
         let Some(number) = long_number(text) else { return false };
         if !matches!(self, Column::Long(_)) {

@@ -35,12 +35,13 @@ fn of_scaled<I: Count>(scaled: &Scaled<I>, round: impl Fn(I) -> f64) -> Option<V
     Some(scaled.counts().iter().map(|&count| round(count) * unit).collect())
 }
 
-/// Within 2^-52, relatively: both halves are rounded, and their sum. Several times faster than the nearest.
+/// Returns the number within 2^-52, relatively: both halves are rounded, and their sum. Several times faster than the
+/// nearest.
 #[inline]
 fn of_wide(count: i128) -> f64 {
-    // What is left of 126 bits are 63 too.
+    // The rest of 126 bits has 63 bits, too.
     const LOW_BITS: u32 = 63;
-    // Of the magnitude: the halves of a negative number would cancel each other.
+    // The magnitude counts: the halves of a negative number would cancel each other.
     let magnitude = count.unsigned_abs();
     let (high, low) = ((magnitude >> LOW_BITS) as i64, (magnitude as i64) & i64::MAX);
     let rounded = high as f64 * (1_u64 << LOW_BITS) as f64 + low as f64;

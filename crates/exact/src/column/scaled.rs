@@ -16,7 +16,7 @@ pub struct Scaled<I> {
 pub trait Count: Copy + Eq + Into<i128> {
     /// 1.
     const ONE: Self;
-    /// How many bits no magnitude goes beyond.
+    /// The number of bits that every magnitude keeps to.
     const BITS: u32;
 
     /// The integer with this value, if it is not too large.
@@ -78,17 +78,17 @@ impl<I> Default for Scaled<I> {
 }
 
 impl<I: Count> Scaled<I> {
-    /// So many units each; `None` when one is too large.
+    /// Returns a column of these counts of units; `None` when one is too large.
     pub fn new(counts: impl IntoIterator<Item = i128>, unit: Unit) -> Option<Self> {
         Some(Scaled { counts: counts.into_iter().map(I::new).collect::<Option<_>>()?, unit })
     }
 
-    /// So many units each, where there are so many; `None` when one is missing or too large.
+    /// Returns a column of these counts of units; `None` when one is missing or too large.
     pub(super) fn of_options(counts: impl Iterator<Item = Option<i128>>, unit: Unit) -> Option<Self> {
         Some(Scaled { counts: counts.map(|count| I::new(count?)).collect::<Option<_>>()?, unit })
     }
 
-    /// So many units each, of which none is too large.
+    /// Returns a column of these counts of units, of which none is too large.
     pub(super) fn of_counts(counts: Vec<I>, unit: Unit) -> Self {
         Scaled { counts, unit }
     }

@@ -22,7 +22,7 @@ impl Unit {
         self.times(1)
     }
 
-    /// So many units as a number. Exact. Cost: the size of the power.
+    /// Returns a count of units as a number. Exact. Cost: the size of the power.
     pub fn times(self, count: i128) -> Rational {
         match self {
             Unit::Any => Rational::from(count),
@@ -57,7 +57,7 @@ impl Unit {
         }
     }
 
-    /// As a fraction that may not be in lowest terms.
+    /// Returns the unit as a fraction that may not be in lowest terms.
     pub(crate) fn terms(self) -> (Integer, Integer) {
         match self {
             Unit::Any => (Integer::one(), Integer::one()),

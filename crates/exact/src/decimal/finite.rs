@@ -19,8 +19,8 @@ const fn powers<const N: usize>(base: u64) -> [u64; N] {
 /// The powers of five below 2⁶⁴.
 const POWERS_OF_FIVE: [u64; 28] = powers(5);
 
-/// All digits of a number that is not 0, as an integer, and the power of ten that the first of them weighs; `None` where there
-/// are more than so many, or where it takes longer words to tell.
+/// Returns all digits of a number that is not 0, as an integer, and the power of ten that the first of them weighs.
+/// Returns `None` where there are more than so many digits, or where finding them takes longer words.
 pub(super) fn digits(value: &Rational, most: usize) -> Option<(u64, i64)> {
     let (numerator, denominator) = value.to_words()?;
     if numerator == 0 {

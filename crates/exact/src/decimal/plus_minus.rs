@@ -8,7 +8,7 @@ use crate::{Integer, Rational};
 /// The most digits of an estimate that its error bound asks for.
 const MOST_DIGITS: usize = 40;
 
-/// Beside an estimate without a power of ten its error bound has none either, down to here.
+/// The least exponent down to which an error bound has no power of ten, beside an estimate without one.
 const LEAST_PLAIN_BESIDE_PLAIN: i64 = -9;
 
 /// An estimate c and its error bound g as decimals c' and g' with the same last place.
@@ -59,7 +59,7 @@ impl PlusMinus {
         }
     }
 
-    /// With this last place.
+    /// Returns the estimate and its error bound with this last place.
     fn at(centre: &Rational, error: &Rational, place: i64) -> Self {
         let centre_shown = PlacedDecimal::rounded(centre, place, Rounding::Nearest);
         let covering = error + (centre_shown.value() - centre).abs();
@@ -98,7 +98,7 @@ impl PlacedDecimal {
         if self.is_negative { -size } else { size }
     }
 
-    /// As files for programs have it: below 0.1 with a power of ten.
+    /// Returns the form of files for programs: below 0.1 with a power of ten.
     #[must_use]
     pub fn compact(self) -> Self {
         PlacedDecimal { least_plain: -1, ..self }

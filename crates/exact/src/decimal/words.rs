@@ -33,8 +33,9 @@ pub(super) fn significand(value: &Rational, digits: usize, rounding: Rounding) -
     Some(scaled.rounded(up, digits))
 }
 
-/// As [`significand`] from the leading bits of both terms alone: where the least and the largest number with these have the same
-/// digits before what is cut off, and both on one side of a half where that matters, so has every number between them.
+/// Computes [`significand`] from the leading bits of both terms alone. The least and the largest number with these
+/// bits must have the same digits before the cut, and lie on one side of a half where that matters. Then every number
+/// between them has the same digits, too.
 fn bracketed(value: &Rational, digits: usize, rounding: Rounding) -> Option<Significand<u64>> {
     // Room for the power of ten by which either is multiplied: four bits hold a digit.
     let room = 4 * (digits as u64 + 2);

@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 
 use super::{Integer, Rational, Sign};
 
-/// A number as numerator over a positive denominator, not in lowest terms: for numbers that are made to be compared, where a
-/// greatest common divisor for each would cost more than all comparisons. It equals what has the same value.
+/// A number as numerator over a positive denominator, not in lowest terms. Numbers that are made to be compared use
+/// it, since a greatest common divisor for each would cost more than all comparisons. It equals what has the same
+/// value.
 #[derive(Debug, Clone)]
 pub struct Fraction {
     numerator: Integer,
@@ -42,7 +43,7 @@ impl Fraction {
     }
 }
 
-/// By value. Exact; two products.
+/// Compares by value. Exact; two products.
 impl Ord for Fraction {
     #[inline]
     fn cmp(&self, other: &Self) -> Ordering {

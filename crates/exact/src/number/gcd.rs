@@ -30,7 +30,7 @@ fn gcd_of_pairs(left: u128, right: u128) -> u128 {
 }
 
 fn gcd_of_words(left: u64, right: u64) -> u64 {
-    /// How many bits apart two numbers must be for a division to save more than it costs.
+    /// The number of bits by which two numbers must differ for a division to save more than it costs.
     const FAR_APART: u32 = 12;
     let (mut left, mut right) = (left, right);
     if left == 0 || right == 0 {

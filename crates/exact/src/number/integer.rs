@@ -68,7 +68,7 @@ fn product_of(left: &Integer, right: &Integer) -> Integer {
     long_product(left, right)
 }
 
-// What follows is rare and stays out of the callers, which the short cases are compiled into.
+// The rest is rare and stays out of the callers, which the short cases are compiled into.
 
 #[cold]
 fn big_sum(left: &Integer, right: &Integer) -> Integer {

@@ -1,6 +1,6 @@
 //! The door to other exact arithmetic: conversions to and from the numbers of num-bigint and num-rational.
 //!
-//! None of them rounds. What does not always fit is a `TryFrom`.
+//! None of them rounds. A conversion that does not always fit is a `TryFrom`.
 
 use thiserror::Error;
 

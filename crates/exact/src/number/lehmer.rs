@@ -3,10 +3,10 @@
 use super::gcd::gcd;
 use super::library::BigUint;
 
-/// Lehmer's algorithm on the two leading words (Knuth, *The Art of Computer Programming* 2, section 4.5.2, algorithm L, with
-/// the stopping rule of Collins): some thirty of Euclid's steps are found from the leading words, and done to the long
-/// numbers at once. Quadratic, as Stein's of the library, but with one pass for sixty bits in place of one for one or two:
-/// ten times faster and more. `gcd(0, n) = n`.
+/// Computes by Lehmer's algorithm on the two leading words (Knuth, *The Art of Computer Programming* 2, section
+/// 4.5.2, algorithm L, with the stopping rule of Collins). It finds some thirty of Euclid's steps from the leading
+/// words, and applies them to the long numbers at once. Quadratic, as Stein's of the library, but with one pass for
+/// sixty bits in place of one for one or two: ten times faster and more. `gcd(0, n) = n`.
 pub(super) fn long_gcd(left: &BigUint, right: &BigUint) -> BigUint {
     let word = u64::from(u64::BITS);
     match (left.trailing_zeros(), right.trailing_zeros()) {

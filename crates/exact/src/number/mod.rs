@@ -1,7 +1,7 @@
 //! The number types.
 //!
-//! Numbers that fit into 128 bits are machine words, all others the libraries' big ones. Which of the two a number is
-//! follows from its value alone, so that equal numbers are equal in memory, and no result depends on it.
+//! Numbers that fit into 128 bits are machine words, all others the libraries' big ones. The value of a number alone
+//! decides which of the two it is. So equal numbers are equal in memory, and no result depends on the choice.
 
 mod fraction;
 mod gcd;
@@ -66,7 +66,7 @@ macro_rules! operators {
     )*};
 }
 
-/// What every number type has, from its `sign` and its `negated`.
+/// Implements the common parts of every number type, from its `sign` and its `negated`.
 macro_rules! number {
     ($type:ident) => {
         impl std::ops::Neg for $type {

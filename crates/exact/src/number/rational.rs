@@ -24,8 +24,8 @@ fn difference_of(left: &Rational, right: &Rational) -> Rational {
     combined(left, right, |own, other| own - other)
 }
 
-/// A sum or difference in lowest terms by common divisors of the denominators only, which are smaller than those of the
-/// result (Knuth, *The Art of Computer Programming* 2, section 4.5.1).
+/// Computes a sum or difference in lowest terms. It takes common divisors of the denominators only, which are smaller
+/// than those of the result (Knuth, *The Art of Computer Programming* 2, section 4.5.1).
 fn combined(left: &Rational, right: &Rational, combine: impl Fn(&Integer, &Integer) -> Integer) -> Rational {
     let (Rational { numerator: a, denominator: b }, Rational { numerator: c, denominator: d }) =
         (left, right);

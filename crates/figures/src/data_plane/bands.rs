@@ -28,9 +28,9 @@ struct Band {
 }
 
 enum BandShape {
-    /// Between lines, piece by piece along x.
+    /// Bands between lines, piece by piece along x.
     Lines(Vec<BandPiece>),
-    /// Between values, row by row.
+    /// Bands between values, row by row.
     Rows(Vec<RowRange>),
 }
 
@@ -102,7 +102,7 @@ impl Bands {
         Bands(bands)
     }
 
-    /// How far the bands reach where they are bounded.
+    /// Returns the extent of the bands where they are bounded.
     pub(crate) fn extent(&self, view: &View) -> Extent {
         let mut extent = Extent::default();
         for band in &self.0 {
@@ -155,7 +155,7 @@ impl Bands {
         }
     }
 
-    /// Where the edges of the corridor pass from one line to the next.
+    /// Marks the places where the edges of the corridor pass from one line to the next.
     fn mark_breakpoints(&self, view: &View, panel: &mut Panel) {
         let Some(corridor) = Corridor::new(view.scene.fit.fps.polyhedron()) else { return };
         for envelope in [&corridor.upper, &corridor.lower] {
@@ -293,7 +293,7 @@ fn line_between(edge: &CorridorEdge, ends: &[Rational]) -> Option<[Rational; 2]>
     edge.lines().get(index).cloned()
 }
 
-/// Just outside of every panel: the edge of a band that has none.
+/// The edge of a band that has none: just outside of every panel.
 const BELOW: f64 = -0.01;
 const ABOVE: f64 = 1.01;
 

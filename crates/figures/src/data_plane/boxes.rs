@@ -219,7 +219,7 @@ fn draw_line(panel: &mut Panel, SlopeLine { theta, stroke, .. }: &SlopeLine) {
     panel.line(&ends, *stroke);
 }
 
-/// Where a line touches the box of a reading; `None` for what is no bound of one.
+/// Returns the corner where a line touches the box of a reading; `None` for a bound that belongs to no reading.
 fn corner(reading: &Measurement, width: &Rational, bound: BoxBound) -> Option<[Rational; 2]> {
     let BoxBound::Bound(name, corner) = bound else { return None };
     let y = match name {

@@ -10,14 +10,14 @@ use crate::axis::Axis;
 use crate::drawing::{LegendEntry, Panel, Swatch};
 use crate::palette::style;
 
-/// From how many readings in a square on each grey is drawn.
+/// The number of readings in a square from which on each grey is drawn.
 const LEAST: [u32; 4] = [1, 10, 100, 1000];
 /// The name in the legend.
 const NAMES: [&str; 4] = ["1 to 9 readings", "10 to 99", "100 to 999", "1000 and more"];
 /// A view this narrow beside its numbers needs digits that floats lack.
 const NARROW: f64 = 1e-9;
 
-/// Of fitted readings that are too many to be drawn, how many stand in each square of the panel.
+/// Draws the number of fitted readings in each square of the panel, where there are too many to draw each.
 pub(super) fn draw(view: &View, panel: &mut Panel) {
     if !view.scene.is_crowded() {
         return;
@@ -44,7 +44,7 @@ pub(super) fn legend() -> impl Iterator<Item = LegendEntry> {
     style::COUNTS.into_iter().zip(NAMES).map(entry)
 }
 
-/// How many fitted readings stand in each square, column by column.
+/// Counts the fitted readings in each square, column by column.
 fn counted(view: &View, panel: &Panel, [columns, lines]: [f64; 2]) -> Vec<Vec<u32>> {
     let mut counts = vec![vec![0_u32; lines as usize + 1]; columns as usize + 1];
     let [across, up] = panel.coordinates();
@@ -54,7 +54,7 @@ fn counted(view: &View, panel: &Panel, [columns, lines]: [f64; 2]) -> Vec<Vec<u3
         false => Rational::from(reading.row),
     };
     let theta = view.reference.map(|reference| reference.theta.each_ref().map(float));
-    // What is left of a level when a line is taken off has the error of the level.
+    // The rest of a level after a line is subtracted has the error of the level.
     let largest = measurements.kept().iter().map(|reading| float(&level(reading)).abs()).fold(0.0, f64::max);
     let rough = Rough::new(across, 0.0).zip(Rough::new(up, largest));
     for reading in measurements.kept() {

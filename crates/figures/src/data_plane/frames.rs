@@ -1,4 +1,4 @@
-//! Where the panels of a figure are.
+//! The places of the panels of a figure.
 
 use crate::drawing::Frame;
 use crate::figure::PlotOptions;
@@ -8,7 +8,8 @@ use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 /// Distance of panels from the right edge of the picture.
 pub(super) const RIGHT: f64 = 22.0;
 
-/// Above each other, or flipped beside each other, so that they share the axis of x, where the page is wide enough for that.
+/// Returns the frames above each other, or flipped beside each other to share the axis of x if the page is wide
+/// enough.
 pub(super) fn frames(options: &PlotOptions) -> [Frame; 2] {
     let page = Page::of(options);
     let left = LEFT_LABELS + 16.0;

@@ -1,5 +1,5 @@
-//! Figures of the data plane: readings and bands of lines above, and below the residuals of one line, where
-//! an error bound that is small against the range of the readings can still be seen.
+//! Figures of the data plane: above, readings and bands of lines; below, the residuals of one line. The residuals
+//! show an error bound that is small against the range of the readings.
 
 mod bands;
 mod boxes;
@@ -150,7 +150,7 @@ fn title(scene: &Scene) -> String {
     text.to_owned()
 }
 
-/// Who contradicts whom when no parameters are left.
+/// Returns the title when no parameters are left: the bounds that contradict each other.
 fn title_of_empty(scene: &Scene) -> String {
     let Conflict { rows, conditions, .. } = &scene.conflict;
     let nothing = if scene.is_line() { "no line" } else { "no parameters" };
@@ -181,7 +181,7 @@ fn description(scene: &Scene, notes: &[String]) -> String {
     sentences.join(" ")
 }
 
-/// What the bar of a reading shows.
+/// Returns the meaning of the bar of a reading.
 fn bar_name(problem: &Problem) -> &'static str {
     match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) if epsilon.is_zero() => "reading (ε = 0)",

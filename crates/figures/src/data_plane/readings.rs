@@ -12,10 +12,10 @@ use crate::clip::Place;
 use crate::drawing::{Anchor, Panel};
 use crate::palette::{INK, Mark, Stroke, style};
 
-/// With more readings than this, error bars have no caps.
+/// The number of readings above which error bars have no caps.
 const MOST_CAPS: usize = 60;
 
-/// How far a bar without a bound on one side goes on beyond what is known, in parts of the panel.
+/// The length by which a bar without a bound on one side goes on beyond the known end, in parts of the panel.
 const OPEN_END: f64 = 0.06;
 
 /// A reading on a panel.
@@ -74,7 +74,7 @@ fn length(panel: &Panel) -> f64 {
     if panel.is_flipped() { panel.frame.height } else { panel.frame.width }
 }
 
-/// Of readings that are thinned out, how far they reach in every column with their bounds.
+/// Draws, for readings that are thinned out, how far they reach in every column with their bounds.
 pub(crate) fn shade(view: &View, panel: &mut Panel, bars: &[Bar]) {
     if !view.scene.is_crowded() {
         return;
@@ -169,8 +169,9 @@ fn label(panel: &mut Panel, bar: &Bar) {
     panel.text(panel.oriented([bar.at, end]), text, Anchor { across, up }, INK);
 }
 
-/// Of readings that are not fitted the one that reaches highest and the one that reaches lowest in each column; of those that are,
-/// which are counted as well, those that are kept anyway.
+/// Thins out readings. Among readings that are not fitted it keeps the one that reaches highest and the one that
+/// reaches lowest in each column. Among fitted readings, which are counted as well, it keeps those that are kept
+/// anyway.
 fn thinned<'a, 'b>(bars: &'b [Bar<'a>], columns: f64) -> Vec<&'b Bar<'a>> {
     let mut kept: BTreeSet<usize> = BTreeSet::new();
     kept.extend(extremes(bars, columns, false).into_iter().flatten().flatten());

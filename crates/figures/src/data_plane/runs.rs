@@ -13,7 +13,7 @@ use crate::labels;
 use crate::palette::{BLUE, Dash, GREY, Stroke};
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 
-/// With more runs than this, only the longest are drawn: bars would cover each other.
+/// The number of runs above which only the longest are drawn: bars would cover each other.
 const MOST_BARS: usize = 60;
 /// The pixels that one bar has, between these.
 const BAR_ROOM: [f64; 2] = [3.0, 9.0];

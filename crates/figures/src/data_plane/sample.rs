@@ -1,4 +1,4 @@
-//! Which of very many readings can be seen at all, told by floats.
+//! The choice by floats of the visible readings among very many.
 //!
 //! Thinned out, a panel shows of each column the reading that reaches lowest and the one that reaches highest. Floats leave out
 //! what is certain to be neither, by a margin a thousand times wider than all their roundings; what is left is placed exactly.
@@ -6,18 +6,18 @@
 use boundfit_estimation::{Bounds, Measurement};
 use boundfit_exact::Rational;
 
-/// How wide a column is in which the extreme readings are kept, in pixels.
+/// The width of a column in which the extreme readings are kept, in pixels.
 pub(super) const COLUMN: f64 = 3.0;
 /// Fewer readings than this are all placed.
 const FEW: usize = 2_000;
 /// Half of the band around the end of a column in which a reading may belong to either, in columns.
 const EDGE: f64 = 1e-3;
-/// What floats may be wrong by, in parts of the largest number they are made of.
+/// The possible error of floats, in parts of the largest number that they are made of.
 const MARGIN: f64 = 1e-12;
 /// Numbers below this lose digits in a float.
 const LEAST: f64 = 1e-290;
 
-/// How far a column reaches: with levels down and up, and with distances down and up, all taken as "down".
+/// The reach of a column: with levels down and up, and with distances down and up, all taken as "down".
 type Depths = [f64; 4];
 
 /// Readings as floats.
@@ -30,13 +30,13 @@ struct Rough {
     margin: f64,
 }
 
-/// In how many columns readings are thinned out on an axis of x of so many pixels.
+/// Returns the number of columns in which readings are thinned out on an axis of x of so many pixels.
 pub(super) fn columns(length: f64) -> f64 {
     length / COLUMN
 }
 
-/// Returns whether each reading may be the lowest or the highest of its column on a panel, by its level or by its distance from a line;
-/// `None` where all have to be looked at. Cost: some hundred instructions for each.
+/// Returns whether each reading may be the lowest or the highest of its column on a panel, by its level or by its
+/// distance from a line. Returns `None` where every reading needs a look. Cost: some hundred instructions for each.
 pub(super) fn may_be_seen(
     readings: &[Measurement],
     theta: Option<&[Rational; 2]>,
@@ -97,7 +97,7 @@ impl Rough {
         is_fine.then(|| Rough { lower, scale: columns / width, theta, margin: MARGIN * size })
     }
 
-    /// Its place along the axis of x, in columns, and how deep it reaches.
+    /// Returns the place of a reading along the axis of x, in columns, and its depths.
     fn place(&self, reading: &Measurement) -> Option<(f64, Depths)> {
         let (x, y, epsilon) = numbers(reading)?;
         let distance = y - (self.theta[0] * x + self.theta[1]);
@@ -134,7 +134,8 @@ mod tests {
         }
     }
 
-    /// Of each column the first reading that reaches lowest and highest, by level and by distance, in fractions.
+    /// Returns, for each column, the first reading that reaches lowest and highest, by level and by distance, in
+    /// fractions.
     fn outermost(
         readings: &[Measurement],
         theta: &[Rational; 2],

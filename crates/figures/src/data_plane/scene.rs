@@ -14,13 +14,14 @@ use crate::figure::{Figure, PlotOptions};
 use crate::labels::Conflict;
 use crate::palette::{Dash, Stroke, style};
 
-/// With more readings than this, a figure shows how many there are at a place instead of each of them.
+/// The number of readings above which a figure shows counts at places instead of each reading.
 pub(super) const MOST_MARKS: usize = 10_000;
-/// With more readings than this, each is drawn small.
+/// The number of readings above which each is drawn small.
 pub(super) const MOST_LARGE_MARKS: usize = 125;
-/// With more rows than this, what is drawn at a row would cover what is drawn at the next one.
+/// The number of rows above which the marks at one row would cover the marks at the next.
 const MOST_ROWS: usize = 250;
-/// How many of the rows that fix the set are kept, whatever the columns say: a set may have a vertex for every reading.
+/// The number of rows that fix the set and are kept whatever the columns say: a set may have a vertex for every
+/// reading.
 const MOST_KEPT_BY_NAME: usize = 100;
 
 /// A line that others are compared with.
@@ -31,14 +32,14 @@ pub(crate) struct Reference {
 }
 
 impl Reference {
-    /// What a reading stands at, less the line.
+    /// Returns the level of a reading less the line.
     fn distance(&self, reading: &Measurement) -> Rational {
         let [phi1, phi2] = &reading.regressor;
         level(reading) - (&self.theta[0] * phi1 + &self.theta[1] * phi2)
     }
 }
 
-/// Where a reading stands: at y or the middle of its bounds, else at its only bound.
+/// Returns the level of a reading: y or the middle of its bounds, else its only bound.
 pub(super) fn level(reading: &Measurement) -> Rational {
     let value = reading.value().map(Cow::into_owned);
     value.or_else(|| reading.lower()).or_else(|| reading.upper()).unwrap_or_default()
@@ -49,7 +50,7 @@ pub(crate) struct Shown {
     /// x, or the number of the row.
     pub(crate) abscissa: Rational,
     pub(crate) measurement: Measurement,
-    /// Where it stands.
+    /// The level at which the reading stands.
     pub(crate) level: Rational,
     /// The level less that of the reference line.
     pub(crate) distance: Rational,
@@ -69,7 +70,7 @@ pub(crate) struct Scene<'a> {
     pub(crate) reference: Option<Reference>,
     /// All of them, or of very many those that may be seen.
     pub(crate) readings: Vec<Shown>,
-    /// How many there are.
+    /// The number of readings there.
     pub(crate) count: usize,
     /// The ends of the axis of x.
     pub(crate) abscissas: [Rational; 2],
@@ -153,8 +154,8 @@ fn abscissas(readings: [&[Measurement]; 2], is_line: bool) -> [Rational; 2] {
     [axis.lower().clone(), axis.lower() + axis.width()]
 }
 
-/// The readings of a figure: those that are not fitted, too, but for [`Figure::Corridor`], which is about narrow gaps. Of those
-/// fitted, the ones that may be seen, and those to be kept anyway.
+/// The readings of a figure: those that are not fitted, too, but for [`Figure::Corridor`], which is about narrow
+/// gaps. Among fitted readings it takes the ones that may be seen, and those to be kept anyway.
 fn readings(
     problem: &Problem,
     fit: &Fit,

@@ -16,13 +16,13 @@ use crate::palette::{Dash, INK, Mark, Shape, Stroke, style};
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 use crate::series::{self, Series, SeriesLook};
 
-/// With more readings than this in a panel, each is drawn small.
+/// The number of readings in a panel above which each is drawn small.
 const MOST_LARGE: usize = 125;
-/// With more readings than this in a small panel.
+/// The number of readings in a small panel above which each is drawn small.
 const MOST_IN_SMALL: usize = 40;
 /// Parts of the panel that a bar without a bound goes on.
 const OPEN_END: f64 = 0.06;
-/// How much wider the next bar at the same reading is, which is shorter.
+/// The additional width of the next, shorter bar at the same reading.
 const BAR_ON_BAR: f64 = 1.3;
 
 /// The drawing of a fit: bars, marks, and its line.
@@ -121,7 +121,7 @@ pub(crate) fn panels(
     (panels, legend, notes)
 }
 
-/// How many readings stand outside a panel.
+/// Returns the number of readings outside a panel.
 fn outside(panel: &Panel, problem: &Problem) -> usize {
     let stands =
         |reading: &Measurement| panel.shows(panel.place([&abscissa(problem, reading), &level(reading)]));
@@ -242,7 +242,7 @@ fn entry(own: &Series, style: &Style, has_line: bool) -> LegendEntry {
     )
 }
 
-/// How many readings a fit has, what its line is, and whether there is any that agrees with all.
+/// Returns the number of readings of a fit, its line, and its contradiction if no line agrees with all.
 fn told(own: &Series, has_line: bool) -> String {
     let readings = counted(own.problem.measurements.kept().len(), "reading", "readings");
     let line = line(own).filter(|_| has_line).map(|(_, name)| format!(", {name}")).unwrap_or_default();

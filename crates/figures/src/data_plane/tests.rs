@@ -1,4 +1,4 @@
-//! Which readings are on figures of the data plane.
+//! Tests of the readings that figures of the data plane show.
 
 use boundfit_estimation::{Problem, fit};
 use boundfit_exact::Rational;

@@ -1,4 +1,4 @@
-//! Which part of the data plane a panel shows, and the lines on it.
+//! The part of the data plane that a panel shows, and the lines on it.
 
 use boundfit_estimation::{Bounds, Measurement};
 use boundfit_exact::Rational;
@@ -10,14 +10,14 @@ use crate::extent::Extent;
 use crate::figure::Figure;
 use crate::palette::{FAINT_INK, Stroke};
 
-/// What a panel shows: values, or distances from a reference line.
+/// The content of a panel: values, or distances from a reference line.
 pub(crate) struct View<'a> {
     pub(crate) scene: &'a Scene<'a>,
     pub(crate) reference: Option<&'a Reference>,
 }
 
 impl View<'_> {
-    /// What is taken off the values of a reading.
+    /// Returns the value that is subtracted from the values of a reading.
     pub(crate) fn reference_at(&self, measurement: &Measurement) -> Rational {
         self.reference.map_or_else(Rational::zero, |reference| {
             let [phi1, phi2] = &measurement.regressor;
@@ -25,7 +25,7 @@ impl View<'_> {
         })
     }
 
-    /// Where a reading stands, as the panel shows it.
+    /// Returns the value at which the panel shows a reading.
     pub(crate) fn value<'b>(&self, shown: &'b Shown) -> &'b Rational {
         if self.reference.is_some() { &shown.distance } else { &shown.level }
     }
@@ -90,8 +90,8 @@ impl View<'_> {
         fitted.grown_towards(bands, &band_room).grown_towards(&others, &others_room).padded(&margin)
     }
 
-    /// How many of the figure's readings stand outside the panel, and how many there are; `None` where a look at each of very many takes
-    /// long and would find none.
+    /// Returns the number of the figure's readings outside the panel, and the number of all. Returns `None` where a
+    /// look at each of very many readings takes long and would find none.
     pub(crate) fn outside(&self, panel: &Panel) -> Option<[usize; 2]> {
         let Scene { problem, figure, options, count, .. } = self.scene;
         let is_asked = options.x_range.is_some() || options.y_range.is_some();
@@ -108,7 +108,7 @@ impl View<'_> {
         Some([all.filter(|reading| !stands(reading)).count(), *count])
     }
 
-    /// Where the fitted rows begin and end, when others are shown.
+    /// Marks the places where the fitted rows begin and end, when other rows are shown.
     pub(crate) fn interval_of_fitted_rows(&self, panel: &mut Panel) {
         let scene = self.scene;
         if scene.readings.iter().all(|shown| shown.fitted) {

@@ -74,7 +74,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     finished(problem, options, title, panels, legend, notes)
 }
 
-/// Who cannot be met by any parameters, and what it asks for.
+/// Returns the readings that no parameters can meet, and their demands.
 fn nowhere(problem: &Problem, conflict: &Conflict) -> String {
     let condition = conflict.conditions.first().and_then(|number| problem.conditions.get(number - 1));
     match condition {
@@ -108,7 +108,7 @@ fn allowed(problem: &Problem, bound: BoundName) -> Option<Allowed> {
     Some(Allowed { name, polyhedron: Polyhedron::intersect(System::new(inequalities)), bound })
 }
 
-/// Where two of the contradicting bounds meet each other.
+/// Returns the places where two of the contradicting bounds meet each other.
 pub(super) fn corners(lines: &[&HalfPlane]) -> Vec<[Rational; 2]> {
     let pairs = lines
         .iter()

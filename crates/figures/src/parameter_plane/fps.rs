@@ -67,7 +67,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     finished(problem, options, title, panels, legend, notes)
 }
 
-/// What a panel has of the EUI box, and whether all vertices and estimates are marked, and numbered.
+/// The content of a panel: the EUI box, and whether all vertices and estimates are marked, and numbered.
 #[derive(Clone, Copy)]
 struct Content {
     eui: bool,

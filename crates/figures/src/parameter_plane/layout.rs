@@ -17,7 +17,7 @@ const RIGHT: f64 = 22.0;
 /// Side of a panel beside the main one.
 const SIDE: f64 = 178.0;
 
-/// From one panel to the next one below it: labels, and a heading.
+/// The distance from one panel to the next one below it: labels, and a heading.
 const BETWEEN: f64 = BOTTOM_LABELS + 34.0;
 
 /// The frame of the main panel, with this many smaller ones beside it, which narrow pages have below it.

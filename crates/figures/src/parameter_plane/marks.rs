@@ -162,7 +162,7 @@ pub(crate) fn thin<'a>(sliver: &Sliver, regions: impl Iterator<Item = &'a Region
     panel
 }
 
-/// Which estimates are on none of the panels, in words.
+/// Returns the estimates that no panel shows, in words.
 pub(crate) fn outside_note(panels: &[Panel], estimates: &[Estimate]) -> Option<String> {
     let drawn = |estimate: &&Estimate| !panels.iter().any(|panel| panel.has_mark(&estimate.mark));
     let names: Vec<&str> = estimates.iter().filter(drawn).map(|estimate| estimate.name.as_str()).collect();

@@ -13,7 +13,7 @@ use crate::labels;
 use crate::page::Page;
 use crate::palette::{BLUE, Dash, Fill, INK, ORANGE, Stroke};
 
-/// How many sets are drawn, evenly spread, beside that of the bounds as given.
+/// The number of sets that are drawn, evenly spread, beside the set of the bounds as given.
 const SETS: i64 = 5;
 /// Light enough for one set to be seen through others.
 pub(crate) const FILL: Fill = Fill { colour: BLUE, opacity: 0.16 };
@@ -62,7 +62,7 @@ pub(crate) fn drawing(problem: &Problem, family: &Family, options: &PlotOptions)
     Some(finished(problem, options, title, vec![panel], legend, notes))
 }
 
-/// Below which factor nothing is left.
+/// Returns the factor below which nothing is left.
 pub(crate) fn nothing_below(family: &Family) -> Option<String> {
     let least = family.least().filter(|least| least.is_positive())?;
     Some(format!("Below the factor {} nothing is left.", shown("", least, Rounding::Up)))

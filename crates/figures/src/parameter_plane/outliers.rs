@@ -70,7 +70,7 @@ pub(crate) fn drawing(problem: &Problem, outliers: &Outliers, options: &PlotOpti
     finished(problem, options, title, panels, legend, notes)
 }
 
-/// What the filled areas are.
+/// Returns the meaning of the filled areas.
 fn left(outliers: &Outliers) -> String {
     match (outliers.least, outliers.pieces.len()) {
         (0, _) => "feasible parameter set (FPS): nothing has to be left out".to_owned(),

@@ -18,9 +18,9 @@ use crate::text::one_line;
 /// Optimal points.
 const OPTIMAL: Stroke = Stroke::new(VERMILLION, 3.0, Dash::Solid);
 const OPTIMUM: Mark = Mark::new(Shape::Disc, 4.8, VERMILLION);
-/// Where the objective has its optimum.
+/// The line where the objective has its optimum.
 const LEVEL: Stroke = Stroke::new(VERMILLION, 1.0, Dash::Short);
-/// How far the arrow of the objective reaches, in parts of the panel.
+/// The length of the arrow of the objective, in parts of the panel.
 const ARROW: f64 = 0.16;
 /// Farther than a panel is wide or high.
 const ACROSS: f64 = 4.0;
@@ -78,7 +78,7 @@ pub(crate) fn drawing(
     let (mut panel, set) = panel_of(polyhedron, &names, options);
     let improves = LegendEntry::new(Swatch::line(LEVEL), "the objective improves along the arrow");
     let mut legend = vec![LegendEntry::new(set, "feasible set")];
-    // What the description says of the optimum, and whether that is to stand below the figure.
+    // The remark of the description about the optimum, and whether the remark is to stand below the figure.
     let (note, is_shown) = match polyhedron.support(gain) {
         Support::Bounded { proof, face } => {
             draw_face(&mut panel, &face);
@@ -133,7 +133,7 @@ fn room_around(polyhedron: &Polyhedron) -> Option<[[Rational; 2]; 2]> {
     Some([[Rational::zero(), Rational::zero()], [size(first), size(second)]])
 }
 
-/// Which points are optimal, in words.
+/// Returns the optimal points, in words.
 fn optimal_points(face: &Face) -> &'static str {
     match face {
         Face::Vertex(_) => "One point is optimal.",

@@ -1,4 +1,4 @@
-//! A set of parameters of any kind in a panel. What is unbounded is cut at the edge of the panel, with arrows.
+//! A set of parameters of any kind in a panel. An unbounded part is cut at the edge of the panel, with arrows.
 
 use boundfit_exact::Rational;
 use boundfit_geometry::{Direction, HalfPlane, Inequality, Polyhedron, Region};
@@ -83,12 +83,12 @@ fn fill_inside(panel: &mut Panel, polyhedron: &Polyhedron, fill: Fill) {
     }
 }
 
-/// Where the vertices fall.
+/// Returns the places of the vertices.
 pub(crate) fn places(panel: &Panel, region: &Region) -> Vec<Place> {
     region.vertices().iter().map(|vertex| at(panel, &vertex.point().coordinates())).collect()
 }
 
-/// Where a point falls.
+/// Returns the place of a point.
 pub(crate) fn at(panel: &Panel, [theta1, theta2]: &[Rational; 2]) -> Place {
     panel.place([theta1, theta2])
 }

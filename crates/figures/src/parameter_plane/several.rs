@@ -66,7 +66,7 @@ fn names(all: &[Series], options: &PlotOptions) -> [String; 2] {
     })
 }
 
-/// Its place where the set is too small to be seen, or is one point: the central estimate.
+/// Marks the place of a set that is too small to be seen, or is one point: the central estimate.
 fn mark_set(panel: &mut Panel, own: &Series, look: SeriesLook) {
     let region = own.fit.fps.polyhedron().region();
     if let (Region::Point(_), [at]) = (region, region::places(panel, region).as_slice()) {
@@ -89,7 +89,7 @@ fn entry(own: &Series, look: SeriesLook) -> LegendEntry {
     LegendEntry::staying(Swatch { mark, ..swatch }, told(own))
 }
 
-/// What there is of a set, or why there is none.
+/// Returns the kind of a set, or the reason why there is none.
 fn told(own: &Series) -> String {
     let region = own.fit.fps.polyhedron().region();
     match region.is_empty() {

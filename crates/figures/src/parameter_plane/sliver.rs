@@ -54,20 +54,20 @@ impl Sliver {
         (width < Rational::ratio(THIN.0, THIN.1)).then_some(sliver)
     }
 
-    /// Where a point falls on a panel in these coordinates.
+    /// Returns the place of a point on a panel in these coordinates.
     pub(crate) fn place(&self, panel: &Panel, theta: &[Rational; 2]) -> Option<Place> {
         let [along, across] = self.coordinates(theta)?;
         Some(panel.place([&along, &across]))
     }
 
-    /// What the panel in these coordinates shows, in words.
+    /// Returns the content of the panel in these coordinates, in words.
     pub(crate) fn note(whose: &str) -> String {
         format!(
             "Principal axes: along and across the longest diagonal of {whose}, scaled so that its box is 1 by 1 and the diagonal is 1."
         )
     }
 
-    /// Along and across the diagonal.
+    /// Returns the coordinates of a point along and across the diagonal.
     fn coordinates(&self, theta: &[Rational; 2]) -> Option<[Rational; 2]> {
         let [u, v] = scaled(&self.origin, theta, &self.sides)?;
         let [d, e] = &self.diagonal;

@@ -1,4 +1,4 @@
-//! Which part of the parameter plane is shown.
+//! The part of the parameter plane that is shown.
 
 use boundfit_estimation::Fit;
 use boundfit_exact::{Interval, Rational};
@@ -36,7 +36,7 @@ impl Window {
         }))
     }
 
-    /// Also shows a point, if it is not further away than `most` times the width.
+    /// Shows a point as well, if it is not further away than `most` times the width.
     pub(crate) fn with_near(self, point: &[Rational; 2], most: &Rational) -> Self {
         let near = self.0.iter().zip(point).all(|([lower, upper], value)| {
             let room = (upper - lower) * most;
@@ -45,7 +45,7 @@ impl Window {
         if near { self.with(point) } else { self }
     }
 
-    /// Also shows a point.
+    /// Shows a point as well.
     pub(crate) fn with(self, point: &[Rational; 2]) -> Self {
         let [first, second] = self.0;
         let grown = |[lower, upper]: [Rational; 2], value: &Rational| {
@@ -185,8 +185,9 @@ fn size_of(value: &Rational) -> Rational {
     if value.is_zero() { Rational::one() } else { value.abs() }
 }
 
-/// A window around a point near lines, wide enough to see where they run: in each coordinate as far as the lines cut the
-/// axis through the point, or else as far as it takes them to cross the window on a slant.
+/// Returns a window around a point near lines, wide enough to see where they run. In each coordinate it reaches as
+/// far as the lines cut the axis through the point. Otherwise it reaches far enough for the lines to cross the window
+/// on a slant.
 pub(crate) fn around_lines(centre: &[Rational; 2], lines: &[&HalfPlane]) -> Window {
     Window([0, 1].map(|j| {
         let other = 1 - j;

@@ -81,7 +81,7 @@ fn level(panel: &mut Panel) -> Option<LegendEntry> {
     (panel.items.len() > before).then(|| LegendEntry::new(Swatch::line(LEVEL), "level lines, θ₁ = 0"))
 }
 
-/// What the readings that contradict each other allow, on the side whose lines need the smaller factor.
+/// Draws the sets that the contradicting readings allow, on the side whose lines need the smaller factor.
 fn nothing(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotOptions) -> Drawing {
     let nearest = answer.least.as_ref().map_or(Side::Both, |least| least.side);
     let side = answer.sides.iter().find(|side| side.side == nearest).or(answer.sides.first());
@@ -133,7 +133,7 @@ fn bounds(side: &SideSet) -> Vec<(BoxBound, HalfPlane)> {
     own.filter_map(line).collect()
 }
 
-/// What some of the half-planes of a side leave.
+/// Returns the set that some of the half-planes of a side leave.
 fn allowed(side: &SideSet, is_own: impl Fn(BoxBound) -> bool) -> Polyhedron {
     let all = side.names.iter().zip(side.polyhedron.system().inequalities());
     Polyhedron::intersect(all.filter(|(name, _)| is_own(**name)).map(|(_, own)| own.clone()).collect())

@@ -12,7 +12,7 @@ use crate::text::{FAMILY, drawable};
 /// Plotters sizes a font by its line height.
 const LINE_HEIGHT: f64 = 1.24;
 
-/// What labels stand on: lines shine through.
+/// The plate behind labels: lines shine through.
 pub(super) const PLATE: Fill = Fill { colour: PAPER, opacity: 0.7 };
 /// Length and half the width of the head of an arrow.
 const ARROW: [f64; 2] = [9.0, 3.6];

@@ -1,4 +1,4 @@
-//! What is drawn on.
+//! The surface that is drawn on.
 //!
 //! Plotters counts in whole pixels. The canvas is therefore ten times larger than the nominal size, and the picture
 //! scaled back when it is written.

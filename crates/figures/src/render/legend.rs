@@ -83,7 +83,7 @@ pub(super) fn bar(left: f64, middle: f64) -> [Pixel; 2] {
     [[centre, middle - 7.5], [centre, middle + 7.5]]
 }
 
-/// Where a sample of a mark is.
+/// Returns the place of a sample of a mark.
 pub(super) fn centre(left: f64, middle: f64) -> Pixel {
     [left + SWATCH / 2.0, middle]
 }

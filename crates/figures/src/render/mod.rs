@@ -35,7 +35,7 @@ const NOTE_LINE: f64 = 17.0;
 /// Letters of subtitle and notes.
 const NOTE_SIZE: f64 = 11.5;
 
-/// How large a picture is, and in which colours.
+/// The size of a picture, and its colours.
 #[derive(Debug, Clone)]
 pub(crate) struct Look {
     pub(crate) page: Page,
@@ -90,12 +90,12 @@ impl Words<'_> {
         self.below_title() + self.subtitle.len().saturating_sub(1) as f64 * NOTE_LINE + HEADER
     }
 
-    /// How far a title of several lines moves what is below it.
+    /// Returns the distance by which a title of several lines moves everything below it.
     fn below_title(&self) -> f64 {
         self.title.len().saturating_sub(1) as f64 * TITLE_LINE
     }
 
-    /// Where notes begin.
+    /// Returns the place where notes begin.
     fn notes_top(&self, drawing: &Drawing) -> f64 {
         self.header() + drawing.height + legend::height(self.legend.len())
     }

@@ -19,7 +19,7 @@ pub(crate) const LEFT_LABELS: f64 = 66.0;
 /// Room for labels and name below a panel.
 pub(crate) const BOTTOM_LABELS: f64 = 42.0;
 pub(super) const TICK: f64 = 4.0;
-/// How far above a panel its heading and the scale of its vertical axis stand.
+/// The height above a panel of its heading and of the scale of its vertical axis.
 const ABOVE: f64 = 9.0;
 /// Least distance between two texts side by side.
 const APART: f64 = 10.0;
@@ -104,7 +104,7 @@ fn labels(brush: &Brush, panel: &Panel, frame: Frame, taken: Vec<Rectangle>) -> 
     Ok(found.into_iter().zip(&wanted).zip(texts()).map(label).collect())
 }
 
-/// Where a place falls on the canvas.
+/// Returns the place on the canvas of a place in the panel.
 pub(super) fn pixel([x, y]: Place, frame: Frame) -> Pixel {
     [frame.left + x * frame.width, frame.top + (1.0 - y) * frame.height]
 }

@@ -1,12 +1,13 @@
-//! Where the texts of a panel stand: beside their places, so that none covers a mark or another text while there is room.
+//! The places of the texts of a panel: beside their points, so that none covers a mark or another text while there is
+//! room.
 
 use super::written::{HALF_LINE, Pixel, Rectangle};
 use crate::clip::Place;
 use crate::drawing::{Anchor, Frame};
 
-/// How far texts stand from their places, best first.
+/// The distances of texts from their places, best first.
 const GAPS: [f64; 4] = [3.5, 8.0, 15.0, 26.0];
-/// How they turn away from where they are to stand, in radians, best first.
+/// The turns of texts away from their preferred direction, in radians, best first.
 const TURNS: [f64; 12] = [0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.6, -1.6, 2.3, -2.3, std::f64::consts::PI];
 /// Steps in which a text on an edge of the panel moves along it.
 const STEP: f64 = 12.0;
@@ -17,10 +18,10 @@ const EDGE: f64 = 2.0;
 
 /// A text to be placed.
 pub(super) struct Label {
-    /// Its place in fractions of the panel, and on the canvas.
+    /// The place of the text in fractions of the panel, and on the canvas.
     pub(super) place: Place,
     pub(super) at: Pixel,
-    /// Where it would best stand.
+    /// The preferred direction of the text.
     pub(super) anchor: Anchor,
     pub(super) width: f64,
 }
@@ -58,7 +59,7 @@ pub(super) fn placed(
     found
 }
 
-/// Where a text may stand, best first.
+/// Returns the places where a text may stand, best first.
 fn candidates(label: &Label, frame: Frame, page: f64) -> Vec<Pixel> {
     let Anchor { across, up } = label.anchor;
     let straight = up.atan2(across);

@@ -8,7 +8,7 @@ pub(super) const HALF_LINE: f64 = 7.0;
 /// A point on the canvas: right and down.
 pub(super) type Pixel = [f64; 2];
 
-/// Which part of a text stands at its place.
+/// The part of a text that stands at its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Align {
     Start,
@@ -47,12 +47,12 @@ impl Rectangle {
 
 /// A line of text on the picture.
 pub(super) struct Written {
-    /// Its left end, middle or right end, as it is aligned, at half its height.
+    /// The left end, middle or right end of the text, as it is aligned, at half its height.
     pub(super) at: Pixel,
     pub(super) text: String,
     pub(super) size: f64,
     pub(super) colour: Colour,
     pub(super) align: Align,
-    /// Of a label among what is drawn, the plate that it stands on.
+    /// The plate under a label within the drawing.
     pub(super) plate: Option<Rectangle>,
 }

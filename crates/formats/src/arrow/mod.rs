@@ -238,8 +238,8 @@ impl Rows<'_> {
         Ok((Batch { others, ..numbers }, lacking))
     }
 
-    /// The rows of a batch, which starts with this one, that satisfy all conditions as far as they have the numbers for them, and
-    /// those of them that lack no number.
+    /// Returns the rows of a batch, which starts with this one, that satisfy all conditions as far as they have the
+    /// numbers for them. Returns as well those of them that lack no number.
     fn with_values(
         &self,
         first_row: usize,

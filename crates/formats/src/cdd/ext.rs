@@ -1,10 +1,9 @@
 //! V-representations: a row `1 x y` is a point, `0 x y` a ray, and `0 x y` on a `linearity` line a line.
 //!
 //! As in cdd and lrs, any positive first number makes the row a point in homogeneous coordinates: `w x y` is
-//! `(x / w, y / w)`. A file with rays or lines but no point is the cone with its apex at the origin. Without
-//! any row the set is empty, as cdd writes it. A negative first number and a point on a `linearity` line are
-//! refused. cdd and lrs take them for generators of the cone above the plane, and their formats do not
-//! describe that.
+//! `(x / w, y / w)`. A file with rays or lines but no point is the cone with its apex at the origin. Without any row
+//! the set is empty, as cdd writes it. A negative first number and a point on a `linearity` line are refused. Both
+//! programs take them for generators of the cone above the plane, and their formats do not describe that.
 
 use boundfit_geometry::{Direction, Generator, Generators, Point};
 

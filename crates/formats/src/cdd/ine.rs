@@ -1,6 +1,6 @@
-//! The polyhedra files of cdd and lrs (Fukuda, *cddlib Reference Manual*, "Polyhedra H- and V-Formats"; Avis, *lrslib User's
-//! Guide*, "File Formats"): an H-representation with a row `b -a1 -a2` for `b - a1·θ1 - a2·θ2 ≥ 0`, or, after a line
-//! `V-representation`, generators as in [`super::ext`].
+//! The polyhedra files of cdd and lrs (Fukuda, *cddlib Reference Manual*, "Polyhedra H- and V-Formats"; Avis, *lrslib
+//! User's Guide*, "File Formats"). An H-representation has a row `b -a1 -a2` for `b - a1·θ1 - a2·θ2 ≥ 0`. A file with
+//! a line `V-representation` has generators as in [`super::ext`].
 //!
 //! Numbers are read exactly, whatever the word `integer`, `rational` or `real` says: cdd and lrs take
 //! fractions under `integer` too. Rows on lines `linearity` (or the older `equality`) are equations. Options

@@ -149,7 +149,7 @@ pub enum InputErrorKind {
     /// JSON that is none, or no records.
     #[error("read as JSON, where {expected} belongs here")]
     Json {
-        /// What does.
+        /// The expected form.
         expected: &'static str,
     },
     /// An object or array of JSON where a number belongs.
@@ -416,7 +416,7 @@ pub enum InputErrorKind {
     /// More wanted rows than the caller takes.
     #[error("there are more than {limit} rows")]
     TooManyWanted {
-        /// How many it takes.
+        /// The number of rows that the caller takes.
         limit: usize,
     },
     /// A matrix of unknown size that ends within a row.

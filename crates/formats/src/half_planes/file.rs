@@ -4,8 +4,8 @@ use boundfit_geometry::{Generators, System};
 
 use crate::notes::TableNotes;
 
-/// Bytes that a half-plane or a generator takes at least with what is made of it: measured as the largest memory of a process that read
-/// 10⁶ points. What callers make of half-planes, [`TableOptions::row_cost`] says.
+/// Bytes that a half-plane or a generator takes at least with what is made of it: measured as the largest memory of a
+/// process that read 10⁶ points. The cost of the callers' own data is in [`TableOptions::row_cost`].
 pub(crate) const OF_A_HALF_PLANE: usize = 800;
 
 /// The origin of an inequality of the system: a row of the file. For a V-representation, its number among the

@@ -28,7 +28,7 @@ use tokens::NESTED;
 /// Returns whether a text that starts like this is JSON: an object with a key, or an array of objects or arrays.
 pub(crate) fn is_json(start: &[u8]) -> bool {
     let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start);
-    // Of UTF-16 the other byte of each character.
+    // The other byte of each character belongs to UTF-16.
     let mut bytes = start.iter().filter(|byte| !byte.is_ascii_whitespace() && !matches!(byte, 0 | 0xfe..));
     match (bytes.next(), bytes.next()) {
         (Some(b'{'), Some(b'"')) => true,

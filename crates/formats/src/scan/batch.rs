@@ -112,9 +112,9 @@ pub struct ScanOptions {
     pub key: Option<ColumnSelector>,
     /// `true` if the text of the rows is handed out too.
     pub keep_text: bool,
-    /// A column that tells rows apart. A column whose cells stand at the end of each written row. This
-    /// matters only with `keep_text` and for rows that are not text to begin with: they are written with the
-    /// columns asked for only, while rows of text have all their cells.
+    /// A column that tells rows apart. A column whose cells stand at the end of each written row. This matters only
+    /// with `keep_text` and for rows that do not come from text: they are written with the columns asked for only.
+    /// Rows of text have all their cells.
     pub identity: Option<ColumnSelector>,
     /// `true` if a table without rows, or without any that are wanted, is nothing but that. It is refused otherwise.
     pub allow_nothing: bool,

@@ -1,9 +1,9 @@
 //! Numeric columns of delimited text of any size, in batches.
 //!
-//! The bytes are cut into chunks of whole lines. A group of chunks is taken apart in parallel (`parallel`),
-//! each as if a row started with it: by the fast lane (`plain`), or else by the rules of CSV in full
-//! (`rows`). Where one ends within quotes, the next one does not start with a row: from there on chunks are
-//! read one after the other (`sequential`).
+//! The bytes are cut into chunks of whole lines. A group of chunks is read in parallel (`parallel`), each as if a row
+//! started with it. The fast lane (`plain`) reads a chunk, or else the rules of CSV in full (`rows`). Where one ends
+//! within quotes, the next one does not start with a row: from there on chunks are read one after the other
+//! (`sequential`).
 
 mod batch;
 mod builder;

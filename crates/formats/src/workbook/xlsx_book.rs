@@ -179,7 +179,7 @@ pub(super) fn unescaped(text: String) -> String {
 pub(super) struct Texts {
     all: String,
     ends: Vec<u32>,
-    /// Their memory.
+    /// The memory of the workbook's parts.
     memory: Option<HeldMemory>,
 }
 

@@ -21,7 +21,7 @@ impl Chord {
     }
 }
 
-/// Where a point of this cell must be to be discarded: above one chord and below another.
+/// The place of a point in this cell that is discarded: above one chord and below another.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell {
     pub(super) above: Chord,
@@ -55,12 +55,12 @@ pub(super) trait Index<C> {
 pub(super) struct Equal {
     scale: f64,
     span: f64,
-    /// What is so far from another is certainly on that side of it.
+    /// The distance from which on one number is certainly on one side of another.
     blur: f64,
 }
 
 impl Equal {
-    /// For offsets from 0 to `span`, which tell how what they are of is ordered where they differ by `blur` or more.
+    /// Returns an index for offsets from 0 to `span`, which order their numbers where they differ by `blur` or more.
     pub(super) fn of_span(span: f64, blur: f64) -> Option<Self> {
         let scale = if span > 0.0 { (MOST_CELLS - 1) as f64 / span } else { 0.0 };
         scale.is_finite().then_some(Equal { scale, span, blur })
@@ -95,7 +95,7 @@ pub(super) struct Between<C> {
 const KNOTS: usize = 63;
 
 impl<C: Coordinate> Between<C> {
-    /// Between some of ascending places, evenly chosen if there are many; `None` without any.
+    /// Returns cells between some of ascending places, evenly chosen if there are many; `None` without any.
     pub(super) fn places(places: &[C]) -> Option<Self> {
         let last = places.len().checked_sub(1)?;
         let knots = std::array::from_fn(|k| if last < KNOTS { k.min(last) } else { k * last / (KNOTS - 1) });
@@ -127,7 +127,8 @@ impl<C: Coordinate> Index<C> for Between<C> {
 mod tests {
     use super::*;
 
-    /// For each place of 0, 10, 20, …: the cells that begin there or later, and those that end there or before.
+    /// Returns, for each place of 0, 10, 20, …, the cells that begin there or later, and the cells that end there or
+    /// before.
     fn around(count: i64) -> Vec<(usize, usize, usize)> {
         let places: Vec<i64> = (0..count).map(|k| 10 * k).collect();
         let between = Between::places(&places).unwrap();

@@ -29,9 +29,9 @@ pub(super) fn points(places: Vec<Place<i64>>) -> Vec<GridPoint> {
     places.into_iter().map(|Place { x, y, rows }| GridPoint { x, y, rows }).collect()
 }
 
-/// The places of two columns of equal length that may [touch](super::touching) a hull: every one that does is among them,
-/// perhaps more than once, and of data with some width few others. `row` and `most` are those of [`touching_of_columns`]. Exact in
-/// this sense. Cost: linear.
+/// Returns the places of two columns of equal length that may [touch](super::touching) a hull. Every place that
+/// touches is among them, perhaps more than once; if the data have some width, few others are. `row` and `most` are
+/// those of [`touching_of_columns`]. Exact in this sense. Cost: linear.
 pub fn candidates_of_columns(
     x: &[i128],
     y: &[i128],

@@ -50,7 +50,7 @@ impl Tied for Place<f64> {
     }
 }
 
-/// Of finite numbers; both zeros are one number.
+/// Compares finite numbers; both zeros are one number.
 fn order(left: f64, right: f64) -> Ordering {
     left.partial_cmp(&right).unwrap_or(Ordering::Equal)
 }

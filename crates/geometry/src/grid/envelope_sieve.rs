@@ -1,15 +1,16 @@
 //! A float filter for readings whose two half-planes certainly touch no envelope.
 //!
-//! Known half-planes that bound θ2 from above leave a set with corners and two unbounded edges. Another half-plane of that
-//! kind is strictly redundant where it holds strictly in every corner and turns away from neither edge. Those that bound θ2
-//! from below are the same in the mirror θ2 → -θ2.
+//! Known half-planes that bound θ2 from above leave a set with corners and two unbounded edges. Another half-plane of
+//! that kind is strictly redundant where it holds strictly in every corner and turns away from neither edge.
+//! Half-planes that bound θ2 from below are the same in the mirror θ2 → -θ2.
 //!
 //! # The margin
 //!
-//! All numbers are 0 or between 2⁻⁵⁰⁰ and 2⁵⁰⁰ in absolute value, so that no product overflows or underflows. Those of readings
-//! are within a relative error of 2⁻⁵⁰ of the true ones, those of corners and edges within 2⁻⁵². Then a1·v1 + a2·v2 is found
-//! within 2⁻⁴⁹ of |a1·v1| + |a2·v2|: a product is off by 2⁻⁵⁰ + 2⁻⁵² + 2⁻⁵³ of itself and the sum by 2⁻⁵³ more. Twice as much is
-//! left between it and the right-hand side, of which the caller says what it is certainly not below.
+//! All numbers are 0 or between 2⁻⁵⁰⁰ and 2⁵⁰⁰ in absolute value, so that no product overflows or underflows. Numbers
+//! of readings are within a relative error of 2⁻⁵⁰ of the true ones, numbers of corners and edges within 2⁻⁵². Then
+//! a1·v1 + a2·v2 is found within 2⁻⁴⁹ of |a1·v1| + |a2·v2|: a product is off by 2⁻⁵⁰ + 2⁻⁵² + 2⁻⁵³ of itself and the
+//! sum by 2⁻⁵³ more. Twice as much is left between it and the right-hand side, of which the caller says what it is
+//! certainly not below.
 
 use boundfit_exact::{Rational, Sign};
 
@@ -26,7 +27,7 @@ const RANGE: [f64; 2] = [f64::from_bits((1023 - 500) << 52), f64::from_bits((102
 /// More corners than these would take longer to look at than they are worth.
 const MOST_CORNERS: usize = 16;
 
-/// So many rows are looked at together, as many as vector registers hold with what they are compared with.
+/// The number of rows that are tested together, as many as vector registers hold with their partners.
 const LANES: usize = 8;
 
 /// A number that a filter may compute with: NaN, with which every comparison fails, where it is beyond the range.
@@ -131,8 +132,8 @@ struct Lanes {
 }
 
 impl EnvelopeSieve {
-    /// From half-planes of the whole, best those that [touch an envelope](crate::touching_an_envelope) so far.
-    /// Cost: O(n log n).
+    /// Returns a sieve from half-planes of the whole, best those that [touch an
+    /// envelope](crate::touching_an_envelope) so far. Cost: O(n log n).
     pub fn new(half_planes: &[HalfPlane]) -> Self {
         let corners = |side: HullSide, mirror: f64| {
             let places = Family::new(side, half_planes.iter().enumerate()).corners();
@@ -218,8 +219,8 @@ fn is_left_of(size: f64, known: Option<f64>, bound: f64) -> bool {
 }
 
 impl Corners {
-    /// Of half-planes that all make a corner, by ascending a1/a2; in the mirror for -1. `None` without any, and where numbers are
-    /// out of range.
+    /// Returns a chain of half-planes that all make a corner, by ascending a1/a2; in the mirror for -1. `None`
+    /// without any, and where numbers are out of range.
     fn new(half_planes: &[&HalfPlane], mirror: f64) -> Option<Self> {
         let last = half_planes.len().checked_sub(1)?;
         // A set that is larger discards less, and nothing wrongly.
@@ -251,8 +252,8 @@ impl Corners {
         is_known.then_some(Corners { corners, farthest, edges })
     }
 
-    /// For which of some half-planes what [`Self::are_within`] and [`Self::is_between_edges`] say is certain and yes. The margin is
-    /// that of the farthest corner, so that little is left to do for each.
+    /// Returns for which half-planes the answers of [`Self::are_within`] and [`Self::is_between_edges`] are certain
+    /// and yes. The margin is that of the farthest corner, so that little is left to do for each.
     #[inline]
     fn contain(&self, slope: &[f64; LANES], height: &[f64; LANES], bound: &[f64; LANES]) -> [bool; LANES] {
         let mut largest = [f64::NEG_INFINITY; LANES];

@@ -1,9 +1,10 @@
 //! A float filter for points that are certainly strictly between the two hulls.
 //!
-//! The hull of a small sample lies within the hull of all points. The x-axis is divided into cells, and each cell has a
-//! chord between two points of the sample from its left end or before to its right end or beyond: as the lower hull of
-//! all points is convex, it is nowhere above the chord there, and likewise for the upper hull. A point that is certainly
-//! above the one chord and below the other is strictly between the hulls. (The idea is that of Akl and Toussaint 1978.)
+//! The hull of a small sample lies within the hull of all points. The x-axis is divided into cells. Each cell has a
+//! chord between two points of the sample, from its left end or before to its right end or beyond. The lower hull of
+//! all points is convex, so it is nowhere above the chord there, and likewise for the upper hull. A point that is
+//! certainly above the one chord and below the other is strictly between the hulls. (The idea is that of Akl and
+//! Toussaint 1978.)
 
 use super::cells::{Cell, Equal, Index, MOST_CELLS};
 use super::coordinate::Coordinate;
@@ -66,7 +67,7 @@ pub(super) fn places<C: Coordinate>(x: &[C], y: &[C], listing: Listing) -> Vec<P
     places_by(x, y, listing, None)
 }
 
-/// With a given plan in each round, or the one that suits the number of rows.
+/// Returns the places with a given plan in each round, or with the plan that suits the number of rows.
 fn places_by<C: Coordinate>(x: &[C], y: &[C], listing: Listing, plan: Option<&Plan>) -> Vec<Place<C>> {
     let rows = x.len().min(y.len());
     let (x, y) = (&x[..rows], &y[..rows]);
@@ -139,10 +140,10 @@ fn survivors<C: Coordinate>(x: &[C], y: &[C], plan: Option<&Plan>) -> Option<Vec
 
 /// Cells from the least to the greatest x of a sample.
 pub(super) struct Filter<C, I> {
-    /// What most rows are discarded by, if there is such a thing.
+    /// The strip that discards most rows, if there is one.
     strip: Option<Strip>,
     origin: C,
-    /// From the one to the other, rows are certainly between the ends of the sample.
+    /// The two x between which rows are certainly between the ends of the sample.
     least: C,
     greatest: C,
     index: I,
@@ -150,7 +151,7 @@ pub(super) struct Filter<C, I> {
 }
 
 impl Filter<f64, Equal> {
-    /// Of numbers that are rounded already.
+    /// Returns a filter of numbers that are rounded already.
     pub(super) fn of_rounded(sample: &Sample<f64>) -> Option<Self> {
         let filter = Filter::new(sample, sample.equal_cells()?);
         let (least, greatest) = (filter.least + sample.blur(), filter.greatest - sample.blur());
@@ -165,9 +166,9 @@ impl<C: Coordinate, I: Index<C>> Filter<C, I> {
         Filter { strip: None, origin, least: origin, greatest: end, index, cells }
     }
 
-    /// With a strip, if that discards most of a sample of the rows.
+    /// Adds a strip, if it discards most of a sample of the rows.
     fn with_strip(self, sample: &Sample<C>) -> Self {
-        /// Of so many rows of the sample one may be left: more branches would not be foreseen.
+        /// The number of rows of the sample of which at most one may remain: more branches would not be foreseen.
         const RARE: usize = 8;
         let discards = |strip: &Strip| {
             let is_left =

@@ -1,5 +1,5 @@
-//! The hulls of points that are known already, to tell exactly what is strictly within one of their edges: of readings in few
-//! steps there are many, at more places than a table remembers.
+//! The hulls of points that are known already, to tell exactly which points are strictly within an edge. Readings in
+//! few steps have many such points, at more places than a table remembers.
 
 use boundfit_exact::Sign;
 
@@ -24,7 +24,7 @@ enum Seen {
 }
 
 impl KnownHulls {
-    /// Of points of the whole; `None` where products of coordinates do not fit. Cost: O(n log n).
+    /// Returns the hulls of points of the whole; `None` where products of coordinates do not fit. Cost: O(n log n).
     pub(super) fn new(points: &[GridPoint]) -> Option<Self> {
         let touching = touching(points.to_vec(), 1);
         if !are_narrow(&touching) {

@@ -1,9 +1,9 @@
 //! Readings of a line as points with integer coordinates, and the few of them that count.
 //!
-//! Decimal columns are integers on a common power of ten. Of such points only those on the lower or the upper hull
-//! bound the parameters of a line under a uniform error bound: [`touching`] finds them by exact integer arithmetic, each place once,
-//! [`touching_of_columns`] and [`touching_doubles`] after a float filter that discards only what is certainly strictly
-//! between the hulls.
+//! Decimal columns are integers on a common power of ten. Only such points on the lower or the upper hull bound the
+//! parameters of a line under a uniform error bound. [`touching`] finds them by exact integer arithmetic, each place
+//! once. [`touching_of_columns`] and [`touching_doubles`] first use a float filter that discards only points
+//! certainly strictly between the hulls.
 //!
 //! ```
 //! use boundfit_geometry::grid::touching_of_columns;
@@ -34,9 +34,10 @@ pub use point::{GridPoint, doubled_area};
 pub use rounded_sieve::{RoundedSieve, candidates_of_rounded};
 pub use sieve::Sieve;
 
-/// Of the points, those on the lower or the upper hull: corners, and points on the hull's vertical ends that are lowest or highest
-/// at their x, each once for all readings there; and for the points strictly within a hull edge the one of them with the least
-/// number. Sorted by x, then y. The others are strictly between the two hulls. At most `most` numbers of each are listed.
+/// Returns the points on the lower or the upper hull. These are corners, and points on the hull's vertical ends that
+/// are lowest or highest at their x, each once for all readings there. The point with the least number represents the
+/// points strictly within a hull edge. Sorted by x, then y. The others are strictly between the two hulls. At most
+/// `most` numbers of each are listed.
 ///
 /// Exact for all coordinates. It depends on the set of points alone, so that parts can be reduced first:
 /// `touching(touching(A) ∪ touching(B)) == touching(A ∪ B)`. Cost: O(n log n); linear for sorted points.

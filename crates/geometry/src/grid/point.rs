@@ -26,7 +26,7 @@ impl GridPoint {
     }
 }
 
-/// Below this in absolute value, differences of coordinates fit into 64 bits and orientations into 128.
+/// The absolute value below which differences of coordinates fit into 64 bits and orientations into 128.
 const NARROW: u64 = 1 << 62;
 
 impl Site for GridPoint {

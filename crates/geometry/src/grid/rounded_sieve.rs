@@ -4,13 +4,14 @@ use super::cells::Equal;
 use super::filter::Filter;
 use super::sample::Sample;
 
-/// Discards rows that are certainly strictly between the hulls of some points, of whose numbers and of those of the rows only
-/// binary64 within 2^-50, relatively, is known: leading digits decide about almost all rows, and on no unit in particular.
+/// Discards rows that are certainly strictly between the hulls of some points. It knows all numbers only as binary64
+/// within 2^-50, relatively: leading digits decide about almost all rows, on no unit in particular.
 pub struct RoundedSieve(Filter<f64, Equal>);
 
 impl RoundedSieve {
-    /// From the rounded coordinates of points of the whole, best those that [touch](super::touching) its hulls so far; `None`
-    /// when their x are too near to each other for numbers so rounded. Cost: O(n log n).
+    /// Returns a sieve from the rounded coordinates of points of the whole, best those that [touch](super::touching)
+    /// its hulls so far. Returns `None` when their x are too near to each other for numbers so rounded. Cost: O(n log
+    /// n).
     pub fn new(x: &[f64], y: &[f64]) -> Option<Self> {
         RoundedSieve::of_sample(x, y, x.len())
     }
@@ -26,8 +27,9 @@ impl RoundedSieve {
     }
 }
 
-/// Positions, ascending, of the rows of two rounded columns of equal length that may [touch](super::touching) a hull: every
-/// one that does is among them, and of data with some width few others. Cost: linear.
+/// Returns the positions, ascending, of the rows of two rounded columns of equal length that may
+/// [touch](super::touching) a hull. Every row that touches is among them; if the data have some width, few others
+/// are. Cost: linear.
 pub fn candidates_of_rounded(x: &[f64], y: &[f64]) -> Vec<usize> {
     /// The most rows that are not filtered.
     const FEW: usize = 64;
@@ -95,7 +97,7 @@ mod tests {
             let expected: Vec<u64> =
                 touching(points.clone(), usize::MAX).iter().flat_map(|point| point.rows.rows()).collect();
             assert!(expected.iter().all(|id| kept.binary_search(&(*id as usize)).is_ok()));
-            // Of the first half, for all.
+            // The points of the first half sieve all.
             let half = points.len() / 2;
             let Some(sieve) = RoundedSieve::new(&x[..half], &y[..half]) else { continue };
             let left = sieve.survivors(&x[half..], &y[half..]);

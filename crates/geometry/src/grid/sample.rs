@@ -2,23 +2,23 @@
 //!
 //! # The margin
 //!
-//! Let u = 2⁻⁵³, let a chord be v = s·d + c with d = x - origin and 0 ≤ d ≤ D, let Y bound |y| in the sample, and
-//! B = |s|·D + |c| + Y. Every operation has a relative error of at most u, and underflow adds at most 2⁻¹⁰⁷⁵. So v is
-//! evaluated, from a rounded d, within 2.1u·|s|·D + u·(|s|·D + |c|)·1.1 < 4u·B. Its distance to the true chord is linear
-//! in x and hence largest at the ends of the chord; r, the evaluated one there, is within 4u·B + u·Y of the true. A y that
-//! is not above the true chord is rounded to no more than u·Y above it. With c + m in place of c, the evaluated v is
-//! therefore no less than any rounded y that is not above the chord, as soon as m ≥ r + 12u·B + 6u·m, where 6u·m is the
-//! rounding that the larger c brings. m = 2r + 32u·B + 2⁻¹⁰⁶⁸ is more. Numbers that overflow become infinite or NaN, and
-//! comparisons with these discard nothing.
+//! Let u = 2⁻⁵³, let a chord be v = s·d + c with d = x - origin and 0 ≤ d ≤ D, let Y bound |y| in the sample, and B =
+//! |s|·D + |c| + Y. Every operation has a relative error of at most u, and underflow adds at most 2⁻¹⁰⁷⁵. So v is
+//! evaluated, from a rounded d, within 2.1u·|s|·D + u·(|s|·D + |c|)·1.1 < 4u·B. Its distance to the true chord is
+//! linear in x and hence largest at the ends of the chord. The evaluated distance r there is within 4u·B + u·Y of the
+//! true one. A y that is not above the true chord is rounded to no more than u·Y above it. Let c + m replace c. Then
+//! the evaluated v is no less than any rounded y that is not above the chord, as soon as m ≥ r + 12u·B + 6u·m. The
+//! term 6u·m is the rounding that the larger c brings. The choice m = 2r + 32u·B + 2⁻¹⁰⁶⁸ is more. Numbers that
+//! overflow become infinite or NaN, and comparisons with these discard nothing.
 //!
 //! # Numbers that are rounded already
 //!
-//! Numbers of any length come within a relative 8u of what they are. Let X bound |x| in the sample, of which a row within
-//! its ends is none the farther. The chord between two rounded points then is within 8u·(|s|·X + Y) of that between the true
-//! ones, at any x between these; the x at which it is evaluated is off by 8u·X more; and a y below twice what bounds the
-//! chord, which it must be to be near it, is within 16u·B. All that is less than 2⁻⁴⁵·(|s|·X + B), by which m is larger.
-//! For two x to be ordered like the true ones their offsets must differ by more than 16u·X and their own rounding, 4u·X:
-//! 2⁻⁴⁷·X is more.
+//! Numbers of any length come within a relative 8u of what they are. Let X bound |x| in the sample, of which a row
+//! within its ends is none the farther. The chord between two rounded points is then within 8u·(|s|·X + Y) of the
+//! chord between the true ones, at any x between these. The x at which it is evaluated is off by 8u·X more. A y near
+//! the chord is below twice the bound on the chord, and so within 16u·B. All that is less than 2⁻⁴⁵·(|s|·X + B), by
+//! which m is larger. For two x to be ordered like the true ones their offsets must differ by more than 16u·X and
+//! their own rounding, 4u·X: 2⁻⁴⁷·X is more.
 
 use std::cmp::Ordering;
 
@@ -35,7 +35,7 @@ const BLUR: f64 = f64::EPSILON * 32.0;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sampled<C> {
     pub(super) x: C,
-    /// Of x from the sample's least, rounded.
+    /// The offset of x from the sample's least, rounded.
     pub(super) offset: f64,
     /// Rounded.
     pub(super) y: f64,
@@ -65,15 +65,15 @@ pub(super) struct Sample<C> {
     height: f64,
     /// The greatest |x| if all numbers are rounded already; 0 where they are exact.
     blurred: f64,
-    /// From left to right.
+    /// The lower hull from left to right.
     lower: Vec<Sampled<C>>,
-    /// From left to right, mirrored in the x-axis: a lower hull too.
+    /// The upper hull from left to right, mirrored in the x-axis: a lower hull too.
     upper: Vec<Sampled<C>>,
 }
 
 impl Sample<f64> {
-    /// Of rows whose numbers are within 2^-50, relatively, of those meant; `None` when the x are too near to each other for
-    /// that.
+    /// Returns a sample of rows whose numbers are within 2^-50, relatively, of the true ones; `None` when the x are
+    /// too near to each other for that.
     pub(super) fn of_rounded(x: &[f64], y: &[f64], size: usize) -> Option<Self> {
         let sample = Sample::of(x, y, size)?;
         let blurred = sample.origin.abs().max(sample.end.abs());
@@ -84,7 +84,7 @@ impl Sample<f64> {
 }
 
 impl<C: Coordinate> Sample<C> {
-    /// About `size` rows; `None` when no finite offsets exist.
+    /// Returns a sample of about `size` rows; `None` when no finite offsets exist.
     pub(super) fn of(x: &[C], y: &[C], size: usize) -> Option<Self> {
         let stride = (x.len() / size.max(1)).max(1);
         let finite = |(x, y): &(C, f64)| x.value().is_finite() && y.is_finite();
@@ -120,7 +120,7 @@ impl<C: Coordinate> Sample<C> {
         &self.lower
     }
 
-    /// Those of the upper hull, mirrored in the x-axis.
+    /// Returns the points of the upper hull, mirrored in the x-axis.
     pub(super) fn mirrored_upper_hull(&self) -> &[Sampled<C>] {
         &self.upper
     }
@@ -154,7 +154,8 @@ impl<C: Coordinate> Sample<C> {
         cells
     }
 
-    /// For each cell, a line that is certainly not below the chord between two points of the hull on both sides of it.
+    /// Returns, for each cell, a line that is certainly not below the chord between two points of the hull on both
+    /// sides of the cell.
     fn chords<I: Index<C>>(&self, hull: &[Sampled<C>], index: &I) -> impl Iterator<Item = Chord> {
         let (mut before, mut after) = (0, 0);
         let mut last = ([usize::MAX; 2], Cell::KEEPS_ALL.above);

@@ -15,8 +15,8 @@ pub struct Sieve {
 }
 
 impl Sieve {
-    /// From points of the whole, best those that [touch](super::touching) its hulls so far; `None` when they span no width.
-    /// Cost: O(n log n).
+    /// Returns a sieve from points of the whole, best those that [touch](super::touching) its hulls so far; `None`
+    /// when they span no width. Cost: O(n log n).
     pub fn new(points: &[GridPoint]) -> Option<Self> {
         let [x, y] = [|point: &GridPoint| point.x, |point: &GridPoint| point.y]
             .map(|of| points.iter().map(of).collect::<Vec<i64>>());
@@ -35,7 +35,8 @@ impl Sieve {
         row: &dyn Fn(usize) -> u64,
         most: usize,
     ) -> Vec<GridPoint> {
-        /// Of so many rows one may be left; with more, the points were not those of these data.
+        /// The number of rows of which at most one may remain; if more remain, the points did not come from these
+        /// data.
         const RARE: usize = 16;
         let listing = Listing { row, most };
         let survivors = self.filter.survivors(x, y);

@@ -3,10 +3,11 @@
 //!
 //! # Why it is certain
 //!
-//! Let p and q be points of the sample with p.x ≤ x0 and x1 ≤ q.x. Between x0 and x1 the lower hull of all points is nowhere above
-//! the chord from p to q. With d = x - x0, s = S/2^k and f = ⌊d·S/2^k⌋ ≤ s·d < f + 1, the chord less s·d is linear in x and has its
-//! maximum M at x0 or x1, so the chord less f is below M + 1: a y with y - f ≥ M + 1 is above the chord. Likewise one with
-//! y - f ≤ m - 1 is below a chord of the upper hull that has the minimum m. All of it is on integers.
+//! Let p and q be points of the sample with p.x ≤ x0 and x1 ≤ q.x. Between x0 and x1 the lower hull of all points is
+//! nowhere above the chord from p to q. Let d = x - x0, s = S/2^k and f = ⌊d·S/2^k⌋ ≤ s·d < f + 1. The chord less s·d
+//! is linear in x and has its maximum M at x0 or x1. So the chord less f is below M + 1: a y with y - f ≥ M + 1 is
+//! above the chord. Likewise one with y - f ≤ m - 1 is below a chord of the upper hull that has the minimum m. All of
+//! it is on integers.
 
 use super::coordinate::Coordinate;
 use super::sample::{Sample, Sampled};
@@ -82,7 +83,7 @@ struct Line(i128, i128);
 impl Line {
     /// The chord between the last corner not right of the first x and the first one not left of the second.
     fn above<C: Coordinate>(hull: &[Sampled<C>], [x0, x1]: [i64; 2]) -> Option<Self> {
-        /// Up to this all integers are numbers of binary64.
+        /// The number up to which all integers are numbers of binary64.
         const EXACT: f64 = (1_u64 << 53) as f64;
         let word = |point: &Sampled<C>| {
             let is_exact = point.y.abs() <= EXACT;
@@ -101,7 +102,8 @@ mod tests {
     use super::super::{GridPoint, touching};
     use super::*;
 
-    /// In a strip of a part of the points there is none that touches a hull of all, however steep and high they are.
+    /// A strip of a part of the points never holds a point that touches a hull of all points, however steep and high
+    /// they are.
     #[test]
     fn nothing_that_touches_is_within() {
         let mut seed = 5_u64;

@@ -40,7 +40,7 @@ fn step(p: &Point, q: &Point) -> [Integer; 2] {
     [qx * pw - px * qw, qy * pw - py * qw]
 }
 
-/// On which side of one step another goes.
+/// Returns the side of one step on which another goes.
 fn turn(along: &[Integer; 2], step: &[Integer; 2]) -> Sign {
     (&along[0] * &step[1]).cmp(&(&along[1] * &step[0])).into()
 }

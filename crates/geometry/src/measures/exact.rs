@@ -16,7 +16,7 @@ pub(super) struct ExactMoments {
 }
 
 impl ExactMoments {
-    /// Of the corners of a polygon. Adds nothing yet.
+    /// Returns the moments of the corners of a polygon. Adds nothing yet.
     pub(super) fn new(corners: &[Cow<Point>]) -> Self {
         let edges = || {
             let points = corners.iter().map(Cow::as_ref);
@@ -50,12 +50,12 @@ impl ExactMoments {
         quotient(&self.sixfold_moments[axis].total(), self.doubled_area())
     }
 
-    /// As [`ExactMoments::area`], where the common denominator has at most so many bits.
+    /// Computes [`ExactMoments::area`], where the common denominator has at most so many bits.
     pub(super) fn area_within(&self, bits: u64) -> Option<Fraction> {
         Some(halved(&self.doubled_area.total_within(bits)?))
     }
 
-    /// As [`ExactMoments::centroid`], where both common denominators have at most so many bits.
+    /// Computes [`ExactMoments::centroid`], where both common denominators have at most so many bits.
     pub(super) fn centroid_within(&self, axis: usize, bits: u64) -> Option<Fraction> {
         let moment = self.sixfold_moments[axis].total_within(bits)?;
         Some(quotient(&moment, &self.doubled_area.total_within(bits)?))

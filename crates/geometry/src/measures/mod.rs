@@ -53,14 +53,14 @@ pub struct Measures<'a> {
 
 const MOST_LEVELS: usize = 6;
 
-/// Bits of the extent of a polygon. What is computed of the 40 of the first level fits into 128 bits.
+/// Bits of the extent of a polygon. Products on the 40 bits of the first level fit into 128 bits.
 fn bits_of(level: usize) -> u64 {
     40 << (2 * level)
 }
 
 impl<'a> Measures<'a> {
-    /// Of a region of this kind with these corners, which go around it. Where they are those of no convex polygon, the area
-    /// counts each point as often as they go around it counter-clockwise.
+    /// Returns the measures of a region of this kind with these corners, which go around it. Where they are those of
+    /// no convex polygon, the area counts each point as often as they go around it counter-clockwise.
     pub fn of(kind: RegionKind, corners: Vec<Cow<'a, Point>>) -> Self {
         let rough = Default::default();
         Measures { kind, corners, rough, exact: OnceCell::new(), is_on_grid: OnceCell::new() }
@@ -169,15 +169,15 @@ impl<'a> Measure<'a> {
         is_short.then_some(value)
     }
 
-    /// A short number that is rounded to at most so many significant digits like this one, in every direction, and is itself
-    /// a decimal of so many digits exactly where this one is that decimal. Exact in this sense: the number is enclosed ever
-    /// more closely until no such decimal, nor the middle between two, is left within, and computed where one stays.
-    /// Cost: linear in the vertices, unless the number is a short decimal.
+    /// Returns a short number that is rounded to at most so many significant digits like this one, in every
+    /// direction. It is itself a decimal of so many digits exactly where this one is that decimal. Exact in this
+    /// sense: the number is enclosed ever more closely until no such decimal, nor the middle between two, is left
+    /// within, and computed where one stays. Cost: linear in the vertices, unless the number is a short decimal.
     pub fn rounding_alike(&self, digits: usize) -> Rational {
         self.standing_in(digits, |_, _| true)
     }
 
-    /// As [`Measure::rounding_alike`], and also with the nearest binary64 of this number.
+    /// Returns a number as [`Measure::rounding_alike`] does, which also has the nearest binary64 of this one.
     pub fn rounding_alike_in_binary64(&self, digits: usize) -> Rational {
         const DIGITS_OF_BINARY64: usize = 17;
         self.standing_in(digits.max(DIGITS_OF_BINARY64), |lower, upper| lower.to_f64() == upper.to_f64())

@@ -6,18 +6,19 @@ use boundfit_exact::{Integer, Rational};
 
 use crate::point::Point;
 
-/// The moments of a closed polygon `Q` whose vertices are those of `P`, rounded down to a grid that is as fine as it was asked for,
-/// and how far those of `P` may be from them.
+/// The moments of a closed polygon `Q`, with bounds on their distance from the moments of `P`. The vertices of `Q`
+/// are those of `P`, rounded down to a grid that is as fine as was asked for.
 ///
-/// Each coordinate moves by less than a unit of the grid. While the vertices move from `Q` to `P`, each in a straight line,
-/// the integral of a function over the polygon changes at the rate of its integral over the boundary times the speed
-/// outwards (Reynolds), and so in all by at most its largest absolute value times the sum of `|dθ1| + |dθ2|` over the edges.
-/// An edge on the way is longer than that of `Q` by at most a unit in each coordinate.
+/// Each coordinate moves by less than a unit of the grid. Let the vertices move from `Q` to `P`, each in a straight
+/// line. The integral of a function over the polygon then changes at the rate of its integral over the boundary times
+/// the speed outwards (Reynolds). So its total change is at most its largest absolute value times the sum of
+/// `|dθ1| + |dθ2|` over the edges. An edge on the way is longer than that of `Q` by at most a unit in each
+/// coordinate.
 #[derive(Debug)]
 pub(super) struct RoughMoments {
     /// The grid's units are `2^-scale`.
     scale: [i64; 2],
-    /// Where the moments are taken about, in units.
+    /// The point about which the moments are taken, in units.
     origin: [Integer; 2],
     /// Twice the area, and six times the integrals of both coordinates, in units.
     doubled_area: Integer,
@@ -29,8 +30,8 @@ pub(super) struct RoughMoments {
 }
 
 impl RoughMoments {
-    /// On a grid on which the polygon is at least `2^bits` units wide and high. Exact but for the rounding that it bounds.
-    /// Cost: linear. `None` where there is no polygon.
+    /// Computes the moments on a grid on which the polygon is at least `2^bits` units wide and high. Exact but for
+    /// the rounding that it bounds. Cost: linear. `None` where there is no polygon.
     pub(super) fn new(corners: &[Cow<Point>], bits: u64) -> Option<Self> {
         let scale = [0, 1].map(|axis| scale(corners, axis, bits));
         let [Some(x_scale), Some(y_scale)] = scale else { return None };

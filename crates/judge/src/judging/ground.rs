@@ -12,8 +12,8 @@ use crate::certificate::value_of;
 ///   that is 0 there counts as large as the smallest row that it is in lets it be;
 /// - of the objective: the sum of the sizes of its terms at the optimum, or how much it varies over the feasible set where that
 ///   is less and not 0;
-/// - of a reduced cost: the larger of the column's cost and the sum of the sizes of the terms that the exact duals take from it,
-///   and of a dual what it contributes to these.
+/// - of a reduced cost: the larger of the column's cost and the sum of the sizes of the terms that the exact duals
+///   take from it. A dual has the size of its contribution to these.
 #[derive(Debug, Clone)]
 pub struct Ground<'a> {
     pub(super) model: &'a Model,

@@ -104,8 +104,8 @@ pub struct SolutionFile {
     pub rows: Vec<Entry>,
     /// A direction in which the objective is said to improve for ever, by column.
     pub ray: Option<Vec<Entry>>,
-    /// Multipliers of rows that are said to prove that there is no feasible point: positive ones take the lower bound of
-    /// their row, negative ones the upper one; the bounds of columns take what is left.
+    /// Multipliers of rows that are said to prove that there is no feasible point. Positive ones take the lower bound
+    /// of their row, negative ones the upper one; the bounds of columns take the rest.
     pub farkas: Option<Vec<Entry>>,
     /// True if the file has duals of rows; one without a number is 0 then.
     pub has_duals: bool,

@@ -5,14 +5,14 @@ use boundfit_exact::{Limits, Reading};
 use boundfit_geometry::System;
 use serde::Serialize;
 
-/// Where a half-plane comes from.
+/// The line that a half-plane comes from.
 #[derive(Debug, Clone, Serialize)]
 pub(super) struct HalfPlaneLine {
     /// The line of the text, from 1.
     line: usize,
     /// Counted from 1 over the lines that say something: what the half-plane is called.
     number: usize,
-    /// Of the two half-planes of an equation, `upper` (≤) or `lower` (≥).
+    /// The side among the two half-planes of an equation, `upper` (≤) or `lower` (≥).
     side: Option<&'static str>,
     text: String,
 }
@@ -25,7 +25,7 @@ pub(super) struct LineError {
     column: usize,
     /// The problem, as a name for programs.
     kind: &'static str,
-    /// In words.
+    /// The fault in words.
     message: String,
 }
 

@@ -36,7 +36,7 @@ pub struct PolytopeOptions {
     pub start: Option<usize>,
 }
 
-/// Why there is no answer about half-planes. What is wrong with a line of them is part of the answer.
+/// The reason why there is no answer about half-planes. Faults in a line of half-planes are part of the answer.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum PolytopeError {
@@ -61,7 +61,7 @@ pub enum PolytopeError {
     Start {
         /// The request.
         start: usize,
-        /// How many there are.
+        /// The number of vertices.
         vertices: usize,
     },
     /// An answer that cannot be written.
@@ -100,7 +100,8 @@ struct StepJson {
     redundant: Option<RedundantJson>,
 }
 
-/// Why a half-plane changes nothing: positive multiples of others add up to it, with a right-hand side smaller by the slack.
+/// The reason why a half-plane changes nothing: positive multiples of others add up to it, with a right-hand side
+/// smaller by the slack.
 #[derive(Debug, Serialize)]
 struct RedundantJson {
     why: &'static str,
@@ -108,11 +109,16 @@ struct RedundantJson {
     slack: Option<String>,
 }
 
-/// What there is to say about half-planes, one a line as [`boundfit_estimation::Condition::parse_in_plane`] reads them, as JSON of
-/// schema `boundfit/polytope/1`: what each does to the set of those before it, the set of all with the half-planes and the normal cone of
-/// each vertex, which are redundant and why, the support of an objective with its face and multipliers, and the path of the
-/// simplex method. Empty lines and those that begin with `#` are left out. Where lines cannot be read, the answer says which
-/// and why, and nothing else.
+/// Returns the facts about half-planes, one a line as [`boundfit_estimation::Condition::parse_in_plane`] reads them,
+/// as JSON of schema `boundfit/polytope/1`.
+/// - The effect of each on the set of those before it.
+/// - The set of all with the half-planes and the normal cone of each vertex.
+/// - The redundant half-planes, with reasons.
+/// - The support of an objective with its face and multipliers.
+/// - The path of the simplex method.
+///
+/// Empty lines and those that begin with `#` are left out. Where lines cannot be read, the answer says which and why,
+/// and nothing else.
 ///
 /// Exact. Cost: that of [`steps`], for at most [`MOST_HALF_PLANES`] with numbers of at most 30 digits.
 ///

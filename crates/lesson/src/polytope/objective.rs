@@ -1,4 +1,4 @@
-//! How far a set reaches in the direction of an objective, and what proves it.
+//! The reach of a set in the direction of an objective, and its proof.
 
 use boundfit_exact::Rational;
 use boundfit_geometry::{Face, Multiplier, Polyhedron, Region, RegionKind, Support, System};
@@ -19,9 +19,9 @@ pub(super) struct ObjectiveJson {
 #[derive(Debug, Serialize)]
 #[serde(tag = "outcome", rename_all = "kebab-case")]
 enum OutcomeJson {
-    /// There is nothing to take the maximum over.
+    /// The set has no point to take the maximum over.
     Empty,
-    /// From a point of the set the objective grows for ever along a ray.
+    /// The objective grows for ever along a ray from a point of the set.
     Unbounded { point: [String; 2], ray: [String; 2] },
     /// The maximum is attained on a face, and multiples of half-planes add up to the objective.
     Bounded { value: String, proof: Vec<MultiplierJson>, face: FaceJson, ways: WaysJson },
@@ -114,7 +114,7 @@ fn active_on(region: &Region, face: &Face) -> Vec<usize> {
             let shared = at(one).unwrap_or_default().iter().copied().filter(|index| others.contains(index));
             shared.collect()
         }
-        // Those that end the ray are parallel to no multiple of the form: they are found out by the sums.
+        // The half-planes that end the ray are parallel to no multiple of the form: the sums find them.
         Face::Ray { apex, .. } => at(apex).unwrap_or_default().to_vec(),
         Face::Line { .. } => {
             region.boundaries().iter().flat_map(|boundary| boundary.active()).copied().collect()

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 #[derive(Debug, Serialize)]
 pub(super) struct PathJson {
-    /// Which vertex it starts from.
+    /// The vertex that it starts from.
     start: usize,
     outcome: &'static str,
     bases: Vec<BasisJson>,

@@ -3,7 +3,7 @@
 use boundfit_geometry::{Boundary, Direction, Multiplier, NormalCone, Point, Region, System, Vertex};
 use serde::Serialize;
 
-/// How many times a half-plane is taken.
+/// The multiple of a half-plane.
 #[derive(Debug, Clone, Serialize)]
 pub(super) struct MultiplierJson {
     pub(super) half_plane: usize,
@@ -24,7 +24,7 @@ pub(super) struct SetJson {
     lines: Vec<[String; 2]>,
     /// The half-planes that whole lines of the boundary belong to, line by line.
     boundaries: Vec<Vec<usize>>,
-    /// Of an empty set positive multiples of half-planes, which add up to `0 ≤ sum`.
+    /// The positive multiples of half-planes of an empty set, which add up to `0 ≤ sum`.
     contradiction: Option<ContradictionJson>,
     area: Option<String>,
 }

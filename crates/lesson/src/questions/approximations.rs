@@ -9,7 +9,7 @@ use super::{Facts, Question, Show};
 use crate::layers::{LpAnswer, proportion, reason, verdict_key};
 use crate::texts::{Message, Value, text};
 
-/// How much of the PUI box is feasible?
+/// Asks how much of the PUI box is feasible.
 pub(super) fn box_full(facts: &Facts<'_>) -> Option<Question> {
     let answer = match (facts.region().kind(), facts.fit.tightness()) {
         (RegionKind::Point, _) => text!("q.box.point"),
@@ -111,7 +111,7 @@ fn verdict_on(answer: &LpAnswer, verdict: Verdict) -> Message {
     sentences(said)
 }
 
-/// How nearly right all ends are, in proportion.
+/// Returns how nearly right all ends are, in proportion.
 fn right_to(error: (Rational, Option<ToleranceUnit>)) -> Message {
     text!("q.solvers.right-to", size: proportion(error))
 }
@@ -137,7 +137,7 @@ fn four_ends(facts: &Facts<'_>) -> Message {
     }
 }
 
-/// What is said about every end with a verdict, if that is one and the same thing.
+/// Returns the remark about every end with a verdict, if all have the same.
 fn common_reason(answer: &LpAnswer, verdict: Verdict) -> Option<Message> {
     let with_verdict = answer.judgements.iter().flatten().filter(|judgement| judgement.verdict == verdict);
     let mut reasons = with_verdict.map(reason);

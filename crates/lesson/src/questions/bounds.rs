@@ -1,4 +1,4 @@
-//! What fixes the ends of the intervals, and what proves that a set is empty or shows that it goes on for ever.
+//! The half-planes that fix the ends of the intervals, and the proofs that a set is empty or goes on for ever.
 
 use boundfit_estimation::{BoundName, ParameterBound, ParameterInterval};
 use boundfit_exact::{Rational, Rounding};
@@ -13,7 +13,7 @@ use crate::half_planes::contradiction as contradiction_of;
 use crate::number::DIGITS;
 use crate::texts::{Message, Value, text};
 
-/// Why is there no feasible line?
+/// Asks why there is no feasible line.
 pub(super) fn contradiction(facts: &Facts<'_>) -> Option<Question> {
     let terms = contradiction_of(facts.problem, facts.fit)?;
     let products = terms.iter().map(|(name, times)| Some(&facts.inequality(*name)?.b * times));
@@ -53,7 +53,7 @@ fn contradicting(terms: &[(BoundName, Rational)], facts: &Facts<'_>) -> Message 
     }
 }
 
-/// What fixes the largest feasible θ₁?
+/// Asks what fixes the largest feasible θ₁.
 pub(super) fn upper_end(facts: &Facts<'_>) -> Option<Question> {
     let pui = facts.fit.pui.as_ref()?;
     Some(match &pui[0].upper {
@@ -74,7 +74,7 @@ fn unbounded(proof: &UnboundedProof) -> Message {
     text!("q.end.unbounded", point: point, direction: direction(&proof.ray))
 }
 
-/// Where the upper end of θ₁ is not bounded, what fixes the first end that is.
+/// Asks what fixes the first bounded end, if the upper end of θ₁ is not bounded.
 pub(super) fn other_end(facts: &Facts<'_>) -> Option<Question> {
     let pui = facts.fit.pui.as_ref()?;
     if let ParameterBound::Bounded { .. } = pui[0].upper {
@@ -157,7 +157,7 @@ fn who_fixes(terms: &[(BoundName, Rational)]) -> &'static str {
     }
 }
 
-/// In which directions does the set go on for ever?
+/// Asks in which directions the set goes on for ever.
 pub(super) fn recession(facts: &Facts<'_>) -> Option<Question> {
     let region = facts.region();
     if region.is_bounded() {

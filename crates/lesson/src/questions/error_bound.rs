@@ -8,7 +8,7 @@ use super::{Facts, Question, Show};
 use crate::number::DIGITS;
 use crate::texts::{Message, text};
 
-/// What is the smallest error bound that leaves anything, and who fixes it?
+/// Asks for the smallest error bound that leaves anything, and for the readings that fix it.
 pub(super) fn least(facts: &Facts<'_>) -> Question {
     let uniform = facts.problem.measurements.error_bound().is_uniform();
     let question = text!(if uniform { "q.least.question" } else { "q.least.question-factor" });
@@ -21,7 +21,7 @@ pub(super) fn least(facts: &Facts<'_>) -> Question {
     Question { id: "smallest-error-bound", question, answer, show }
 }
 
-/// Why no error bound, however large, leaves anything.
+/// Returns the reason why no error bound, however large, leaves anything.
 fn none(facts: &Facts<'_>, uniform: bool) -> Message {
     if let Some(terms) = facts.fit.contradiction_of_conditions() {
         let names: Vec<BoundName> = terms.iter().map(|(name, _)| *name).collect();
@@ -40,7 +40,7 @@ fn none(facts: &Facts<'_>, uniform: bool) -> Message {
     text!("q.least.fixed", clash: clash(&names, facts.problem), conditions: conditions)
 }
 
-/// What the least of is asked for: the one error bound, or the factor on all of them.
+/// Returns the symbol of the least quantity: the one error bound, or the factor on all of them.
 fn symbol(uniform: bool) -> &'static str {
     if uniform { "ε" } else { "s" }
 }
@@ -70,7 +70,7 @@ fn positive(facts: &Facts<'_>, minimax: &Minimax, uniform: bool) -> Message {
     sentences([Some(answer), present(facts, &minimax.least, uniform)].into_iter().flatten())
 }
 
-/// How the error bound in use compares.
+/// Returns the comparison with the error bound in use.
 fn present(facts: &Facts<'_>, least: &Rational, uniform: bool) -> Option<Message> {
     let (in_use, what) = match facts.problem.measurements.error_bound().uniform() {
         Some(epsilon) => (epsilon.clone(), value(epsilon, DIGITS, Rounding::Nearest)),

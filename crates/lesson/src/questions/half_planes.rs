@@ -1,4 +1,4 @@
-//! How many half-planes the set needs.
+//! The number of half-planes that the set needs.
 
 use boundfit_geometry::{Redundancy, RegionKind};
 
@@ -8,7 +8,7 @@ use crate::half_planes::irredundant;
 use crate::region::same_set;
 use crate::texts::text;
 
-/// How many of the half-planes matter?
+/// Asks how many of the half-planes matter.
 pub(super) fn how_many_matter(facts: &Facts<'_>) -> Question {
     let needed = irredundant(facts.problem, facts.fit);
     let total = facts.inequalities().len();

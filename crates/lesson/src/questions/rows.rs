@@ -98,7 +98,7 @@ pub(super) fn one_that_does_not(facts: &Facts<'_>) -> Option<Question> {
     })
 }
 
-/// Why nothing changes without the bounds of a reading, proved from all other half-planes.
+/// Returns the proof from all other half-planes that nothing changes without the bounds of a reading.
 fn without_it(facts: &Facts<'_>, bounds: &[usize]) -> Message {
     let (others, names) = facts.others(bounds);
     if let Some(certificate) = others.region().certificate() {
@@ -117,7 +117,7 @@ fn without_it(facts: &Facts<'_>, bounds: &[usize]) -> Message {
     sentences([text!("q.without.nothing")].into_iter().chain(bounds.iter().filter_map(reason)))
 }
 
-/// Why a half-plane holds wherever others do; `None` where it does not.
+/// Returns the reason why a half-plane holds wherever others do; `None` where it does not.
 fn why(
     facts: &Facts<'_>,
     inequality: &Inequality,

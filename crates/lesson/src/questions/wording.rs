@@ -80,8 +80,8 @@ pub(super) fn bounds(names: impl Iterator<Item = BoundName>, problem: &Problem) 
     Value::listed(names.map(|name| bound(name, problem)))
 }
 
-/// What half-planes belong to: `reading 14`, `readings 14 and 36 and the condition theta1 >= 0`. Also whether that is
-/// more than one thing.
+/// Returns the owners of half-planes: `reading 14`, `readings 14 and 36 and the condition theta1 >= 0`. Also whether
+/// that is more than one thing.
 pub(super) fn owners(names: impl Iterator<Item = BoundName>, problem: &Problem) -> (Value, bool) {
     let mut rows: Vec<usize> = Vec::new();
     let mut parts: Vec<Message> = Vec::new();
@@ -121,7 +121,8 @@ pub(super) fn combination(terms: &[(BoundName, Rational)], problem: &Problem) ->
     Value::joined(terms.iter().map(term), "list.plus")
 }
 
-/// What contradicts itself when these half-planes leave nothing, as a clause: `condition 1 (0*theta1>=1) can never hold`.
+/// Returns the conflict when these half-planes leave nothing, as a clause:
+/// `condition 1 (0*theta1>=1) can never hold`.
 pub(super) fn clash(names: &[BoundName], problem: &Problem) -> Message {
     match names {
         [only] => text!("wording.never-holds", what: never(*only, problem)),

@@ -11,7 +11,7 @@ pub(super) enum Part {
     Tag { tag: String, parts: Vec<Part> },
 }
 
-/// How a value is written.
+/// The form of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Written {
     /// A count in words, up to ten.
@@ -30,8 +30,8 @@ impl Written {
     }
 }
 
-/// The parts of a text. What is left open ends with the text, and a tag or brace without its beginning is passed over:
-/// tests find such texts.
+/// The parts of a text. A tag or brace that stays open ends with the text, and one without its beginning is passed
+/// over: tests find such texts.
 pub(super) fn parts(text: &str) -> Vec<Part> {
     let mut rest = text;
     sequence(&mut rest, false)

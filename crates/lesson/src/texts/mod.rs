@@ -1,8 +1,12 @@
 //! The words of the page in every language: one table, from which the page's script and the static parts take theirs.
 //!
-//! The table is the files of `page/texts`: key, then one text per language. In a text, `{name}` stands for a value,
-//! `{name:words}` for a count in words up to ten, `{name:capital}` for a value as a sentence begins, and
-//! `{count|one|several}` or `{count|none|one|several}` for what a count asks for; tags of HTML are mark-up.
+//! The table is the files of `page/texts`: key, then one text per language. Tags of HTML are mark-up, and braces in a
+//! text stand for values:
+//! - `{name}`: a value;
+//! - `{name:words}`: a count in words up to ten;
+//! - `{name:capital}`: a value as a sentence begins;
+//! - `{count|one|several}` or `{count|none|one|several}`: the form that a count asks for.
+//!
 //! `page/js/texts.js` reads them by the same rules.
 
 mod language;

@@ -41,7 +41,7 @@ pub(crate) fn escaped(text: &str) -> String {
     html
 }
 
-/// Who says what.
+/// The speaker of a text.
 #[derive(Debug, Clone, Copy)]
 struct Speaker {
     language: Language,

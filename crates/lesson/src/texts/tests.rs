@@ -85,7 +85,7 @@ fn every_text_is_there_in_every_language_with_the_same_places() {
     }
 }
 
-/// What may be a key: in quotation marks, or the start of one that is put together.
+/// Returns the texts that may be keys: in quotation marks, or the start of one that is put together.
 fn mentioned(source: &str) -> (BTreeSet<&str>, BTreeSet<&str>) {
     let is_key = |text: &&str| {
         let is_word = |word: &str| word.starts_with(|c: char| c.is_ascii_lowercase());

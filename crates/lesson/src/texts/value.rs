@@ -18,13 +18,13 @@ pub(crate) struct Message {
 pub(crate) enum Value {
     /// A count, or the number of a row.
     Count(usize),
-    /// What is written as it is, in every language.
+    /// A value that is written as it is, in every language.
     Plain(String),
     /// Another text.
     Text(Message),
     /// A number, with the decimal mark of the language.
     Number {
-        /// With a point.
+        /// The number with a point.
         number: String,
     },
     /// Several values: "a, b and c".
@@ -34,7 +34,7 @@ pub(crate) enum Value {
         /// The key of what stands between them, where that is the same everywhere.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         by: Option<String>,
-        /// How many more there are.
+        /// The number of further items.
         #[serde(default, skip_serializing_if = "is_zero")]
         more: usize,
     },
@@ -46,7 +46,7 @@ fn is_zero(more: &usize) -> bool {
     *more == 0
 }
 
-/// How many items a list names before it only counts the rest.
+/// The number of items that a list names before it only counts the rest.
 const MOST: usize = 8;
 
 impl Message {
@@ -90,7 +90,7 @@ impl Value {
         Value::List { list, by: Some(by.to_owned()), more: 0 }
     }
 
-    /// How many things a value is.
+    /// Returns the number of things that a value is.
     pub(super) fn count(&self) -> usize {
         match self {
             Value::Count(count) => *count,

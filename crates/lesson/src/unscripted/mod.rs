@@ -16,7 +16,7 @@ use crate::texts::{Language, Message, Value, html, text};
 /// The longest decimal that a reading is shown with.
 const READING_DIGITS: usize = 15;
 
-/// What parts of the page say of the data, whether a script runs or not.
+/// The statements of parts of the page about the data, whether a script runs or not.
 #[derive(Debug)]
 pub(crate) struct Facts<'a> {
     pub(crate) problem: &'a Problem,

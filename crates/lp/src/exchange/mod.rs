@@ -58,7 +58,7 @@ pub struct ExchangeProgram<'a> {
     pub objective: [Rational; 2],
     /// The rows.
     pub rows: &'a ExchangeRows,
-    /// What is said about it at the top. Characters other than printable ASCII are escaped.
+    /// The remarks at the top of the file. Characters other than printable ASCII are escaped.
     pub comments: &'a [String],
 }
 
@@ -67,7 +67,7 @@ impl ExchangeProgram<'_> {
     /// that it names in comments. Cost: linear in the result; memory for a line.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Errors of the writer.
     pub fn write(&self, text: &mut impl fmt::Write, format: ExchangeFormat) -> fmt::Result {
         let [first, second] = &self.objective;
         let mut objective = WrittenRows::default();

@@ -15,11 +15,12 @@ use crate::read::{ends_name, is_keyword};
 impl Model {
     /// The file. Exact: read as it stands, it is this program again.
     ///
-    /// Where a format cannot say something, the file states an equivalent program and says so in comments at the top. Rows
-    /// with a number that has no finite decimal are multiplied with the least number that makes all of them whole, and rows
-    /// with a bound from 10³⁰ on, which readers take for infinite, with a power of ten; such a bound of a column becomes a
-    /// row. In MPS, a row whose lower bound lies above the upper one becomes two. Names that the format does not allow, or
-    /// that occur twice, become others. LP format has no name of the program. Cost: linear in the result.
+    /// Where a format cannot say something, the file states an equivalent program and says so in comments at the top.
+    /// Rows with a number that has no finite decimal are multiplied with the least number that makes all of them
+    /// whole. Rows with a bound from 10³⁰ on, which readers take for infinite, are multiplied with a power of ten;
+    /// such a bound of a column becomes a row. In MPS, a row whose lower bound lies above the upper one becomes two.
+    /// Names that the format does not allow, or that occur twice, become others. LP format has no name of the
+    /// program. Cost: linear in the result.
     ///
     /// ```
     /// use boundfit_lp::{ExchangeFormat, ModelLimits, read_model};

@@ -51,7 +51,7 @@ pub(super) fn write(text: &mut impl fmt::Write, program: &Written<'_>) -> fmt::R
 /// Each column with its coefficients, first that in the objective, which is written even where it is 0: a column exists by being
 /// named here.
 fn write_columns(text: &mut impl fmt::Write, program: &Written<'_>) -> fmt::Result {
-    /// So many columns are looked for in all rows, which takes no memory.
+    /// The number of columns up to which all rows are searched, which takes no memory.
     const FEW: usize = 2;
     let is_many = program.columns.len() > FEW;
     let mut entries = if is_many { by_column(program.rows, program.columns.len()) } else { Vec::new() };
@@ -70,7 +70,7 @@ fn write_columns(text: &mut impl fmt::Write, program: &Written<'_>) -> fmt::Resu
     Ok(())
 }
 
-/// Of each column the names of the rows in which it is, with its coefficients there.
+/// Returns, for each column, the names of the rows that have it, with its coefficients there.
 fn by_column(rows: &WrittenRows, columns: usize) -> Vec<Vec<(&str, &str)>> {
     let mut entries = vec![Vec::new(); columns];
     for row in rows.iter() {

@@ -39,7 +39,7 @@ pub(super) fn is_short(value: &Rational) -> bool {
 }
 
 fn exact_decimal(value: &Rational) -> Option<Decimal<'_>> {
-    /// What machine words can write, which is enough for nearly every number that was read.
+    /// The number of digits that machine words can write, which is enough for nearly every number that was read.
     const FEW: usize = 18;
     if let Some(short) = value.exact_decimal(FEW) {
         return Some(short);

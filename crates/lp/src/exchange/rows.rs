@@ -13,13 +13,13 @@ pub(super) const INFINITE: i64 = 30;
 /// Rows, the texts of which stand in one buffer: a program of 10⁶ readings has 8·10⁶ of them.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(super) struct WrittenRows {
-    /// Of each row its name, its coefficients and the bounds that it has, with a line end behind each: neither names nor
-    /// numbers contain one.
+    /// The name of each row, its coefficients and its bounds, with a line end behind each: neither names nor numbers
+    /// contain one.
     pieces: String,
     shapes: Vec<Shape>,
     /// The columns of all coefficients.
     columns: Vec<usize>,
-    /// What a reader has to know about the numbers of some rows, in their order.
+    /// The facts that a reader needs about the numbers of some rows, in their order.
     remarks: Vec<String>,
 }
 
@@ -45,12 +45,12 @@ pub(super) struct WrittenRow<'a> {
     pub(super) range: Option<&'a str>,
 }
 
-/// What is done about bounds that readers would take for infinite.
+/// The treatment of bounds that readers would take for infinite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum LargeBounds {
     /// Bounds stand as they are.
     Kept,
-    /// If one is 10³⁰ or more, all numbers of the row become smaller.
+    /// A row with a bound of 10³⁰ or more gets smaller numbers.
     Scaled,
 }
 

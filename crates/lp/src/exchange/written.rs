@@ -16,7 +16,7 @@ pub(super) struct Written<'a> {
     pub(super) constant: [String; 2],
     pub(super) columns: &'a [WrittenColumn],
     pub(super) rows: &'a WrittenRows,
-    /// What is said at the top.
+    /// The remarks at the top.
     pub(super) remarks: Vec<&'a str>,
 }
 

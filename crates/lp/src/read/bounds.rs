@@ -7,7 +7,7 @@ use boundfit_exact::{Integer, Rational};
 use crate::claim::End;
 use crate::model::Bounds;
 
-/// From here on a bound is infinite: the least size that CPLEX, Gurobi, HiGHS and CBC agree on.
+/// The size from which on a bound is infinite: the least that CPLEX, Gurobi, HiGHS and CBC agree on.
 static INFINITE: LazyLock<Rational> = LazyLock::new(|| Rational::from(Integer::power_of_ten(30)));
 
 /// A bound, or where there is none.

@@ -127,7 +127,7 @@ pub enum ModelErrorKind {
     Record {
         /// The section.
         section: &'static str,
-        /// What would be one.
+        /// The expected record.
         expected: &'static str,
     },
     /// A type of row that is none.

@@ -1,7 +1,8 @@
 //! Linear programs out of files, every number exactly as it is spelled.
 //!
-//! Sources: the MPS format as in the CPLEX, HiGHS and GLPK manuals, in free form and in the columns of the fixed one; the LP
-//! format as in "CPLEX file formats" (IBM). Where readers differ, `docs/lp-files.md` says what is done here.
+//! The sources of the MPS format, in free form and in the columns of the fixed one, are the CPLEX, HiGHS and GLPK
+//! manuals. The source of the LP format is "CPLEX file formats" (IBM). Where readers differ, `docs/lp-files.md` says
+//! what is done here.
 
 mod bounds;
 mod error;

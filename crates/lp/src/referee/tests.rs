@@ -229,7 +229,7 @@ fn points_are_measured_in_error_bounds() {
     assert_eq!(other.violation, Some(Violation { row: 2, by: Rational::from(6) }));
     assert_eq!(other.tau_in_epsilon, Some(Rational::ratio(3, 2)));
 
-    // Of rows violated as much, the first is named: row 0 by 1 of 1, row 2 by 4 of 4.
+    // If rows are violated as much, the first is named: row 0 by 1 of 1, row 2 by 4 of 4.
     let tied = upper(4, [Rational::from(5), Rational::from(6)]);
     assert_eq!(tied.violation, Some(Violation { row: 0, by: Rational::one() }));
 

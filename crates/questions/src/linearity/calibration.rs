@@ -13,7 +13,7 @@ use super::directions::{Directions, Word};
 use super::input::{LinearityInput, ResponseColumns};
 use super::{CalibrationReading, Pass};
 
-/// Which columns of a table are a calibration.
+/// The columns of a table that are a calibration.
 #[derive(Debug, Clone)]
 pub struct CalibrationColumns {
     /// The column of the applied x.
@@ -27,8 +27,9 @@ pub struct CalibrationColumns {
 pub enum CalibrationResponse {
     /// One, of which no direction is known.
     One(ColumnSelector),
-    /// One, beside a column that says whether x was rising (up, upscale, rising, increasing, +, 1) or falling (down, downscale,
-    /// falling, decreasing, -, -1, 0); of two other words the first is up.
+    /// One column of readings, beside a column of directions. Rising x is up, upscale, rising, increasing, + or 1;
+    /// falling x is down, downscale, falling, decreasing, -, -1 or 0. If the column has two other words, the first is
+    /// up.
     Directed {
         /// The readings.
         y: ColumnSelector,
@@ -37,9 +38,9 @@ pub enum CalibrationResponse {
     },
     /// One for each direction, of which a cell may be missing where only the other one was read.
     Two {
-        /// While x was rising.
+        /// The column for rising x.
         up: ColumnSelector,
-        /// While x was falling.
+        /// The column for falling x.
         down: ColumnSelector,
     },
 }
@@ -53,7 +54,7 @@ pub struct Calibration {
     pub input: LinearityInput,
 }
 
-/// Why a table is no calibration.
+/// The reason why a table is no calibration.
 #[derive(Debug, Error)]
 pub enum CalibrationError {
     /// Something is wrong with a number, or the table as a whole.
@@ -91,11 +92,11 @@ impl Calibration {
         Calibration::read_counted(source, columns, options, Keep::MOST_ROWS)
     }
 
-    /// As [`Calibration::read`]. Of more than `most_rows` rows equal ones are kept once, where at least every other one is equal to
-    /// one before it.
+    /// Reads as [`Calibration::read`] does. Keeps equal rows once if there are more than `most_rows` rows and at
+    /// least half of them equal an earlier row.
     ///
     /// # Errors
-    /// Those of [`Calibration::read`].
+    /// The errors of [`Calibration::read`].
     pub fn read_counted(
         source: Source,
         columns: &CalibrationColumns,

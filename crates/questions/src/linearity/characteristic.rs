@@ -13,21 +13,22 @@ use super::points::CalibrationPoint;
 /// A characteristic with its linearity.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Characteristic {
-    /// Its points, by x and then by row; at least one.
+    /// The points, by x and then by row; at least one.
     pub points: Vec<CalibrationPoint>,
     /// Largest less smallest y of its points.
     pub span: Rational,
     /// The full scale of percents: the span, or a given number.
     pub full_scale: Rational,
-    /// From the line whose largest deviation is smallest.
+    /// The linearity about the line whose largest deviation is smallest.
     pub independent: LinearityLine,
-    /// Which points prove that no line has a smaller largest deviation, by x; none where it is 0.
+    /// The points that prove that no line has a smaller largest deviation, by x; none where it is 0.
     pub proof: Vec<AlternatingPoint>,
-    /// From the line through the points at both ends of the range of x, averages where there are several at an end.
+    /// The linearity about the line through the points at both ends of the range of x, averages where there are
+    /// several at an end.
     pub terminal: Result<LinearityLine, NoLine>,
-    /// From the line through the given point whose largest deviation is smallest.
+    /// The linearity about the line through the given point whose largest deviation is smallest.
     pub zero_based: LinearityLine,
-    /// From the least-squares line of the points.
+    /// The linearity about the least-squares line of the points.
     pub least_squares: Result<LinearityLine, NoLine>,
 }
 
@@ -36,29 +37,29 @@ pub struct Characteristic {
 pub struct LinearityLine {
     /// The largest |y - line|.
     pub deviation: Rational,
-    /// In percent of full scale; `None` where that is 0.
+    /// The largest deviation in percent of full scale; `None` where full scale is 0.
     pub percent: Option<Rational>,
     /// Slope and intercept.
     pub theta: [Rational; 2],
-    /// `true` if no other line serves as well. Of several slopes of the zero-based line the middle one is taken.
+    /// `true` if no other line serves as well. If several slopes serve the zero-based line, it has the middle one.
     pub unique: bool,
     /// The positions of the points where the largest deviation is reached, ascending.
     pub at: Vec<usize>,
 }
 
-/// A point of the proof of independent linearity: the deviations, each times its weight and its sign, add up to the same for
-/// every line, so that the largest is at least their sum. Weights add up to 1.
+/// A point of the proof of independent linearity. The deviations, each times its weight and its sign, add up to the
+/// same for every line, so that the largest is at least their sum. Weights add up to 1.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AlternatingPoint {
     /// The position of the point.
     pub position: usize,
-    /// Its deviation y - line, above the line positive.
+    /// The deviation of the point, y - line; positive above the line.
     pub deviation: Rational,
-    /// How many times it is taken.
+    /// The weight of the point in the sum.
     pub weight: Rational,
 }
 
-/// Why there is no line.
+/// The reason why there is no line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NoLine {
     /// A vertical line is no characteristic.
@@ -86,7 +87,7 @@ impl LinearityLine {
 }
 
 impl Characteristic {
-    /// How many points it has; equal readings that are told once are points of their own.
+    /// Returns the number of points; equal readings that are told once are points of their own.
     pub fn count(&self) -> usize {
         self.points.iter().map(|point| point.count() as usize).sum()
     }
@@ -121,7 +122,7 @@ impl Characteristic {
     }
 }
 
-/// How far points are from a line.
+/// Measures the distance of points from a line.
 fn measured(
     points: &[CalibrationPoint],
     theta: [Rational; 2],
@@ -159,7 +160,7 @@ fn measurements(points: &[CalibrationPoint], [x, y]: [&Rational; 2]) -> Measurem
     Measurements::counted(model, "y".into(), bound, rows, &counts)
 }
 
-/// Which points prove that no line is nearer, from the multipliers of their half-planes.
+/// Returns the points that prove that no line is nearer, from the multipliers of their half-planes.
 fn alternation(
     points: &[CalibrationPoint],
     line: &LinearityLine,

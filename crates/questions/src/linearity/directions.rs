@@ -1,4 +1,4 @@
-//! Which words of a column say that x was rising, and which that it was falling.
+//! The words of a column that stand for rising x, and the words for falling x.
 
 use super::Pass;
 use boundfit_exact::{Foreign, Rational};
@@ -57,7 +57,7 @@ impl Word {
 }
 
 impl Directions {
-    /// Which direction the word with a number is, when all have been met.
+    /// Returns the direction of the word with a number, when all words have been met.
     pub(super) fn pass_of(&self, number: &Rational) -> Option<Pass> {
         let number = usize::try_from(number.numerator().to_i128()?).ok()?;
         let word = match number {
@@ -112,7 +112,7 @@ impl Directions {
         }
     }
 
-    /// Which direction a word is, when all have been met.
+    /// Returns the direction of a word, when all words have been met.
     pub(super) fn pass(&self, word: Word) -> Pass {
         match word {
             Word::Known(pass) => pass,
@@ -130,7 +130,7 @@ impl Directions {
     }
 }
 
-/// Those for up, or those for down.
+/// Returns the entry for up, or the entry for down.
 fn of_pass<T>([up, down]: &mut [T; 2], pass: Pass) -> &mut T {
     match pass {
         Pass::Up => up,

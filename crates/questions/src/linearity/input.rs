@@ -12,13 +12,13 @@ pub struct LinearityInput {
     pub x: Foreign,
     /// The columns of readings.
     pub response: ResponseColumns,
-    /// How many rows are used.
+    /// The number of rows that are used.
     pub rows: usize,
-    /// How many data rows the file has.
+    /// The number of data rows of the file.
     pub rows_total: usize,
-    /// How many rows were left out since they lack a number.
+    /// The number of rows that lack a number.
     pub rows_missing: usize,
-    /// Which rows were asked for.
+    /// The rows that were asked for.
     pub selection: Selection,
     /// Columns with cells that are fractions.
     pub fractions: Vec<FractionCells>,
@@ -42,7 +42,7 @@ pub enum ResponseColumns {
         y: Foreign,
         /// The direction.
         direction: Foreign,
-        /// Its words for up and for down.
+        /// The words of the column for up and for down.
         words: [Vec<Foreign>; 2],
     },
     /// One for each direction.

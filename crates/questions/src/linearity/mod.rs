@@ -1,10 +1,12 @@
-//! How far a sensor's characteristic is from a straight line, in the four ways that laws and data sheets state it.
+//! The distance of a sensor's characteristic from a straight line, in the four ways that laws and data sheets state
+//! it.
 //!
-//! *Independent* linearity is the maximum deviation of the actual characteristic, the average of upscale and downscale readings,
-//! from a straight line so positioned as to equalise and minimise the maximum deviations (US 15 CFR 772.1, "Linearity"):
-//! Chebyshev's minimax line, which three deviations that alternate in sign prove (Cheney, *Introduction to Approximation
-//! Theory*, 1966, chapter 2). *Terminal* linearity is measured from the line through both ends of the range, *zero-based*
-//! linearity from the best line through a given point, *least-squares* linearity from the least-squares line.
+//! *Independent* linearity is the maximum deviation of the actual characteristic, the average of upscale and
+//! downscale readings, from a straight line. The line is so positioned as to equalise and minimise the maximum
+//! deviations (US 15 CFR 772.1, "Linearity"). It is Chebyshev's minimax line, which three deviations that alternate
+//! in sign prove (Cheney, *Introduction to Approximation Theory*, 1966, chapter 2). *Terminal* linearity is measured
+//! from the line through both ends of the range, *zero-based* linearity from the best line through a given point,
+//! *least-squares* linearity from the least-squares line.
 
 #[cfg(feature = "files")]
 mod calibration;
@@ -36,13 +38,13 @@ pub struct LinearityOptions {
 /// The linearity of a calibration, with its hysteresis and repeatability.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Linearity {
-    /// Of the actual characteristic: at each x the average of the upscale and of the downscale average, or the one that there
-    /// is. Where no direction is known, every reading is a point of its own: nothing tells then which of them a law would
-    /// average, and the least error bound of a fit is that of the same readings.
+    /// The linearity of the actual characteristic: at each x the average of the upscale and of the downscale average,
+    /// or the one that there is. If no direction is known, every reading is a point of its own, since nothing says
+    /// which readings a law would average. The least error bound of a fit of the same readings is then the same.
     pub average: Characteristic,
-    /// Of the upscale readings alone, averaged at each x.
+    /// The linearity of the upscale readings alone, averaged at each x.
     pub up: Option<Characteristic>,
-    /// Of the downscale readings alone, averaged at each x.
+    /// The linearity of the downscale readings alone, averaged at each x.
     pub down: Option<Characteristic>,
     /// The largest difference of the upscale and the downscale average at one x; `None` where no x has both.
     pub hysteresis: Option<Difference>,

@@ -1,4 +1,4 @@
-//! From readings to the points of a characteristic.
+//! The way from readings to the points of a characteristic.
 
 use std::borrow::Cow;
 
@@ -23,14 +23,14 @@ pub struct CalibrationReading {
     pub x: Rational,
     /// The output of the sensor.
     pub y: Rational,
-    /// In which direction it was approached, where that is known.
+    /// The direction in which the point was approached, where it is known.
     pub pass: Option<Pass>,
-    /// Of equal readings that are told once all of them, of which this is the first; `None` where it stands for itself.
+    /// All equal readings that are told once, of which this is the first; `None` where the reading stands for itself.
     pub equal: Option<Tally>,
 }
 
 impl CalibrationReading {
-    /// How many readings it stands for.
+    /// Returns the number of readings that the point stands for.
     pub(crate) fn count(&self) -> u64 {
         self.equal.as_ref().map_or(1, Tally::count)
     }
@@ -44,9 +44,9 @@ impl CalibrationReading {
 /// A difference of readings at one x.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Difference {
-    /// How large it is.
+    /// The size of the deviation.
     pub value: Rational,
-    /// Where it is reached, ascending.
+    /// The points where the deviation is reached, ascending.
     pub at: Vec<CalibrationPoint>,
 }
 
@@ -59,12 +59,13 @@ pub struct CalibrationPoint {
     pub y: Rational,
     /// The data rows that it comes from, of which each is listed: very many readings may be at one x.
     pub rows: Tally,
-    /// Where each reading is a point of its own and equal ones are told once: all of them, of which this is the first.
+    /// All equal readings, of which this is the first, where each reading is a point of its own and equal ones are
+    /// told once.
     pub equal: Option<Tally>,
 }
 
 impl CalibrationPoint {
-    /// How many points it stands for.
+    /// Returns the number of points that it stands for.
     pub(super) fn count(&self) -> u64 {
         self.equal.as_ref().map_or(1, Tally::count)
     }

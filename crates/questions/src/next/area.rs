@@ -53,7 +53,7 @@ fn middle(corners: &[Corner], epsilon: &Rational) -> Rational {
     }
 }
 
-/// How long the region is, in θ1, at a value that it takes.
+/// Returns the length of the region, in θ1, at a value that it takes.
 fn chord(corners: &[Corner], value: &Rational) -> Rational {
     let mut ends: Option<[Rational; 2]> = None;
     for (one, other) in sides(corners) {

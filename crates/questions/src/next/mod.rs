@@ -1,4 +1,5 @@
-//! Where to take the next reading of a line, so that the feasible set certainly gets smaller, and by how much at least.
+//! The place of the next reading of a line that certainly makes the feasible set smaller, and the least reduction
+//! there.
 //!
 //! A further reading at x has an outcome y, which nobody knows before, and an error bound ε, which is known. It keeps the lines of
 //! a slab: abs(y - θ1·x - θ2) ≤ ε. The outcome leaves something where y lies in [m(x) - ε, M(x) + ε], with m(x) and M(x) the least
@@ -10,22 +11,24 @@
 //! interval with rational ends, a single x, all of them or none. It has two ends whenever θ1 has a range: w grows without end on
 //! both sides. Where S is not bounded, w is finite for one x at most.
 //!
-//! **The worst outcome.** The difference body D = S - S has the pairs of parameters of S as points d = θ - θ', and w is its support
-//! function: the pieces of w are the corners of the upper half of D. Two lines of S are in one slab at x exactly where
-//! abs(d1·x + d2) ≤ 2ε. The worst outcome therefore leaves an interval of θj of the length
+//! **The worst outcome.** The difference body D = S - S has the pairs of parameters of S as points d = θ - θ'. Its
+//! support function is w: the pieces of w are the corners of the upper half of D. Two lines of S are in one slab at x
+//! exactly where abs(d1·x + d2) ≤ 2ε. The worst outcome therefore leaves an interval of θj of the length
 //!
 //! > L_j(x) = max { dj : d in D, abs(d1·x + d2) ≤ 2ε },
 //!
-//! the largest coordinate of D cut by a slab around the origin. The worst area is that of the best slab of the direction; as y moves
-//! on it grows by the chord of S that comes in less the chord that leaves. Chords are linear in y between corners, and by
-//! Brunn and Minkowski the area has one maximum, so that the best y is rational, and so is the area.
+//! the largest coordinate of D cut by a slab around the origin. The worst area is the area of the best slab of the
+//! direction. As y moves on, the area grows by the chord of S that comes in less the chord that leaves. Chords are
+//! linear in y between corners, and by Brunn and Minkowski the area has one maximum, so that the best y is rational,
+//! and so is the area.
 //!
-//! **The best x.** For a length s ≥ 0 the set of all x with L_1(x) ≥ s is an interval: for s > 0 a point of D with d1 = s lies
-//! in the slab where x is between -(2ε + u(s))/s and (2ε - l(s))/s, with [l(s), u(s)] the slice of D at d1 = s. So L_1 rises and
-//! falls once at most, and its least value within a range is at an end. L_2 does so on each side of x = 0, by the same argument for
-//! the slice at d2 = s: its least value is at an end or at x = 0, where a reading measures θ2 itself. The area divided into 1 is
-//! convex in x, since the largest parallel sections of a convex body in space are the radii of a convex body (Meyer 1999); the body is here
-//! S × [-ε, ε], whose sections project onto slabs. So the least worst area is at an end, too. Nothing is searched for, and nothing rounded.
+//! **The best x.** For a length s ≥ 0 the set of all x with L_1(x) ≥ s is an interval. Let [l(s), u(s)] be the slice
+//! of D at d1 = s. For s > 0 a point of the slice lies in the slab where x is between -(2ε + u(s))/s and (2ε -
+//! l(s))/s. So L_1 rises and falls once at most, and its least value within a range is at an end. On each side of x =
+//! 0, L_2 does so too, by the same argument for the slice at d2 = s. Its least value is at an end or at x = 0, where
+//! a reading measures θ2 itself. The reciprocal of the area is convex in x, since the largest parallel sections of a
+//! convex body in space are the radii of a convex body (Meyer 1999). The body here is S × [-ε, ε], whose sections
+//! project onto slabs. So the least worst area is at an end, too. Nothing is searched for, and nothing rounded.
 
 mod area;
 mod reading;
@@ -40,7 +43,7 @@ pub use reading::NextReading;
 use area::worst_area;
 use width::Width;
 
-/// What is to become small.
+/// The quantity that is to become small.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Goal {
     /// The length of θ1's interval.
@@ -55,7 +58,7 @@ impl Goal {
     /// Every goal.
     pub const ALL: [Goal; 3] = [Goal::Theta1, Goal::Theta2, Goal::Area];
 
-    /// Its name: `theta1`, `theta2` or `area`.
+    /// Returns the name of the goal: `theta1`, `theta2` or `area`.
     pub const fn name(self) -> &'static str {
         match self {
             Goal::Theta1 => "theta1",
@@ -65,7 +68,7 @@ impl Goal {
     }
 }
 
-/// What a further reading can be relied on to do to a set of lines that is not empty.
+/// The reliable effect of a further reading on a set of lines that is not empty.
 #[derive(Debug, Clone)]
 pub struct Next<'a> {
     set: &'a Polyhedron,
@@ -76,16 +79,16 @@ pub struct Next<'a> {
 /// The difference body of the set.
 #[derive(Debug, Clone)]
 enum Shape {
-    /// It is bounded.
+    /// The set is bounded.
     Bounded(Width),
-    /// It goes on along a line in both directions, and is bounded across.
+    /// The set goes on along a line in both directions, and is bounded across.
     Along {
         /// A direction of the line.
         along: [Rational; 2],
         /// Half its width: the width of the set, measured by (-along2, along1).
         across: Rational,
     },
-    /// It is the whole plane.
+    /// The set is the whole plane.
     Plane,
 }
 
@@ -94,9 +97,9 @@ enum Shape {
 pub struct Best {
     /// The goal.
     pub goal: Goal,
-    /// What it is now; `None` without end.
+    /// The present value; `None` without end.
     pub now: Option<Rational>,
-    /// What it is after the worst outcome of a reading at the best x; `None` without end.
+    /// The value after the worst outcome of a reading at the best x; `None` without end.
     pub worst: Option<Rational>,
     /// The best x, ascending; none where a reading at any x of the range may leave the goal as it is.
     pub at: Vec<Rational>,
@@ -150,7 +153,7 @@ impl<'a> Next<'a> {
         &self.epsilon
     }
 
-    /// How far the lines are apart at x; `None` without end. Exact. Cost: logarithmic.
+    /// Returns the distance of the lines from each other at x; `None` without end. Exact. Cost: logarithmic.
     pub fn width(&self, x: &Rational) -> Option<Rational> {
         match &self.shape {
             Shape::Bounded(width) => Some(width.at(x)),
@@ -161,7 +164,7 @@ impl<'a> Next<'a> {
         }
     }
 
-    /// Where the width has corners, ascending.
+    /// Returns the x where the width has corners, ascending.
     pub fn breaks(&self) -> &[Rational] {
         match &self.shape {
             Shape::Bounded(width) => width.breaks(),
@@ -188,7 +191,7 @@ impl<'a> Next<'a> {
         self.no_wider_than(&self.twice())
     }
 
-    /// What a goal is now; `None` without end. Exact.
+    /// Returns the present value of a goal; `None` without end. Exact.
     pub fn now(&self, goal: Goal) -> Option<Rational> {
         let (zero, one) = (Rational::zero, Rational::one);
         match goal {
@@ -198,8 +201,8 @@ impl<'a> Next<'a> {
         }
     }
 
-    /// What a goal is after the worst outcome of a reading at x, or comes as close to as one likes; `None` without end. Exact. Cost:
-    /// linear in the number n of vertices, of the area O(n log n).
+    /// Returns the value of a goal after the worst outcome of a reading at x, or its limit; `None` without end.
+    /// Exact. Cost: linear in the number n of vertices, of the area O(n log n).
     pub fn worst(&self, goal: Goal, x: &Rational) -> Option<Rational> {
         match &self.shape {
             Shape::Bounded(width) if width.at(x) <= self.twice() => self.now(goal),
@@ -236,7 +239,7 @@ impl<'a> Next<'a> {
         Best { goal, now, worst, at }
     }
 
-    /// Whether a goal is left out, since the fraction of its area would be too long.
+    /// Returns `true` if a goal is omitted because the fraction of its area would be too long.
     pub fn is_too_long(&self, goal: Goal) -> bool {
         goal == Goal::Area && self.set.region().vertices().len() > Next::MOST_CORNERS
     }
@@ -270,12 +273,12 @@ impl<'a> Next<'a> {
     }
 }
 
-/// How much the value at x grows along a direction.
+/// Returns the growth of the value at x along a direction.
 fn slope(along: &[Rational; 2], x: &Rational) -> Rational {
     &along[0] * x + &along[1]
 }
 
-/// Whether one is less than the other, where `None` has no end.
+/// Returns whether one is less than the other, where `None` has no end.
 fn is_less(one: &Option<Rational>, other: &Option<Rational>) -> bool {
     one.as_ref().is_some_and(|one| other.as_ref().is_none_or(|other| one < other))
 }

@@ -5,12 +5,12 @@ use boundfit_exact::{Endpoint, Interval, Rational};
 
 use super::{Best, Goal, Next};
 
-/// What the next reading can be relied on to do, with x as the data have it.
+/// The reliable effect of the next reading, with x as the data have it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NextReading {
     /// The error bound of the reading.
     pub epsilon: Rational,
-    /// Where it may leave the set as it is ([`Next::unsure`]).
+    /// The range of x where the reading may leave the set as it is ([`Next::unsure`]).
     pub unsure: Option<Interval>,
     /// The range in which it is looked for, the lower end first: the one asked for, or that of the readings; `None` where that is
     /// not known.
@@ -22,8 +22,8 @@ pub struct NextReading {
 }
 
 impl NextReading {
-    /// What the next reading of a line can be relied on to do, within a range of x if one is asked for; `None` where the set is
-    /// empty. Exact. Cost: O(n log n) for n vertices of the set.
+    /// Returns the reliable effect of the next reading of a line, within a range of x if one is asked for; `None`
+    /// where the set is empty. Exact. Cost: O(n log n) for n vertices of the set.
     pub fn of(
         problem: &Problem,
         fit: &Fit,
@@ -62,7 +62,7 @@ impl NextReading {
         below.into_iter().chain(above).collect()
     }
 
-    /// Whether it certainly makes the set smaller somewhere within the range.
+    /// Returns whether the reading certainly makes the set smaller somewhere within the range.
     pub fn is_certain_within(&self) -> Option<bool> {
         let [lower, upper] = self.within.as_ref()?;
         let is_unsure = |x| self.unsure.as_ref().is_some_and(|unsure| unsure.contains(x));

@@ -1,4 +1,5 @@
-//! How far the lines of a bounded set are apart, as a function of x: the support function of its difference body.
+//! The distance of the lines of a bounded set from each other, as a function of x: the support function of its
+//! difference body.
 
 use boundfit_estimation::Corridor;
 use boundfit_exact::{Endpoint, Interval, Rational};
@@ -9,7 +10,7 @@ pub(super) struct Width {
     /// Slope and intercept of each piece, the slopes ascending: the corners of the upper half of the difference body, from its
     /// leftmost to its rightmost one. The lower half is the same, turned around the origin.
     pieces: Vec<[Rational; 2]>,
-    /// Where one piece gives way to the next.
+    /// The x where one piece gives way to the next.
     breaks: Vec<Rational>,
 }
 
@@ -29,7 +30,7 @@ impl Width {
         own
     }
 
-    /// Where one piece gives way to the next.
+    /// Returns the x where one piece gives way to the next.
     pub(super) fn breaks(&self) -> &[Rational] {
         &self.breaks
     }

@@ -1,4 +1,4 @@
-//! How the q-relaxed set grows with q.
+//! The growth of the q-relaxed set with q.
 
 use std::collections::HashMap;
 use std::ops::RangeInclusive;
@@ -16,9 +16,9 @@ use super::{NoOutliers, OutlierLimits, triangle};
 pub struct Growth {
     /// q.
     pub most: usize,
-    /// In how many pieces it is; parts that touch in a point are one.
+    /// The number of its pieces; parts that touch in a point are one.
     pub pieces: usize,
-    /// How many holes all pieces together have.
+    /// The number of holes of all pieces together.
     pub holes: usize,
     /// The ranges of both parameters over all pieces; `None` when there is nothing.
     pub pui: Option<[Interval; 2]>,
@@ -33,7 +33,7 @@ impl Growth {
     }
 }
 
-/// How many crossings are kept in memory, some 150 bytes each.
+/// The number of crossings that are kept in memory, some 150 bytes each.
 const MOST_KEPT: usize = 100_000;
 
 /// The growth from one q to another. The rows that no θ meets count in every q.
@@ -70,7 +70,7 @@ pub(super) fn of(
 struct Near {
     most: u64,
     places: HashMap<Place, u32>,
-    /// How many are missed at each crossing.
+    /// The number of readings that are missed at each crossing.
     missed: Vec<u64>,
     edges: Vec<NearEdge>,
 }
@@ -138,7 +138,8 @@ impl Near {
                     reach.add_direction(&lines.0[edge.line as usize], place == 1);
                 }
             }
-            // Of a set that is drawn together to what is bounded of it, pieces less holes are corners less edges and cells.
+            // For a set that is drawn together to its bounded part, pieces less holes are corners less edges and
+            // cells.
             let bounded_cells = cells.partition_point(|&missed| missed <= q);
             let holes = (pieces + edges - rays) - (corners + bounded_cells);
             sets.push(Set { pieces, holes, pui: reach.intervals(), area });
@@ -146,7 +147,7 @@ impl Near {
         sets
     }
 
-    /// How many are missed in each bounded cell, ascending.
+    /// Returns the number of readings missed in each bounded cell, ascending.
     fn cells(&self, lines: &Lines) -> Vec<u64> {
         // A cell without end that has a first corner lies to the left of one of the ways to the right, but for the last.
         let last = lines.last_to_the_right();
@@ -229,7 +230,7 @@ impl Lines {
             let (f, g) = (&one.below, &other.below);
             let is_vertical = f.a2().is_zero().cmp(&g.a2().is_zero());
             let steeper = || (g.a1() * f.a2()).cmp(&(f.a1() * g.a2()));
-            // Of parallel ones the leftmost, which is the uppermost unless they are vertical.
+            // Among parallel boundaries it is the leftmost, which is the uppermost unless they are vertical.
             let leftmost = || {
                 let upper = by_tightness(f, g);
                 if f.a2().is_zero() { upper.reverse() } else { upper }
@@ -293,7 +294,7 @@ impl Reach {
     }
 }
 
-/// Which crossings are joined by edges.
+/// The crossings that are joined by edges.
 struct Joined(Vec<usize>);
 
 impl Joined {
@@ -317,7 +318,7 @@ impl Joined {
     }
 }
 
-/// Where no two boundaries cross: strips between them.
+/// Returns the set where no two boundaries cross: strips between them.
 fn along_parallels(lines: &Lines, within: u64) -> Set {
     let mut sorted: Vec<&Line> = lines.0.iter().collect();
     sorted.sort_by(|one, other| by_tightness(&one.below, &other.below));

@@ -9,7 +9,7 @@ use boundfit_geometry::{Constraint, HalfPlane, Inequality, LayerOf, Layers};
 pub(super) struct Kept<'a> {
     /// Readings that some θ meet and some miss.
     pub(super) rows: Vec<KeptRow<'a>>,
-    /// Which readings the rows stand for.
+    /// The readings that the rows stand for.
     pub(super) ties: Cow<'a, Ties>,
     /// Rows that no θ meets: a lower bound above the upper one, or no regressor and bounds without 0.
     pub(super) never: Vec<usize>,
@@ -20,16 +20,16 @@ pub(super) struct Kept<'a> {
 /// A reading that some θ meet and some miss.
 pub(super) struct KeptRow<'a> {
     pub(super) measurement: &'a Measurement,
-    /// How many readings it stands for.
+    /// The number of readings that the row stands for.
     pub(super) weight: u64,
-    /// Its bounds as they were given, one or both.
+    /// The bounds of the row as they were given, one or both.
     pub(super) inequalities: Vec<Inequality>,
     /// The half-planes that they stand for.
     pub(super) half_planes: Vec<HalfPlane>,
 }
 
 impl<'a> Kept<'a> {
-    /// Of readings and conditions.
+    /// Collects readings and conditions.
     pub(super) fn new(
         measurements: &'a [Measurement],
         ties: Cow<'a, Ties>,
@@ -72,7 +72,7 @@ impl<'a> Kept<'a> {
         }
     }
 
-    /// Of some rows how many readings they stand for.
+    /// Returns the number of readings that some rows stand for.
     pub(super) fn weight(&self, rows: &[u32]) -> u64 {
         rows.iter().map(|&row| self.rows[row as usize].weight).sum()
     }

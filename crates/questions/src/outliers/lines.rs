@@ -1,4 +1,4 @@
-//! How many readings are missed along every boundary.
+//! The numbers of readings that are missed along every boundary.
 
 use std::cmp::Ordering;
 use std::collections::HashMap;
@@ -16,9 +16,9 @@ pub(super) const FORBIDDEN: u64 = 1 << 40;
 pub(super) struct Line {
     /// The side `a·θ ≤ b` with a2 > 0, or a2 = 0 and a1 > 0.
     pub(super) below: HalfPlane,
-    /// How many are missed where `a·θ > b`.
+    /// The number of readings missed where `a·θ > b`.
     missed_above: u64,
-    /// How many are missed where `a·θ < b`.
+    /// The number of readings missed where `a·θ < b`.
     missed_below: u64,
 }
 
@@ -30,13 +30,13 @@ pub(super) struct Lines(pub(super) Vec<Line>);
 pub(super) struct Edge {
     /// The boundary that it is a part of.
     pub(super) line: u32,
-    /// Where it begins and ends.
+    /// The places where the stretch begins and ends.
     pub(super) ends: [Option<Place>; 2],
-    /// How many are missed on it.
+    /// The number of readings missed on the stretch.
     pub(super) on: u64,
-    /// How many are missed to the left of it.
+    /// The number of readings missed to the left of the stretch.
     pub(super) left: u64,
-    /// How many are missed to the right of it.
+    /// The number of readings missed to the right of the stretch.
     pub(super) right: u64,
     /// `true` if the cell to the left has its smallest corner, by θ1 and then θ2, where the edge begins.
     pub(super) is_first_of_cell: bool,
@@ -57,14 +57,14 @@ pub(super) trait Visitor {
     }
 }
 
-/// Where a boundary crosses the one that is walked along.
+/// The place where a boundary crosses the one that is walked along.
 struct Crossing {
-    /// Its place along the way.
+    /// The place of the crossing along the way.
     place: Fraction,
     /// The double nearest to it. Rounding keeps the order: where these differ, the places do.
     nearest: f64,
     line: u32,
-    /// How many are missed beyond it, before the crossing and behind.
+    /// The numbers of readings missed beyond the crossing boundary, before the crossing and behind.
     before: u64,
     behind: u64,
     /// `true` if it is steeper than the boundary walked along.
@@ -72,7 +72,7 @@ struct Crossing {
 }
 
 impl Lines {
-    /// Of some rows, and of all conditions.
+    /// Collects the boundaries of some rows, and of all conditions.
     pub(super) fn new(kept: &Kept, rows: &[u32]) -> Self {
         let mut lines: Vec<Line> = Vec::new();
         let mut places: HashMap<HalfPlane, usize> = HashMap::new();
@@ -99,7 +99,7 @@ impl Lines {
         Lines(lines)
     }
 
-    /// How many crossings a walk along all of them looks at.
+    /// Returns the number of crossings that a walk along all boundaries looks at.
     pub(super) fn steps(&self) -> u64 {
         (self.0.len() as u64).saturating_mul(self.0.len() as u64)
     }
@@ -174,7 +174,7 @@ impl Lines {
         visitor.edge(edge([last, None], missed, has_steeper));
     }
 
-    /// Where one boundary is crossed by another; `None` where they are parallel.
+    /// Returns the place where one boundary is crossed by another; `None` where they are parallel.
     fn crossing(&self, own: u32, other: u32) -> Option<Crossing> {
         let (f, crossed) = (&self.0[own as usize].below, &self.0[other as usize]);
         let g = &crossed.below;
@@ -208,7 +208,7 @@ impl Crossing {
 }
 
 impl Line {
-    /// How many miss it along a parallel boundary.
+    /// Returns the number of readings that miss the line along a parallel boundary.
     fn missed_on(&self, parallel: &HalfPlane) -> u64 {
         match boundfit_geometry::predicates::by_tightness(&self.below, parallel) {
             Ordering::Less => self.missed_above,
@@ -217,7 +217,7 @@ impl Line {
         }
     }
 
-    /// How many are missed on either side, above first.
+    /// Returns the numbers of readings missed on either side, above first.
     pub(super) fn missed(&self) -> [u64; 2] {
         [self.missed_above, self.missed_below]
     }

@@ -1,5 +1,5 @@
-//! Outliers: the least number of readings to leave out so that some parameter agrees with all others, every set of so many
-//! readings whose leaving out does it, what is left then, and how the set grows when more may be missed.
+//! Outliers: the least number of readings whose removal leaves a parameter that agrees with all others. Lists every
+//! set of that many readings that does it, the set that remains, and its growth when more readings may be missed.
 //!
 //! The *q-relaxed* set has the θ that miss at most q readings and meet all conditions. Source: Lahanier, Walter, Gomeni,
 //! "OMNE: a new robust membership-set estimator for the parameters of nonlinear models", *J. Pharmacokinet. Biopharm.* 15
@@ -30,9 +30,9 @@ use kept::Kept;
 /// Limits on the search for outliers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OutlierLimits {
-    /// How many minimal sets are listed.
+    /// The number of minimal sets that are listed.
     pub sets: usize,
-    /// How many crossings of two boundaries may be looked at. A million take about a second.
+    /// The largest number of crossings of two boundaries that the search looks at. A million take about a second.
     pub steps: u64,
 }
 
@@ -42,7 +42,7 @@ impl Default for OutlierLimits {
     }
 }
 
-/// Which readings to leave out.
+/// The readings to leave out.
 #[derive(Debug, Clone)]
 pub struct Outliers {
     /// The least number of readings without which some parameter is left.
@@ -62,26 +62,26 @@ pub struct Piece {
     pub left: Fps,
 }
 
-/// Why the least number of outliers is not known.
+/// The reason why the least number of outliers is not known.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum NoOutliers {
-    /// Not every reading is in memory.
+    /// Memory does not hold every reading.
     NotInMemory,
     /// The conditions contradict each other, whatever is left out: at most three of them with multipliers whose sum is
     /// `0 ≤ negative`.
     Conditions(Vec<(BoundName, Rational)>),
-    /// It takes more than may be looked at.
+    /// The search needs more crossings than the limit.
     Steps {
-        /// At least so many readings have to be left out.
+        /// The number of readings that must be left out at least.
         at_least: usize,
         /// A number that is enough, if known.
         enough: Option<usize>,
-        /// How many crossings would have to be looked at.
+        /// The number of crossings that the search would look at.
         needed: u64,
     },
-    /// How the set grows takes more than may be looked at.
+    /// The growth of the set needs more crossings than the limit.
     GrowthSteps {
-        /// How many crossings would have to be looked at.
+        /// The number of crossings that the search would look at.
         needed: u64,
     },
     /// The set has more corners than are kept in memory.
@@ -91,10 +91,11 @@ pub enum NoOutliers {
 impl Outliers {
     /// The outliers among the readings of a problem, which must be in memory. Exact.
     ///
-    /// Cost: O(n log n + n·q) for the first q + 1 convex layers, of which alone the answer depends. Then, as long as there are
-    /// few, the sets of a tree: a contradiction of at most three readings needs one of them left out (Matoušek, "On geometric
-    /// optimization with few violated constraints", *Discrete Comput. Geom.* 14, 1995). Where these are more than the crossings of
-    /// the boundaries of m layer rows, all crossings are looked at along every boundary: O(m² log m).
+    /// Cost: O(n log n + n·q) for the first q + 1 convex layers, of which alone the answer depends. Then, as long as
+    /// there are few, the search tries the sets of a tree. A contradiction of at most three readings needs one of
+    /// them left out (Matoušek, "On geometric optimization with few violated constraints", *Discrete Comput. Geom.*
+    /// 14, 1995). Where these are more than the crossings of the boundaries of m layer rows, all crossings are looked
+    /// at along every boundary: O(m² log m).
     ///
     /// # Errors
     /// When there is no such number, or it takes more than the limits allow.
@@ -149,8 +150,9 @@ impl Outliers {
         Some(edges.collect())
     }
 
-    /// How the q-relaxed set grows: of each q from 0 to `most` how many pieces it has, its ranges and its area. Exact. Cost:
-    /// O(m² log m) for the m rows of the first `most + 1` convex layers; nothing but the pieces for the least q.
+    /// Returns the growth of the q-relaxed set: for each q from 0 to `most` its number of pieces, its ranges and its
+    /// area. Exact. Cost: O(m² log m) for the m rows of the first `most + 1` convex layers; nothing but the pieces
+    /// for the least q.
     ///
     /// # Errors
     /// When it takes more than the limits allow.
@@ -192,7 +194,7 @@ fn active_only(measurements: &Measurements, rows: Vec<Measurement>, conditions: 
     Fps::of_every_half_plane(&measurements.of_kept(rows), conditions)
 }
 
-/// Of conditions that contradict each other at most three with their multipliers.
+/// Returns at most three conditions that contradict each other, with their multipliers.
 fn contradiction(conditions: &[Condition]) -> Option<Vec<(BoundName, Rational)>> {
     let (names, inequalities): (Vec<BoundName>, Vec<_>) = conditions_by_name(conditions).unzip();
     let conditions = Polyhedron::intersect(System::new(inequalities));
@@ -215,8 +217,8 @@ fn triangle(p: &Point, q: &Point, turned: bool) -> Option<Fraction> {
 }
 
 impl Piece {
-    /// By how much a reading that is left out is missed, from the least to the most, and which of its bounds it is; `None` for a
-    /// reading that no parameter meets, and for one that is not left out. Exact.
+    /// Returns the range of amounts, from least to most, by which a removed reading is missed, and the bound that is
+    /// missed. Returns `None` for a reading that no parameter meets, and for a reading that is not left out. Exact.
     ///
     /// Nobody in the piece meets a reading that is left out: fewer could be left out otherwise.
     pub fn missed_by(&self, reading: &Measurement) -> Option<(BoundName, Interval)> {

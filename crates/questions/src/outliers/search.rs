@@ -64,8 +64,9 @@ fn rows_of(certificate: &Farkas, owners: &[u32]) -> BTreeSet<u32> {
     certificate.multipliers().iter().filter_map(|multiplier| owners.get(multiplier.index).copied()).collect()
 }
 
-/// By the tree of contradictions, from sets of few readings to sets of more, each set of rows once. A set of the least size is found: as long as some of
-/// it is left in, what is left is contradictory, and each of its contradictions has a row of the set.
+/// Searches the tree of contradictions, from sets of few readings to sets of more, each set of rows once. The search
+/// finds every set of the least size. As long as some reading of the set remains, the remaining readings are
+/// contradictory, and each contradiction has a row of the set.
 ///
 /// # Errors
 /// With a number of rows below which there is nothing, where more is spent than with so many boundaries may be.
@@ -111,14 +112,15 @@ fn tree(kept: &Kept, limit: impl Fn(u64) -> u64) -> Result<Found, usize> {
     unreachable!("without any row the conditions leave something")
 }
 
-/// Contradictions without a reading in common, one after the other: as many readings as there are have to be left out, and all of
-/// their readings are enough, at most three times as many.
+/// Returns contradictions without a reading in common, one after the other. Their number is a lower bound for the
+/// readings to leave out. All of their readings, at most three times as many, are enough.
 ///
 /// # Errors
 /// With how many there are at least and what would be needed, where the limit is reached.
 fn packing(kept: &Kept, rows: &[u32], limit: u64) -> Result<(usize, usize), (usize, u64)> {
     let mut without: BTreeSet<u32> = BTreeSet::new();
-    // Of each row that a contradiction had a part in, how many of its readings no contradiction stands for yet (local ratio).
+    // For each row that had a part in a contradiction, the number of its readings that no contradiction stands for
+    // yet (local ratio).
     let mut left_of: BTreeMap<u32, u64> = BTreeMap::new();
     let (mut spent, mut count) = (0_u64, 0);
     loop {
@@ -164,12 +166,12 @@ fn packing_of_layers(kept: &Kept, at_least: usize, limit: u64) -> Result<(usize,
     }
 }
 
-/// Where the fewest are missed.
+/// The places where the fewest readings are missed.
 struct Fewest {
     missed: u64,
     crossings: Vec<Place>,
     lines: Vec<u32>,
-    /// How many places are kept.
+    /// The number of places that are kept.
     most: usize,
     has_all: bool,
 }
@@ -205,7 +207,8 @@ impl Visitor for Fewest {
     }
 }
 
-/// By a walk along every boundary of these rows: every part of what is left has a crossing or a whole boundary.
+/// Searches by a walk along every boundary of these rows: every part of the remaining set has a crossing or a whole
+/// boundary.
 fn walk(kept: &Kept, rows: &[u32], lines: &Lines, most_sets: usize) -> Found {
     const PLACES_OF_A_SET: usize = 16;
     let most = most_sets.saturating_mul(PLACES_OF_A_SET).saturating_add(PLACES_OF_A_SET);

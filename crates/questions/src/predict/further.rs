@@ -4,8 +4,8 @@ use boundfit_estimation::{ErrorBound, Law, Measurements};
 use boundfit_exact::{Endpoint, Interval, Rational};
 use thiserror::Error;
 
-/// How far a further reading y may be from φ·θ: φ·θ lies in [y - below, y + above], where both are sums of a constant, of a
-/// multiple of |x| and of one of |y|.
+/// The distance that a further reading y may have from φ·θ: φ·θ lies in [y - below, y + above]. Both are sums of a
+/// constant, of a multiple of |x| and of a multiple of |y|.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FurtherError {
     above: Terms,
@@ -21,7 +21,7 @@ struct Terms {
     of_y: Rational,
 }
 
-/// Why nothing is known of the error of a further reading.
+/// The reason why nothing is known of the error of a further reading.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum NoFurtherError {
     /// Each reading has its own.
@@ -61,7 +61,7 @@ impl FurtherError {
         }
     }
 
-    /// By a law, which need not be that of the readings.
+    /// Takes the error from a law, which may differ from the law of the readings.
     ///
     /// # Errors
     /// When it says nothing of a further reading.
@@ -95,7 +95,7 @@ impl FurtherError {
         (self.above == self.below && of_x.is_zero() && of_y.is_zero()).then_some(constant)
     }
 
-    /// Where a further reading lies at an x where the lines have these values. Exact.
+    /// Returns the interval of a further reading at an x where the lines have these values. Exact.
     pub fn around(&self, line: &Interval, x: &Rational) -> Option<Interval> {
         let size = (x - &self.zero_of_x).abs();
         let lower = line.lower().value().map(|value| {
@@ -109,13 +109,13 @@ impl FurtherError {
         Interval::new(Endpoint::from(lower), Endpoint::from(upper))
     }
 
-    /// How far φ·θ may be above and below a reading y, but for the multiples of |x|. Exact.
+    /// Returns the distance that φ·θ may have above and below a reading y, without the multiples of |x|. Exact.
     pub(super) fn without_x(&self, y: &Rational) -> [Rational; 2] {
         let size = y.abs();
         [&self.above, &self.below].map(|terms| &terms.constant + &terms.of_y * &size)
     }
 
-    /// How many times |x| is taken above and below.
+    /// Returns the multiples of |x| above and below.
     pub(super) fn of_x(&self) -> [&Rational; 2] {
         [&self.above.of_x, &self.below.of_x]
     }

@@ -1,10 +1,10 @@
 //! Predictions: the line elsewhere, a further reading there, and the x that a reading may come from.
 //!
-//! At x the feasible lines reach from m(x) = min θ1·x + θ2 to M(x) = max θ1·x + θ2. A further reading whose error is at most ε
-//! lies in [m(x) - ε, M(x) + ε], and a reading y may come from those x where M(x) ≥ y - ε and m(x) ≤ y + ε. M is convex and m is
-//! concave, so the x that are left out are two intervals at most: where all lines are too low, and where all are too high. If there
-//! are both, every line rises, or every line falls, from one to the other, so that one of them goes on without end. At most two
-//! intervals are left.
+//! At x the feasible lines reach from m(x) = min θ1·x + θ2 to M(x) = max θ1·x + θ2. A further reading whose error is
+//! at most ε lies in [m(x) - ε, M(x) + ε]. A reading y may come from each x where M(x) ≥ y - ε and m(x) ≤ y + ε. M is
+//! convex and m is concave, so the excluded x are two intervals at most: where all lines are too low, and where all
+//! are too high. If there are both, every line rises, or every line falls, from one to the other, so that one of them
+//! goes on without end. At most two intervals are left.
 
 mod further;
 mod valley;
@@ -27,21 +27,21 @@ pub struct Predictor<'a> {
 /// An interval of x that a reading may come from; without an end it goes on.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PossibleX {
-    /// Where it begins.
+    /// The lower end of the interval.
     pub lower: Option<PossibleEnd>,
-    /// Where it ends.
+    /// The upper end of the interval.
     pub upper: Option<PossibleEnd>,
 }
 
-/// Where an interval of x ends.
+/// The end of an interval of x.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PossibleEnd {
     /// The x.
     pub x: Rational,
-    /// `true` if a reading may come from this very x; else it may from any x beyond, however near: of a set without end a line's
-    /// value may be bounded at a single x.
+    /// `true` if a reading may come from this very x. Otherwise it may come from any x beyond, however near: a line's
+    /// value may be bounded at a single x if the set has no end.
     pub included: bool,
-    /// Which end of the line's interval at this x decides: the upper one where further on all lines are too low.
+    /// `true` if the upper end of the line's interval at this x decides, where further on all lines are too low.
     pub by_upper: bool,
 }
 
@@ -80,7 +80,8 @@ impl<'a> Predictor<'a> {
         self.set.range(form).unwrap_or_else(whole)
     }
 
-    /// Why φ·θ is not smaller, as the maximum of -φ·θ, and why it is not larger. Exact. Cost: linear in the number of vertices.
+    /// Returns the proof that φ·θ is not smaller, as the maximum of -φ·θ, and the proof that it is not larger. Exact.
+    /// Cost: linear in the number of vertices.
     pub fn ends(&self, form: &[Rational; 2]) -> [Support; 2] {
         [self.set.support(&form.each_ref().map(|part| -part)), self.set.support(form)]
     }
@@ -92,7 +93,7 @@ impl<'a> Predictor<'a> {
         self.sources_of_many(error)(y)
     }
 
-    /// As [`Predictor::sources`], for many y. Cost for each: logarithmic.
+    /// Answers as [`Predictor::sources`] does, for many y. Cost for each: logarithmic.
     pub fn sources_of_many<'b>(
         &self,
         error: &'b FurtherError,

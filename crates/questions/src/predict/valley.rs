@@ -9,14 +9,14 @@ pub(super) struct Valley {
     domain: Option<Interval>,
     /// Slope and intercept of each piece, the slopes ascending.
     lines: Vec<[Rational; 2]>,
-    /// Where one piece gives way to the next, and the function there.
+    /// The places where one piece gives way to the next, and the function there.
     nodes: Vec<[Rational; 2]>,
-    /// How many pieces fall, and how many do not rise.
+    /// The number of pieces that fall, and the number that do not rise.
     falling: usize,
     not_rising: usize,
-    /// Its value at the ends of the domain that are there.
+    /// The values of the function at the ends of the domain that exist.
     at_ends: [Option<[Rational; 2]>; 2],
-    /// Its least value, if it has one.
+    /// The least value of the function, if it has one.
     least: Option<Rational>,
 }
 
@@ -27,7 +27,7 @@ pub(super) struct Gap {
     pub(super) to: Option<GapEnd>,
 }
 
-/// Where a gap ends.
+/// The end of a gap.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct GapEnd {
     pub(super) x: Rational,
@@ -85,7 +85,7 @@ impl Valley {
         }
     }
 
-    /// Where the function is smaller than a value: one interval, if any. Exact. Cost: logarithmic.
+    /// Returns the interval where the function is smaller than a value, if any. Exact. Cost: logarithmic.
     pub(super) fn below(&self, value: &Rational) -> Option<Gap> {
         self.domain.as_ref()?;
         if self.least.as_ref().is_some_and(|least| least >= value) {
@@ -94,7 +94,7 @@ impl Valley {
         Some(Gap { from: self.from(value), to: self.to(value) })
     }
 
-    /// Where it comes below a value that it is below somewhere.
+    /// Returns the place where the function comes below a value that it is below somewhere.
     fn from(&self, value: &Rational) -> Option<GapEnd> {
         if let Some(end) = end_in_gap(&self.at_ends[0], value) {
             return Some(end);
@@ -104,7 +104,7 @@ impl Valley {
         (piece < self.falling).then(|| self.crossing(piece, value)).flatten()
     }
 
-    /// Where it is no longer below a value that it is below somewhere.
+    /// Returns the place where the function is no longer below a value that it is below somewhere.
     fn to(&self, value: &Rational) -> Option<GapEnd> {
         if let Some(end) = end_in_gap(&self.at_ends[1], value) {
             return Some(end);
@@ -114,7 +114,7 @@ impl Valley {
         self.crossing(piece, value)
     }
 
-    /// Where a piece that is not level has a value; `None` where there is no such piece.
+    /// Returns the place where a piece that is not level has a value; `None` where there is no such piece.
     fn crossing(&self, piece: usize, value: &Rational) -> Option<GapEnd> {
         let [slope, intercept] = self.lines.get(piece)?;
         let x = (value - intercept).checked_div(slope)?;
@@ -139,7 +139,7 @@ fn add_distance(
     let is_within = domain.lower().value().is_none_or(|from| from < zero)
         && domain.upper().value().is_none_or(|to| zero < to);
     let before = breaks.partition_point(|x| x < zero);
-    // So many pieces lie on the left of it.
+    // The number of pieces on the left of zero.
     let left = if is_within && breaks.get(before) != Some(zero) {
         if let Some(line) = lines.get(before).cloned() {
             breaks.insert(before, zero.clone());

@@ -24,7 +24,7 @@ pub(super) struct Hard {
     pub(super) inequality: Inequality,
 }
 
-/// Which of its bounds a reading is at, or beyond.
+/// The bound that a reading is at, or beyond.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
     Upper,
@@ -45,7 +45,7 @@ impl Soft {
         self.off(theta).abs().checked_div(&self.half_width).unwrap_or_default()
     }
 
-    /// How fast the factor grows beyond a bound.
+    /// Returns the growth of the factor beyond a bound.
     pub(super) fn gradient(&self, side: Side) -> [Rational; 2] {
         let inverse = side.over(&self.half_width);
         self.form.each_ref().map(|own| own * &inverse)
@@ -152,8 +152,8 @@ pub(super) fn local(soft: &[Soft], hard: &[Hard], theta: &[Rational; 2]) -> Loca
 impl Local {
     /// A direction in which the sum becomes less, and how fast; `None` at a minimiser.
     ///
-    /// The sum is linear between neighbouring rays along the lines through the point, so that one of these descends if any
-    /// direction does; with one line, or none, also across it, or against the gradient.
+    /// The sum is linear between neighbouring rays along the lines through the point. So one of these rays descends
+    /// if any direction does; with one line, or none, also the direction across it, or against the gradient.
     pub(super) fn descent(&self) -> Option<(Direction, Rational)> {
         let mut steepest: Option<(Direction, Rational, Rational)> = None;
         for (direction, slope) in self.slopes() {

@@ -1,15 +1,16 @@
 //! Leave-one-out for each reading, without a fit for each.
 //!
-//! The set S of all readings is the intersection of few of their half-planes, the *spokes* of its normal fan. Whoever has no
-//! spoke can be left out without changing S. Leaving out the reading i of a spoke k opens S beyond k only, as far as half-planes
-//! allow that were redundant. Each of those is dominated by the two spokes around its normal, or by one, so that it is still
-//! redundant unless k is one of these: it has to be looked at for two spokes at most. If the opposite bound of i is a spoke l too,
-//! what l dominates still does not matter: were g ≥ s·l + t·f part of a proof of max φ_i, so would t·f be of a value that is no
-//! larger, since every point that the others leave within l already lies above it.
+//! The set S of all readings is the intersection of few of their half-planes, the *spokes* of its normal fan. Whoever
+//! has no spoke can be left out without changing S. Leaving out the reading i of a spoke k opens S beyond k only, as
+//! far as half-planes allow that were redundant. Each of these half-planes is dominated by the two spokes around its
+//! normal, or by one, so it stays redundant unless k is one of these spokes. It has to be tested for two spokes at
+//! most. If the opposite bound of i is a spoke l too, the half-planes that l dominates still do not matter. Suppose g
+//! ≥ s·l + t·f were part of a proof of max φ_i. Then t·f would prove a value that is no larger, since every point of
+//! the others within l already lies above it.
 //!
-//! So one intersection of all readings without those that have spokes, and one small linear program per spoke, are all that is
-//! needed: O(n log n) together. Of an empty S, only readings of one contradiction can mend it: whoever takes a half-plane out of
-//! a contradictory system and makes it consistent has taken it out of every contradiction.
+//! So one intersection of all readings without those that have spokes, and one small linear program per spoke, are
+//! all that is needed: O(n log n) together. If S is empty, only readings of one contradiction can mend it: a
+//! half-plane whose removal makes a contradictory system consistent belongs to every contradiction.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -34,13 +35,14 @@ pub struct Deciding {
 pub struct RowStatus {
     /// Number of the data row.
     pub row: usize,
-    /// Against the set of all readings; `None` when that is empty. It cannot be but inner or boundary.
+    /// The standing against the set of all readings, inner or boundary; `None` when that set is empty. It cannot be
+    /// but inner or boundary.
     pub all: Option<Standing>,
-    /// Against the set of the others; `None` when that is empty.
+    /// The standing against the set of the other readings; `None` when that set is empty.
     pub without: Option<Standing>,
 }
 
-/// How each reading stands to the set of all readings, and to that of the others.
+/// The standing of each reading against the set of all readings, and against the set of the others.
 #[derive(Debug, Clone)]
 pub struct Statuses {
     deciding: Deciding,
@@ -51,8 +53,9 @@ pub struct Statuses {
 }
 
 impl Deciding {
-    /// The readings without which the set may be another one: those with a half-plane that is not redundant, at most as many as
-    /// the set has sides; of an empty set those of one contradiction, at most three. Exact. Cost: linear in these.
+    /// Finds the readings whose removal may change the set: readings with a half-plane that is not redundant, at most
+    /// as many as the set has sides. An empty set has the readings of one contradiction, at most three. Exact. Cost:
+    /// linear in these.
     pub fn new(problem: &Problem, fit: &Fit) -> Self {
         let fps = fit.fps.clone();
         let names: Vec<BoundName> = match fit.contradiction(problem.measurements.error_bound()) {

@@ -14,19 +14,19 @@ use super::standing::{Standing, Status};
 pub struct Judged {
     /// The reading.
     pub reading: Measurement,
-    /// How it stands.
+    /// The status of the reading.
     pub status: RowStatus,
 }
 
 /// Counts of statuses, and the readings that matter most: in memory that does not grow with how many there are.
 ///
-/// Those come first whose status against the set of the others is the gravest, of these those that keep clear of it least, of
-/// these those of the first rows. Rankings of parts merge in any order.
+/// Readings are ranked by the gravest status against the set of the others, then by the least clearance, then by row.
+/// Rankings of parts merge in any order.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Ranking {
     most: usize,
     listed: Vec<Judged>,
-    /// Of more than are listed the last that may be: what comes after it need not be kept.
+    /// The last reading that may still be listed: readings after it need not be kept.
     last: Option<Judged>,
     counts: BTreeMap<Option<Status>, usize>,
     counts_of_all: BTreeMap<Option<Status>, usize>,
@@ -103,17 +103,19 @@ impl Ranking {
         rows
     }
 
-    /// How many readings there are.
+    /// Returns the number of readings.
     pub fn count(&self) -> usize {
         self.counts.values().sum()
     }
 
-    /// How many readings have a status against the set of the others; `None` where these leave nothing.
+    /// Returns the number of readings that have a status against the set of the others; `None` counts readings whose
+    /// removal leaves nothing.
     pub fn count_without(&self, status: Option<Status>) -> usize {
         self.counts.get(&status).copied().unwrap_or_default()
     }
 
-    /// How many readings have a status against the set of all; `None` where that is empty.
+    /// Returns the number of readings that have a status against the set of all readings; `None` counts where that
+    /// set is empty.
     pub fn count_of_all(&self, status: Option<Status>) -> usize {
         self.counts_of_all.get(&status).copied().unwrap_or_default()
     }

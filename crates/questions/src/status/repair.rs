@@ -1,13 +1,14 @@
 //! The least total widening: which error bounds must be wider, and by how much.
 //!
-//! Of factors w_i ≥ 1 with |mid y_i - φ_i·θ| ≤ w_i·rad y_i for one θ the sum is to be least. At θ the least factors are
-//! max(1, |mid y_i - φ_i·θ| / rad y_i), so that what is minimised is convex and piecewise linear in θ, and some minimiser is a
-//! crossing of two of the lines mid y_i - φ_i·θ = ±rad y_i. Conditions, and readings with one bound or no width, hold as they
-//! are: nothing of theirs could be multiplied.
+//! The factors w_i ≥ 1 with |mid y_i - φ_i·θ| ≤ w_i·rad y_i for one θ are to have the least sum. At θ the least
+//! factors are max(1, |mid y_i - φ_i·θ| / rad y_i), so the sum is convex and piecewise linear in θ. Some minimiser is
+//! a crossing of two of the lines mid y_i - φ_i·θ = ±rad y_i. Conditions, and readings with one bound or no width,
+//! hold as they are: nothing of theirs could be multiplied.
 //!
-//! Descent from the minimax estimate: while some direction along a line through θ (of few, one of which descends if any does)
-//! makes the sum less, go to the least sum in that direction, past as many lines as need be. It ends, since the sum becomes less
-//! and there are finitely many crossings; a step takes O(n log n), and there are few.
+//! The method descends from the minimax estimate. It tries the directions along a few lines through θ, of which one
+//! descends if any direction does. In that direction it goes to the least sum, past as many lines as necessary. It
+//! ends, since the sum becomes less and there are finitely many crossings; a step takes O(n log n), and there are
+//! few.
 //!
 //! Source: N. M. Oskorbin, A. V. Maksimov, S. I. Zhilin, "Construction and analysis of empirical dependencies by the uncertainty
 //! centre method" (1998).
@@ -28,11 +29,11 @@ pub struct Repair {
     pub widened: Vec<Widened>,
     /// The least sum of the factors of all readings that have a width.
     pub total: Rational,
-    /// How many such readings there are: the sum where nothing has to be wider.
+    /// The number of such readings: the sum where nothing has to be wider.
     pub count: usize,
-    /// λ_i with |λ_i| ≤ 1 / rad y_i, by row, those that are not 0. With the multipliers of `held` they add up to nothing,
-    /// Σ λ_i·φ_i + Σ μ_k·a_k = 0, so that no sum of factors is below count - Σ (λ_i·mid y_i + |λ_i|·rad y_i) - Σ μ_k·b_k,
-    /// which is `total`.
+    /// λ_i with |λ_i| ≤ 1 / rad y_i, by row, those that are not 0. With the multipliers of `held` they add up to
+    /// nothing: Σ λ_i·φ_i + Σ μ_k·a_k = 0. So no sum of factors is below count - Σ (λ_i·mid y_i + |λ_i|·rad y_i) - Σ
+    /// μ_k·b_k, which is `total`.
     pub multipliers: Vec<(usize, Rational)>,
     /// μ_k > 0 of the half-planes a_k·θ ≤ b_k that hold as they are.
     pub held: Vec<(BoundName, Rational)>,
@@ -41,20 +42,21 @@ pub struct Repair {
 /// A reading whose bound must be wider.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Widened {
-    /// Its data row.
+    /// The data row of the reading.
     pub row: usize,
-    /// How many times as wide as it is; more than 1.
+    /// The factor on the width; more than 1.
     pub factor: Rational,
     /// Half of its width then, which for a reading within ε of y is its error bound.
     pub half_width: Rational,
 }
 
-/// Why nothing can be repaired.
+/// The reason why nothing can be repaired.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum NoRepair {
-    /// Not every reading is in memory.
+    /// Memory does not hold every reading.
     NotInMemory,
-    /// What holds as it is contradicts itself: at most three half-planes with positive multipliers whose sum is `0 ≤ negative`.
+    /// The parts that hold as they are contradict each other: at most three half-planes with positive multipliers
+    /// whose sum is `0 ≤ negative`.
     Contradiction(Vec<(BoundName, Rational)>),
 }
 

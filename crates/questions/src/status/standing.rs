@@ -6,7 +6,7 @@ use boundfit_estimation::Measurement;
 use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::Polyhedron;
 
-/// How a reading lies with respect to a set that is not empty: what adding it to the set would do.
+/// The position of a reading with respect to a set that is not empty: the effect of adding it to the set.
 ///
 /// With Υ the values of φ·θ over the set and both bounds of the reading, these follow from [leverage](Standing::leverage) ℓ
 /// and [residual](Standing::residual) r. A reading without width, with one bound, or where Υ has no end, is judged by the two
@@ -112,7 +112,7 @@ fn by_intervals([lower, upper]: [Option<&Rational>; 2], values: &Interval) -> St
     if is_impossible || are_apart(upper, least) || are_apart(most, lower) {
         return Status::Outlier;
     }
-    // How far the values keep within each bound: `Less` where they go beyond it.
+    // The room of the values within each bound: `Less` where they go beyond it.
     let room = |bound: Option<&Rational>, end: Option<&Rational>, is_upper: bool| match (bound, end) {
         (None, _) => Ordering::Greater,
         (Some(_), None) => Ordering::Less,

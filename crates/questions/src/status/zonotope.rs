@@ -7,8 +7,9 @@ use boundfit_exact::Rational;
 /// Weights with which vectors add up to a target: from 0 to 1 for the first ones, from 0 without an end for the others; `None`
 /// where there are none. Exact. Cost: O(m log m).
 ///
-/// The sums of the first are a zonotope. Of vectors that all point to the right, every one of its points lies between the chain of
-/// the vectors by ascending slope and that by descending slope, each as far as its first coordinate.
+/// The sums of the first are a zonotope. If all vectors point to the right, every point of their zonotope lies
+/// between two chains. The chains take the vectors by ascending and by descending slope, each as far as the point's
+/// first coordinate.
 pub(super) fn combination(
     target: &[Rational; 2],
     bounded: &[[Rational; 2]],

@@ -15,7 +15,7 @@ pub(super) struct Place {
     pub(super) denominator: Integer,
 }
 
-/// Which side.
+/// The side of the set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
     /// Half-planes with a2 < 0: θ2 is at least their largest bound. By angle they follow each other as θ1 grows.
@@ -28,7 +28,7 @@ pub(super) enum Side {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Chain(Vec<Id>);
 
-/// How a chain was before a half-plane came to it.
+/// The state of a chain before a half-plane came to it.
 #[derive(Debug)]
 pub(super) struct ChainUndo {
     at: usize,
@@ -40,8 +40,9 @@ impl Chain {
         &self.0
     }
 
-    /// Adds a half-plane, and drops those that it makes superfluous. `None` when it is superfluous itself. Of those that coincide
-    /// the older one stays. Cost: a logarithm of comparisons, one for each that is dropped, and a move of what follows.
+    /// Adds a half-plane, and drops those that it makes superfluous. `None` when it is superfluous itself. If two
+    /// coincide, the older one stays. Cost: a logarithm of comparisons, one for each that is dropped, and a move of
+    /// what follows.
     pub(super) fn insert(&mut self, store: &Store, id: Id) -> Option<ChainUndo> {
         let new = store.half_plane(id)?;
         let own = |position: usize| store.half_plane(self.0[position]);
@@ -79,7 +80,7 @@ impl Chain {
         self.0.splice(at..=at, removed);
     }
 
-    /// Where on the θ1 axis two neighbours hand over.
+    /// Returns the place on the θ1 axis where two neighbours hand over.
     pub(super) fn boundary(&self, store: &Store, position: usize) -> Option<Place> {
         let (x, w) = self.corner(store, position)?;
         Some(Place { numerator: x, denominator: w })
@@ -92,7 +93,7 @@ impl Chain {
         Some((f.b() * g.a2() - g.b() * f.a2(), f.a1() * g.a2() - f.a2() * g.a1()))
     }
 
-    /// Of the half-planes at these positions, those that bound θ2 just left and just right of a place.
+    /// Returns the half-planes, among those at these positions, that bound θ2 just left and just right of a place.
     pub(super) fn around(
         &self,
         store: &Store,

@@ -1,4 +1,5 @@
-//! Where L - U, the larger lower bound on θ2 less the smaller upper one, is least: the heart of the set, or why it is empty.
+//! The place where L - U, the larger lower bound on θ2 less the smaller upper one, is least. It is the heart of the
+//! set, or the reason why the set is empty.
 
 use boundfit_exact::Rational;
 use boundfit_geometry::constructions::meet;
@@ -15,7 +16,7 @@ pub(super) enum Gap {
     Crossed(Vec<Id>),
     /// L - U is least, or as small as is needed.
     Least {
-        /// Its least value; `None` where it has none.
+        /// The least value of the gap; `None` where it has none.
         value: Option<Rational>,
         /// A point of the set in the middle between L and U there, unless it is empty.
         point: Option<Point>,
@@ -40,7 +41,7 @@ impl Gap {
         }
     }
 
-    /// Of the set of two parts. Exact. Cost: a squared logarithm of comparisons.
+    /// Returns the gap of the set of two parts. Exact. Cost: a squared logarithm of comparisons.
     pub(super) fn of(both: &Both<'_>) -> Gap {
         if let Some(never) = both.parts.iter().find_map(|part| part.never) {
             return Gap::Crossed(vec![never]);
@@ -145,7 +146,7 @@ fn lowest(
     (Place { numerator: place.numerator(), denominator: place.denominator() }, has_least)
 }
 
-/// Where two of some half-planes meet.
+/// Returns the points where two of some half-planes meet.
 fn pairs<'a>(half_planes: &'a [&'a HalfPlane]) -> impl Iterator<Item = Point> + 'a {
     let each = half_planes.iter().enumerate();
     each.flat_map(|(position, f)| half_planes[position + 1..].iter().filter_map(move |g| meet(f, g)))

@@ -1,9 +1,10 @@
 //! The feasible set of a window of readings that moves on: one reading comes, the oldest one goes.
 //!
-//! A set that shrinks with every reading cannot grow again, so a window is a queue of two stacks. The newer readings are one
-//! running intersection. The older ones were intersected from the youngest of them back to the oldest, with a note of what each
-//! changed: taking back the last note is taking out the oldest reading. When none of them is left, the newer ones become the
-//! older ones. Every reading is added twice and taken out once; questions look at both intersections at once (`search.rs`).
+//! A set that shrinks with every reading cannot grow again, so a window is a queue of two stacks. The newer readings
+//! are one running intersection. The older readings were intersected from the youngest of them back to the oldest,
+//! with a note of each change: taking back the last note removes the oldest reading. When none of them is left, the
+//! newer ones become the older ones. Every reading is added twice and taken out once; questions look at both
+//! intersections at once (`search.rs`).
 
 mod chain;
 mod gap;
@@ -47,28 +48,28 @@ impl Contradiction {
 /// The results about the set of a window.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WindowFit {
-    /// Which kind of set it is.
+    /// The kind of the set.
     pub kind: RegionKind,
     /// The parameter uncertainty intervals; `None` when the set is empty. Their proofs are about [`WindowFit::system`].
     pub pui: Option<[ParameterInterval; 2]>,
     /// The central estimate; `None` unless both intervals are bounded.
     pub central: Option<Central>,
-    /// Why the set is empty, if it is.
+    /// The reason why the set is empty, if it is.
     pub contradiction: Option<Contradiction>,
     /// ε_min; `None` unless the readings are of a line under one error bound and there is no condition.
     pub least: Option<Rational>,
     /// The few half-planes that decide all this.
     pub system: System,
-    /// Their names.
+    /// The names of the bounds.
     pub names: Vec<BoundName>,
 }
 
-/// Why a reading does not come to a window.
+/// The reason why a reading does not come to a window.
 #[derive(Debug)]
 pub(crate) struct Refusal {
     pub(crate) contradiction: Contradiction,
-    /// The position of the oldest reading of the contradiction, that of the refused one if it needs no other: as long as this
-    /// reading is in the window, the refused one does not come in.
+    /// The position of the oldest reading of the contradiction, or of the refused reading if it needs no other. As
+    /// long as this reading is in the window, the refused one stays out.
     pub(crate) oldest: usize,
 }
 
@@ -83,10 +84,10 @@ pub struct WindowSet {
 
 /// The readings of a window that moves on, in the order in which they came, and their feasible set under conditions that stay.
 ///
-/// Exact: every answer is that of a fit of the same readings, whatever came and went before.
-/// Cost of a step: amortised a logarithm of comparisons to add and to take out, a squared one to answer, of the number of
-/// half-planes that are not superfluous (of n readings with random errors that is itself about log n); where x neither
-/// ascends nor descends, moving so many numbers of 8 bytes besides.
+/// Exact: every answer is that of a fit of the same readings, whatever came and went before. Cost of a step, in the
+/// number of half-planes that are not superfluous: amortised a logarithm of comparisons to add and to remove, and a
+/// squared logarithm to answer. If n readings have random errors, that number is itself about log n. If x neither
+/// ascends nor descends, each step also moves that many numbers of 8 bytes.
 ///
 /// ```
 /// use boundfit_estimation::Measurement;
@@ -112,7 +113,7 @@ pub struct Window {
     newer: Part,
     /// A point of the set, as far as one is known.
     witness: Option<Point>,
-    /// How many times each error bound follows itself: one entry when all readings have the same one.
+    /// The number of times that each error bound follows itself: one entry when all readings have the same bound.
     epsilons: VecDeque<(Option<Rational>, usize)>,
 }
 
@@ -132,7 +133,7 @@ impl Window {
         window
     }
 
-    /// How many readings there are.
+    /// Returns the number of readings.
     pub fn len(&self) -> usize {
         self.store.entries().len()
     }
@@ -153,9 +154,9 @@ impl Window {
         self.keep_witness();
     }
 
-    /// Adds a reading at the end unless nothing would be left; then the readings that contradict each other are told, this one
-    /// among them unless they did before, and the window stays as it is. Cost: as [`Window::push`]; where the reading excludes
-    /// the point that is known to be in the set, that of an answer.
+    /// Adds a reading at the end unless nothing would be left. Then the error has the readings that contradict each
+    /// other, with this reading unless they did so before, and the window stays as it is. Cost: as [`Window::push`];
+    /// where the reading excludes the point that is known to be in the set, that of an answer.
     ///
     /// # Errors
     /// The contradiction.
@@ -163,7 +164,7 @@ impl Window {
         self.push_or_refuse(reading).map_err(|refusal| refusal.contradiction)
     }
 
-    /// As [`Window::push_if_feasible`], and tells how long the contradiction stays.
+    /// Adds a reading as [`Window::push_if_feasible`] does, and returns how long a contradiction stays.
     pub(crate) fn push_or_refuse(&mut self, reading: Measurement) -> Result<(), Refusal> {
         let notes = self.add(reading);
         self.keep_witness();
@@ -211,7 +212,8 @@ impl Window {
         self.witness.is_some() || matches!(self.gap(), Gap::Least { point: Some(_), .. })
     }
 
-    /// Why no θ agrees with all readings and conditions, if none does. Exact. Cost: a squared logarithm.
+    /// Returns the reason why no θ agrees with all readings and conditions, if none does. Exact. Cost: a squared
+    /// logarithm.
     pub fn contradiction(&self) -> Option<Contradiction> {
         if self.witness.is_some() { None } else { self.contradiction_at(&self.gap()) }
     }
@@ -367,7 +369,7 @@ fn set_of_named(named: Vec<(Id, (BoundName, Inequality))>) -> WindowSet {
     WindowSet { polyhedron: Polyhedron::intersect(System::new(inequalities)), names }
 }
 
-/// Why a set is empty, by name.
+/// Returns the reason why a set is empty, by name.
 fn contradiction_of(polyhedron: &Polyhedron, names: &[BoundName]) -> Option<Contradiction> {
     let certificate = polyhedron.region().certificate()?;
     let term = |m: &boundfit_geometry::Multiplier| (names[m.index], m.value.clone());

@@ -6,29 +6,29 @@ use boundfit_exact::Rational;
 use super::Window;
 use crate::range::{Order, in_order};
 
-/// How far a window reaches back from its newest reading.
+/// The reach of a window back from its newest reading.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Extent {
     /// A number of readings, at least one, in the order of rows.
     Readings(usize),
-    /// Those whose x is at most so much less, in the order of x; of two regressors x is the first one.
+    /// The readings whose x is less by at most this much, in the order of x; with two regressors x is the first one.
     X(Rational),
 }
 
-/// Which windows are asked for: those as far as they reach back, and after the first one that is whole every so many readings
-/// the next one.
+/// The windows that are asked for: as far as they reach back, the first whole one and the next ones at equal steps of
+/// readings.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Moving {
-    /// How far each reaches back.
+    /// The reach of each window.
     pub extent: Extent,
-    /// How many readings the window moves on each time; 0 is taken for 1.
+    /// The number of readings that the window moves on each time; 0 is taken for 1.
     pub step: usize,
 }
 
 /// A window that has its turn.
 #[derive(Debug)]
 pub struct Turn<'a> {
-    /// Its readings.
+    /// The readings of the window.
     pub window: &'a Window,
     /// The positions of its first and last reading in the order used, from 0.
     pub span: [usize; 2],
@@ -37,11 +37,11 @@ pub struct Turn<'a> {
 /// The readings after the last window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Moved {
-    /// How many windows there were.
+    /// The number of windows.
     pub windows: usize,
     /// `true` if all readings together do not fill a window, so that the only one has all of them.
     pub is_short: bool,
-    /// How many readings came after the last window.
+    /// The number of readings after the last window.
     pub left: usize,
 }
 

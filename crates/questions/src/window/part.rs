@@ -21,7 +21,7 @@ pub(super) struct Part {
     pub(super) never: Option<Id>,
 }
 
-/// How a part was before a half-plane came to it.
+/// The state of a part before a half-plane came to it.
 #[derive(Debug)]
 pub(super) enum Undo {
     Lower(ChainUndo),

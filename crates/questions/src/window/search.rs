@@ -1,9 +1,9 @@
 //! The few half-planes of two parts that decide a question about the set of both.
 //!
-//! The set is {θ : L(θ1) ≤ θ2 ≤ U(θ1), left ≤ θ1 ≤ right} with L convex and U concave, each the tighter one of two chains. A
-//! question is steered along the θ1 axis: at a corner of a chain the slopes of L and U there tell whether its answer lies
-//! further left or right, until of each chain one half-plane is left, or two that meet at the answer. These few half-planes
-//! have a set of their own with the same answer, since what is convex cannot turn twice.
+//! The set is {θ : L(θ1) ≤ θ2 ≤ U(θ1), left ≤ θ1 ≤ right} with L convex and U concave, each the tighter one of two
+//! chains. The search moves along the θ1 axis: at a corner of a chain the slopes of L and U there show whether the
+//! answer lies further left or right. In the end each chain has one half-plane left, or two that meet at the answer.
+//! These few half-planes have a set of their own with the same answer, since what is convex cannot turn twice.
 
 use std::cmp::Ordering;
 
@@ -18,7 +18,7 @@ use super::store::{Id, Store};
 /// The question about a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Goal {
-    /// Where L - U is least: the set is empty exactly when it is positive there, or left is right of right.
+    /// The place where L - U is least: the set is empty exactly when it is positive there, or left is right of right.
     Gap,
     /// The least θ1.
     Left,
@@ -30,7 +30,7 @@ pub(super) enum Goal {
     Top,
 }
 
-/// Where an answer lies, seen from a place.
+/// The direction of an answer, seen from a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Way {
     Left,
@@ -50,11 +50,11 @@ pub(super) struct Both<'a> {
 pub(super) struct Found {
     /// The half-planes that bound θ2 from below where the answer lies.
     pub(super) lower: Vec<Id>,
-    /// Those that bound it from above.
+    /// The half-planes that bound it from above.
     pub(super) upper: Vec<Id>,
     /// θ1 of the answer, where a corner of a chain has it, or two chains of one side meet there.
     pub(super) place: Option<Place>,
-    /// Else what it is right of, and left of.
+    /// The places that the answer lies between, if it is not known.
     pub(super) between: [Option<Place>; 2],
 }
 
@@ -133,7 +133,8 @@ impl<'a> Both<'a> {
         found
     }
 
-    /// Where the chains of one side meet, if L - U is least there: one half-plane of each chain is left.
+    /// Returns the place where the chains of one side meet, if L - U is least there: one half-plane of each chain is
+    /// left.
     fn meeting(&self, ranges: &[Range; 4]) -> Option<Place> {
         let only = |index: usize| {
             let (side, part) = CHAINS[index];
@@ -145,7 +146,7 @@ impl<'a> Both<'a> {
         })
     }
 
-    /// Where the answer lies from a place, around which the chains are at these positions.
+    /// Returns the direction of the answer from a place, around which the chains are at these positions.
     fn way(&self, goal: Goal, place: &Place, around: &[Range; 4]) -> Way {
         let [left_walls, right_walls] = self.walls();
         let wall = |id: &Id| match self.store.half_plane(*id) {
@@ -218,7 +219,7 @@ impl<'a> Both<'a> {
     }
 }
 
-/// Where the boundaries of two half-planes meet, unless they are parallel.
+/// Returns the place where the boundaries of two half-planes meet, unless they are parallel.
 fn place_of(f: &HalfPlane, g: &HalfPlane) -> Option<Place> {
     let (f, g) = match normal_turn(f, g) {
         Turn::Left => (f, g),
@@ -229,9 +230,9 @@ fn place_of(f: &HalfPlane, g: &HalfPlane) -> Option<Place> {
     Some(Place { numerator, denominator: f.a1() * g.a2() - f.a2() * g.a1() })
 }
 
-/// Where the answer lies from a place between the walls.
+/// Returns the direction of the answer from a place between the walls.
 fn way_between(goal: Goal, lower: Active<'_>, upper: Active<'_>, place: &Place) -> Way {
-    // Of L - U: whether it falls to the right of here, or grows from the left up to here.
+    // L - U and its trend: whether it falls to the right of here, or grows from the left up to here.
     let (gap, falls, grows) = match (lower, upper) {
         (Some([lower_left, lower_right]), Some([upper_left, upper_right])) => (
             compare_at(lower_left, upper_left, place),

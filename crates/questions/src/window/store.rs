@@ -21,7 +21,7 @@ pub(super) struct Entry {
 pub(super) struct Store {
     conditions: Vec<(BoundName, Inequality, Constraint)>,
     entries: VecDeque<Entry>,
-    /// How many readings went before the first of these.
+    /// The number of readings that left before the first of these.
     gone: u64,
 }
 

@@ -11,7 +11,7 @@ use boundfit_exact::Sign;
 
 use super::row::Row;
 
-/// So many rows are kept before some are left out.
+/// The number of rows that are kept before some are left out.
 const FEWEST: usize = 1024;
 
 /// A row with its name and its position among all rows.
@@ -57,7 +57,7 @@ fn hulls(mut rows: Vec<Placed>) -> Vec<Placed> {
     kept
 }
 
-/// How rows are sorted: those that move alike together, then by falling slope, rising bound and place.
+/// Compares rows for sorting: rows that move alike together, then by falling slope, rising bound and place.
 fn in_order(one: &Placed, other: &Placed) -> Ordering {
     let (row, next) = (&one.2, &other.2);
     moves_alike(row, next)

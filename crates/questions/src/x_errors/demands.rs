@@ -1,4 +1,4 @@
-//! Why no line of a side agrees, as what bounds ask of the slope.
+//! The reason why no line of a side agrees, as demands of the bounds on the slope.
 
 use boundfit_exact::{Rational, Sign};
 use boundfit_geometry::Inequality;
@@ -10,30 +10,31 @@ use super::{BoxBound, SideSet};
 pub struct SlopeDemand {
     /// The bounds: one from above and one from below, or one that is about θ1 alone.
     pub bounds: Vec<BoxBound>,
-    /// Their joint demand.
+    /// The joint demand of the bounds.
     pub demand: Demand,
 }
 
 /// A demand on θ1.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Demand {
-    /// That it is not less.
+    /// A demand that the slope is not less.
     AtLeast(Rational),
-    /// That it is not more.
+    /// A demand that the slope is not more.
     AtMost(Rational),
     /// A demand that no θ1 meets.
     Impossible,
 }
 
 impl SideSet {
-    /// Of an empty set the bounds that contradict each other, at most three, with positive multipliers whose sum is `0 ≤ negative`.
+    /// Returns, for an empty set, at most three bounds that contradict each other, with positive multipliers whose
+    /// sum is `0 ≤ negative`.
     pub fn contradiction(&self) -> Option<Vec<(BoxBound, Rational)>> {
         let multipliers = self.farkas()?.into_iter();
         Some(multipliers.map(|own| (self.names[own.index], own.value)).collect())
     }
 
-    /// What the bounds that contradict each other ask of the slope, which is more than any slope meets. Nothing for a set that is not
-    /// empty. Exact.
+    /// Returns the demands on the slope of the bounds that contradict each other, which no slope meets together.
+    /// Nothing for a set that is not empty. Exact.
     pub fn slope_demands(&self) -> Vec<SlopeDemand> {
         let indices = self.farkas().unwrap_or_default().into_iter().map(|own| own.index);
         let inequalities = self.polyhedron.system().inequalities();

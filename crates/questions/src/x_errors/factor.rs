@@ -1,9 +1,9 @@
 //! The least factor on all bounds, of x and of y, that leaves a line.
 //!
-//! Two ratios of linear functions of the slope may be equal where a quadratic equation says so. So the least factor may be irrational, and
-//! it is enclosed by rational numbers: an exact test tells whether the least factor of some rows is less than a number, equal
-//! or greater. At a factor that is too small, at most three rows contradict each other. Their own least factor, enclosed by bisection, is
-//! tried on all rows next, until nothing contradicts it.
+//! Two ratios of linear functions of the slope may be equal where a quadratic equation says so. So the least factor
+//! may be irrational, and it is enclosed by rational numbers. An exact test tells whether the least factor of some
+//! rows is less than a number, equal or greater. At a factor that is too small, at most three rows contradict each
+//! other. Their own least factor, enclosed by bisection, is tried on all rows next, until nothing contradicts it.
 
 use std::cmp::Ordering;
 
@@ -16,8 +16,8 @@ use super::{Agreement, Side, XErrorProblem};
 
 /// Significant digits of the ends of an enclosure.
 const DIGITS: usize = 17;
-/// An enclosure is narrower than its upper end over two to these powers: while rows are looked for, whose tests are fast with short
-/// factors, and at last, before its ends are rounded outward.
+/// The powers: an enclosure is narrower than its upper end over two to these powers. The first serves the search for
+/// rows, whose tests are fast with short factors; the second serves the end, before the ends are rounded outward.
 const BITS: [i64; 2] = [12, 60];
 
 /// The least factor s on all bounds s·ε_i and s·δ_i for which some line agrees with all readings. Under strong agreement larger factors
@@ -26,18 +26,18 @@ const BITS: [i64; 2] = [12, 60];
 pub struct LeastFactor {
     /// Less than the least factor, or the least factor itself where both ends are equal.
     pub lower: Rational,
-    /// At least the least factor. Ends that differ have 17 significant digits.
+    /// A number not below the least factor. Ends that differ have 17 significant digits.
     pub upper: Rational,
     /// The side of a line under the upper end, [`Side::Rising`] where both sides have one.
     pub side: Side,
     /// Such a line; `None` where every larger factor leaves lines, the closer the steeper, and the upper end leaves none.
     pub theta: Option<[Rational; 2]>,
-    /// At most three bounds of readings and conditions that leave nothing on this side under the lower end, or under smaller factors where
-    /// both ends are equal. None where the factor is 0.
+    /// The bounds of readings and conditions, at most three, that leave nothing on this side under the lower end, or
+    /// under smaller factors where both ends are equal. None where the factor is 0.
     pub fixed_by: Vec<BoundName>,
 }
 
-/// Why there is no least factor.
+/// The reason why there is no least factor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NoLeastFactor {
     /// No factor, however large, leaves anything.
@@ -51,8 +51,8 @@ pub enum NoLeastFactor {
 }
 
 impl LeastFactor {
-    /// The least factor of readings with errors in x. Exact. Cost: O(n log n) once, and O(k log k) for each step, of which a few suffice
-    /// in practice, with k rows on the hulls of readings that have equal bounds.
+    /// The least factor of readings with errors in x. Exact. Cost: O(n log n) once, and O(k log k) for each step,
+    /// with k rows on the hulls of readings that have equal bounds. In practice a few steps suffice.
     ///
     /// # Errors
     /// When there is none.
@@ -127,7 +127,8 @@ fn least(rows: &SideRows) -> Option<LeastFactor> {
     Some(LeastFactor { lower, upper, side: rows.side, theta, fixed_by })
 }
 
-/// At most three of some rows whose least factor is greater than a number too, or not less than a number that it may be.
+/// Reduces some rows to at most three whose least factor is also greater than a number, or, where `may_be` allows it,
+/// not less.
 fn fewest(rows: &SideRows, mut few: Vec<usize>, than: &Rational, may_be: bool) -> Vec<usize> {
     few.sort_unstable();
     few.dedup();

@@ -8,7 +8,7 @@ use boundfit_geometry::Inequality;
 
 use super::{Agreement, XErrorProblem};
 
-/// Which lines a set is one of. On each side |θ1| is linear.
+/// The lines that a set holds. On each side |θ1| is linear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Side {
     /// Lines that do not fall: θ1 ≥ 0.
@@ -22,9 +22,9 @@ pub enum Side {
 /// A corner of the box of a reading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Corner {
-    /// At x - δ.
+    /// The corner at x - δ.
     Left,
-    /// At x + δ.
+    /// The corner at x + δ.
     Right,
 }
 
@@ -109,8 +109,8 @@ pub(super) fn of_side(
     readings.chain(conditions).chain(slope)
 }
 
-/// Which corners of a box, of half the width δ, a bound of φ·θ is about. Rising lines meet a box that they pass below the upper
-/// left corner of, and above the lower right one.
+/// Returns the corners of a box, of half the width δ, that a bound of φ·θ is about. Rising lines meet a box that they
+/// pass below the upper left corner of, and above the lower right one.
 fn corners(
     agreement: Agreement,
     side: Side,

@@ -1,11 +1,12 @@
 //! Errors in x: the lines that agree with readings of which both coordinates are known up to a bound only.
 //!
-//! With |error of x_i| ≤ δ_i beside |error of y_i| ≤ ε_i a line agrees *weakly* with a reading when it meets its box
-//! x_i ± δ_i, y_i ± ε_i, that is |y_i - θ1·x_i - θ2| ≤ ε_i + |θ1|·δ_i, and *strongly* when it passes between the lower and the
-//! upper side of the box all along, |y_i - θ1·x_i - θ2| ≤ ε_i - |θ1|·δ_i. The lines that agree weakly with all readings are
-//! a convex set among those that do not fall, θ1 ≥ 0, and another one among those that do not rise; those that agree strongly are one convex
-//! set (Cerone, "Feasible parameter set for linear models with bounded errors in all variables", *Automatica* 29, 1993; Shary's
-//! united and tolerable solution sets of interval systems).
+//! The errors obey |error of x_i| ≤ δ_i and |error of y_i| ≤ ε_i. A line agrees *weakly* with a reading when it meets
+//! its box x_i ± δ_i, y_i ± ε_i, that is |y_i - θ1·x_i - θ2| ≤ ε_i + |θ1|·δ_i. It agrees *strongly* when it passes
+//! between the lower and the upper side of the box all along: |y_i - θ1·x_i - θ2| ≤ ε_i - |θ1|·δ_i. Weak agreement
+//! with all readings has two convex sets: one of lines that do not fall, θ1 ≥ 0, and one of lines that do not rise.
+//! Strong agreement has one convex set. Sources: Cerone, "Feasible parameter set for linear models with bounded
+//! errors in all variables", *Automatica* 29, 1993, and Shary's united and tolerable solution sets of interval
+//! systems.
 
 mod deciding;
 mod demands;
@@ -35,12 +36,12 @@ pub enum XBounds {
     PerRow {
         /// The column.
         column: Foreign,
-        /// In the order of the readings in memory.
+        /// The bounds in the order of the readings in memory.
         bounds: Vec<Rational>,
     },
 }
 
-/// Which lines agree with a reading.
+/// The lines that agree with a reading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Agreement {
     /// Lines that agree with some x and y within the bounds: they meet the box of the reading.
@@ -57,21 +58,21 @@ pub struct XErrorProblem {
     agreement: Agreement,
 }
 
-/// Why readings cannot have errors in x.
+/// The reason why readings cannot have errors in x.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum NoXErrors {
-    /// There are two regressors.
+    /// The model has two regressors.
     #[error("errors in x are about a line: of two regressors it is not known how their errors go together")]
     TwoRegressors,
-    /// Not every reading is in memory.
+    /// Memory does not hold every reading.
     #[error("with errors in x every reading has to be in memory")]
     NotAll,
-    /// There are not as many bounds as readings.
+    /// The number of bounds differs from the number of readings.
     #[error("{bounds} bounds for {readings} readings")]
     Count {
-        /// How many bounds.
+        /// The number of bounds.
         bounds: usize,
-        /// How many readings.
+        /// The number of readings.
         readings: usize,
     },
     /// A bound is negative.
@@ -82,7 +83,7 @@ pub enum NoXErrors {
 /// The lines of one side that agree with all readings.
 #[derive(Debug, Clone)]
 pub struct SideSet {
-    /// Which lines these are a set of.
+    /// The side of the lines in this set.
     pub side: Side,
     /// The half-planes with their intersection.
     pub polyhedron: Polyhedron,
@@ -90,33 +91,33 @@ pub struct SideSet {
     pub names: Vec<BoxBound>,
     /// The parameter uncertainty intervals with their proofs; `None` when the set is empty.
     pub pui: Option<[ParameterInterval; 2]>,
-    /// Of an empty set the half-planes that say why, by their positions: those of the readings that ask for the largest factor, where
-    /// these alone leave nothing.
+    /// The positions of the half-planes that make the set empty: those of the readings that ask for the largest
+    /// factor, where these alone leave nothing.
     reason: Vec<usize>,
-    /// Which readings those stand for that have these half-planes.
+    /// The readings that the readings with these half-planes stand for.
     ties: Ties,
 }
 
-/// What the line at an end of the slopes of a set of lines is among them.
+/// The role of the line at an end of the slopes of a set of lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SlopeEnd {
     /// All slopes have one sign, and its own is the farthest from 0.
     Steepest,
     /// All slopes have one sign, and its own is the nearest to 0.
     Shallowest,
-    /// There is no other slope.
+    /// The set has no other slope.
     Only,
-    /// There are falling lines too, and no line rises more.
+    /// The set has falling lines too, and no line rises more.
     RisesMost,
-    /// There are rising lines too, and no line falls more.
+    /// The set has rising lines too, and no line falls more.
     FallsMost,
 }
 
 /// The answer about lines under errors in x.
 #[derive(Debug, Clone)]
 pub struct XErrorFit {
-    /// Of weak agreement the lines that do not fall and then those that do not rise; one set of strong agreement, and where no x has an
-    /// error.
+    /// The sets of lines. Weak agreement has the lines that do not fall and then those that do not rise. Strong
+    /// agreement, and readings without errors in x, have one set.
     pub sides: Vec<SideSet>,
     /// The middle of the box of all sets together; `None` unless it is bounded.
     pub central: Option<Central>,
@@ -125,8 +126,8 @@ pub struct XErrorFit {
 }
 
 impl SlopeEnd {
-    /// What the lines at the two ends of these slopes are, each with whether it is at the upper end; nothing where there is neither
-    /// end.
+    /// Returns the roles of the lines at the two ends of these slopes, each with whether it is at the upper end;
+    /// nothing where there is neither end.
     pub fn of(slopes: &Interval) -> Vec<(SlopeEnd, bool)> {
         let zero = Rational::zero();
         match (slopes.lower().value(), slopes.upper().value()) {
@@ -198,7 +199,7 @@ impl XErrorProblem {
         &self.bounds
     }
 
-    /// Which lines agree with a reading.
+    /// Returns the lines that agree with a reading.
     pub fn agreement(&self) -> Agreement {
         self.agreement
     }
@@ -246,8 +247,8 @@ impl SideSet {
         SideSet { side, polyhedron, names, pui, reason, ties }
     }
 
-    /// What is active where these half-planes are, those of equal readings included: at most so many by name, sorted, and how many
-    /// there are beside them.
+    /// Returns the bounds that are active where these half-planes are, those of equal readings included: at most so
+    /// many by name, sorted, and the number of the others.
     ///
     /// # Panics
     /// When a position is out of range.
@@ -284,7 +285,8 @@ impl SideSet {
         }
     }
 
-    /// Of an empty set at most three of its half-planes whose positive multiples add up to `0 ≤ negative`. Exact.
+    /// Returns, for an empty set, at most three of its half-planes whose positive multiples add up to `0 ≤ negative`.
+    /// Exact.
     pub fn farkas(&self) -> Option<Vec<Multiplier>> {
         self.polyhedron.region().certificate()?;
         let inequalities = self.polyhedron.system().inequalities();

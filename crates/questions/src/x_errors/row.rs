@@ -15,15 +15,15 @@ use boundfit_geometry::Inequality;
 /// A half-plane that moves with the factor.
 #[derive(Debug, Clone)]
 pub(super) struct Row {
-    /// Of t.
+    /// The coefficient of t.
     pub(super) slope: Rational,
-    /// Of θ2.
+    /// The coefficient of θ2.
     pub(super) offset: Rational,
-    /// At factor 0.
+    /// The bound at factor 0.
     pub(super) bound: Rational,
-    /// How fast the bound grows because of the error in y; not negative.
+    /// The growth of the bound because of the error in y; not negative.
     pub(super) of_y: Rational,
-    /// And for each unit of t because of the error in x; negative under strong agreement.
+    /// The growth for each unit of t because of the error in x; negative under strong agreement.
     pub(super) of_x: Rational,
 }
 

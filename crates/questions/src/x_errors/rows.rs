@@ -9,13 +9,14 @@ use boundfit_geometry::{Inequality, Point, Region, envelope};
 use super::row::Row;
 use super::{Agreement, Side, XErrorProblem, deciding};
 
-/// Where the least factor of some rows lies, seen from another factor.
+/// The place of the least factor of some rows, seen from another factor.
 pub(super) enum Seen {
-    /// Above: at most three of the rows leave nothing, nor do they at factors that are hardly larger.
+    /// The least factor is larger: at most three of the rows leave nothing, nor do they at factors that are hardly
+    /// larger.
     Above(Vec<usize>),
-    /// There, with a point of a line that is left, if there is one.
+    /// The least factor is this one, with a point of a line that is left, if there is one.
     Here(Option<Point>),
-    /// Below, with a point of a line that is left.
+    /// The least factor is smaller, with a point of a line that is left.
     Below(Point),
 }
 
@@ -96,7 +97,7 @@ impl SideRows {
         true
     }
 
-    /// Where the least factor of some rows lies, seen from this one. Exact. Cost: O(n log n).
+    /// Returns the place of the least factor of some rows, seen from this one. Exact. Cost: O(n log n).
     pub(super) fn seen_from(&self, factor: &Rational, among: &[usize]) -> Seen {
         let zero = Rational::zero();
         let region = self.region(among, factor, [&zero, &self.top]);
@@ -109,7 +110,7 @@ impl SideRows {
             let v = point.theta2();
             let is_asymptote = |index: &usize| self.rows.get(*index).is_some_and(|row| row.is_asymptote(&v));
             let there: Vec<usize> = among.iter().copied().filter(is_asymptote).collect();
-            // Of one x the slope does not matter.
+            // If all readings have one x, the slope does not matter.
             let left = self.region(&there, factor, [&zero, &zero]);
             return if left.is_empty() { Seen::Above(rows_of(&left, &there)) } else { Seen::Here(None) };
         }

@@ -74,7 +74,7 @@ impl fmt::Display for Inline {
 }
 
 impl Symbol {
-    /// In plain text and in LaTeX.
+    /// Returns the forms in plain text and in LaTeX.
     pub(super) fn forms(self) -> (&'static str, &'static str) {
         match self {
             Symbol::Theta1 => ("theta1", r"\theta_1"),
@@ -92,7 +92,7 @@ impl Symbol {
 }
 
 impl Operator {
-    /// In plain text and in LaTeX.
+    /// Returns the forms in plain text and in LaTeX.
     pub(super) fn forms(self) -> (&'static str, &'static str) {
         match self {
             Operator::Plus => (" + ", " + "),

@@ -1,13 +1,14 @@
-//! Documents in LaTeX. What is written keeps within the lines of a page: tables are small, and a column with more in it
-//! than fits is broken into lines.
+//! Documents in LaTeX. The text keeps within the lines of a page: tables are small, and a column that is too wide is
+//! broken into lines.
 
 use boundfit_exact::latex;
 
 use super::{Block, Facts, Inline, Symbol, Table, Text};
 
-/// How many digits of the size `\small` a line on A4 holds in the class `article`: 71 at 12 points, 75 at 10.
+/// The number of digits of the size `\small` that a line on A4 holds in the class `article`: 71 at 12 points, 75
+/// at 10.
 const LINE: f64 = 75.0;
-/// How many of them are filled: widths are estimates.
+/// The number of these digits that are filled, since widths are estimates.
 const ROOM: f64 = 71.0;
 /// Titles and paragraphs break whatever is wider than half a line.
 const SENTENCE: Option<f64> = Some(ROOM / 2.0);
@@ -87,7 +88,7 @@ fn limits(table: &Table) -> Vec<Option<f64>> {
     vec![None; columns]
 }
 
-/// About how wide a text is set, in digits.
+/// Returns about how wide a text is set, in digits.
 fn width(text: &Text) -> f64 {
     let length = |text: &str| text.chars().count() as f64;
     let of = |inline: &Inline| match inline {

@@ -13,8 +13,8 @@ const GAP: usize = 2;
 /// The blanks before the cells of a row that has a line for each.
 const PART: usize = 6;
 
-/// The blocks in order: titles flush left after a blank line, all else indented below them. What is longer than a line goes
-/// on below where it begins.
+/// The blocks in order: titles flush left after a blank line, all else indented below them. A text that is longer
+/// than a line goes on below its beginning.
 pub(super) fn written(blocks: &[Block]) -> String {
     let mut text = String::new();
     for block in blocks {
@@ -87,7 +87,7 @@ fn write_table(Table { header, rows }: &Table, text: &mut String) {
     }
 }
 
-/// How wide each column may be: the narrow ones as they are, the others alike.
+/// Returns the width limit of each column: narrow columns as they are, the others alike.
 fn limits(natural: &[usize]) -> Vec<usize> {
     let mut room = WIDTH - INDENT - GAP * (natural.len() - 1).min(WIDTH / (2 * GAP));
     let mut sorted = natural.to_vec();

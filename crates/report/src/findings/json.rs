@@ -1,4 +1,4 @@
-//! What was found about solutions, for the schema `boundfit/judge/1`.
+//! The findings about solutions, for the schema `boundfit/judge/1`.
 
 use boundfit_judge::{Excuse, Fault, Finding, Item, JudgedSolution, Side, SolverStatus};
 use boundfit_lp::Model;

@@ -5,8 +5,8 @@ use boundfit_lp::Model;
 
 use super::sentence::sentence;
 
-/// The findings as JUnit XML, with a line end: a suite for each file, a test case for each aspect. What is refuted failed, a
-/// missing answer was skipped.
+/// The findings as JUnit XML, with a line end: a suite for each file, a test case for each aspect. A refuted aspect
+/// has failed, and an aspect without an answer was skipped.
 pub fn solutions_junit(model: &Model, solutions: &[JudgedSolution]) -> String {
     let count = |worth: Worth, judged: &JudgedSolution| {
         judged.findings.findings.iter().filter(|finding| finding.worth == worth).count()

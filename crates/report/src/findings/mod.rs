@@ -40,7 +40,7 @@ pub fn solutions_document(model: &Model, solutions: &[JudgedSolution]) -> Docume
     Document::new(blocks)
 }
 
-/// Whose tolerances they are.
+/// The source of the tolerances.
 const NAMED: &str = "Tolerances: absolute as HiGHS (primal_feasibility_tolerance, dual_feasibility_tolerance), Gurobi (FeasibilityTol, OptimalityTol) and SoPlex (feastol, opttol) test rows and bounds; relative as SCIP tests them (numerics/feastol); scaled as solvers test them once each row is divided by its largest coefficient.";
 
 fn has_excuse(judged: &JudgedSolution) -> bool {

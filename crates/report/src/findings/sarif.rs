@@ -10,8 +10,8 @@ use serde_json::{Value, json};
 use super::sentence::sentence;
 use crate::json::to_text;
 
-/// The findings as SARIF 2.1.0, with a line end: a rule for each aspect, a result for each finding at its line. What is
-/// refuted is an error, a missing answer a warning; all else passed.
+/// The findings as SARIF 2.1.0, with a line end: a rule for each aspect, a result for each finding at its line. A
+/// refuted aspect is an error, a missing answer a warning; every other aspect passed.
 pub fn solutions_sarif(model: &Model, solutions: &[JudgedSolution]) -> String {
     let rules: Vec<Value> = Aspect::ALL.iter().map(|aspect| rule(*aspect)).collect();
     let results = solutions.iter().flat_map(|judged| {

@@ -9,8 +9,9 @@ use crate::origin::Origin;
 use crate::region::kind_text;
 use crate::style::Style;
 
-/// The report of a fit in ten lines: model, error, data, the kind of set, of each parameter the PUI and the central estimate
-/// with its guaranteed error, ε_min and least squares; of an empty set what is contradictory and what would mend it.
+/// Returns the report of a fit in ten lines: model, error, data, the kind of set, ε_min and least squares. Each
+/// parameter has its PUI and its central estimate with the guaranteed error. An empty set has its contradiction and
+/// the remedy instead.
 pub fn brief_document(problem: &Problem, fit: &Fit, origin: &Origin, style: &Style) -> Document {
     let pui = fit.pui_intervals();
     let report = Report::new(problem, fit, pui.as_ref(), InverseLine::default(), style);

@@ -1,4 +1,4 @@
-//! Why a set is empty, and what would help.
+//! The reason why a set is empty, and the remedies.
 
 use boundfit_estimation::{BoundName, ErrorBound, Measurement, mending_rows};
 use boundfit_exact::Rational;
@@ -53,7 +53,7 @@ impl Report<'_> {
         let is_swapped =
             |row: &&Measurement| row.lower().zip(row.upper()).is_some_and(|(lower, upper)| lower > upper);
         let count = rows.iter().filter(is_swapped).count();
-        // Of the other rows it is not known.
+        // Rows that are not kept may or may not contradict each other.
         let which = if measurements.all().is_some() { "rows" } else { "rows kept" };
         (count > 0).then(|| {
             format!("In {count} of {} {which} the lower bound is above the upper one: swapped?", rows.len())

@@ -168,7 +168,7 @@ fn inverse_rows(report: &Report, inverse: &Inverse) -> Vec<Vec<Text>> {
     rows
 }
 
-/// How the numbers of the tables are rounded.
+/// Returns the note on the rounding of the tables' numbers.
 fn note(report: &Report) -> String {
     if report.style.exact {
         return "All numbers are exact.".to_owned();

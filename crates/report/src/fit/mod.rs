@@ -29,17 +29,17 @@ use crate::table_json::table_words;
 /// The name of the set in titles.
 const SET: &str = "Feasible parameter set (FPS)";
 
-/// When the report has gain and offset of the inverse line.
+/// The condition under which the report has gain and offset of the inverse line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum InverseLine {
-    /// Where every feasible line has one: 0 is not in the PUI of θ1.
+    /// The report has both if every feasible line has an inverse: 0 is not in the PUI of θ1.
     #[default]
     WhereItExists,
     /// Always.
     Always,
 }
 
-/// How much a report of a fit has.
+/// The extent of a report of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Extent {
     /// The results that a calibration needs.
@@ -60,8 +60,12 @@ pub fn fit_document(
     document(problem, fit, origin, inverse_line, style, Extent::Usual)
 }
 
-/// Writes the report of a fit as [`fit_document`] does, and adds the rest: the proof of each end of the PUI, every estimate of the
-/// inverse line, area and centroid, the guaranteed errors of least squares, and least squares in doubles.
+/// Writes the report of a fit as [`fit_document`] does, with all further parts.
+/// - The proof of each end of the PUI.
+/// - Every estimate of the inverse line.
+/// - Area and centroid.
+/// - The guaranteed errors of least squares.
+/// - Least squares in doubles.
 pub fn full_fit_document(
     problem: &Problem,
     fit: &Fit,
@@ -151,7 +155,7 @@ struct Report<'a> {
     problem: &'a Problem,
     fit: &'a Fit,
     style: &'a Style,
-    /// How the values of the two parameters are shown.
+    /// The scales that show the values of the two parameters.
     theta: [Scale<'a>; 2],
     inverse_line: InverseLine,
     extent: Extent,

@@ -15,7 +15,7 @@ use crate::json::to_text;
 use crate::number::Number;
 use crate::style::Style;
 
-/// What every part of the document is made of.
+/// The material of every part of the document.
 struct Parts<'a> {
     model: &'a Model,
     plane: &'a Plane,

@@ -135,7 +135,7 @@ impl Report<'_> {
         names.map(|column| Text::new().given(&column.name)).collect()
     }
 
-    /// Where points go on for ever.
+    /// Returns the directions in which points go on for ever.
     fn endless(&self, what: &str, rays: &[Vec<Rational>], lines: &[Vec<Rational>]) -> Vec<Block> {
         let towards = |words: &str, direction: &Vec<Rational>| {
             let entries = self.plane.columns().iter().filter_map(|&column| direction.get(column));

@@ -1,4 +1,4 @@
-//! What the checker is given about a set: its generators, and which half-planes are its sides.
+//! The hints that the checker gets about a set: its generators, and the half-planes that are its sides.
 
 use boundfit_exact::Rational;
 use boundfit_geometry::{
@@ -132,7 +132,8 @@ fn plane() -> Option<Evidence> {
     })
 }
 
-/// Of an empty set at most three half-planes that contradict each other, by angle; `None` if it is not empty.
+/// Returns at most three half-planes of an empty set that contradict each other, by angle; `None` if the set is not
+/// empty.
 pub(super) fn contradiction(polyhedron: &Polyhedron, number: Number) -> Option<String> {
     let multipliers = polyhedron.region().certificate()?.multipliers();
     let mut indices: Vec<usize> = multipliers.iter().map(|own| own.index).collect();
@@ -156,7 +157,7 @@ fn points<'a>(vertices: impl IntoIterator<Item = &'a Vertex>) -> Vec<[Rational; 
     vertices.into_iter().map(|vertex| vertex.point().coordinates()).collect()
 }
 
-/// Of a polygon the side that leaves each vertex, counter-clockwise.
+/// Returns the side of a polygon that leaves each vertex, counter-clockwise.
 fn sides_by_vertex(polyhedron: &Polyhedron, number: Number) -> Option<Vec<usize>> {
     let sides = polyhedron.irredundant_by_angle();
     let mut found = vec![0; polyhedron.region().vertices().len()];

@@ -25,12 +25,12 @@ pub const THEORY: [(&str, &str); 6] = [
     ("RealNumbers", include_str!("../../kernel/RealNumbers.v")),
 ];
 
-/// Where a theorem has its theory from.
+/// The place from which a theorem takes its theory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Theory {
     /// The file holds it, so that it needs nothing but Coq.
     Included,
-    /// It is installed as `Boundfit`.
+    /// The theory is installed as `Boundfit`.
     Installed,
 }
 
@@ -187,7 +187,8 @@ fn the_set(evidence: &Evidence, ranges: &[Interval; 2]) -> String {
     )
 }
 
-/// Beyond so many vertices, both coordinates of each have one denominator: they are longer to read, and shorter to compute with.
+/// The number of vertices above which both coordinates of each have one denominator: longer to read, and shorter to
+/// compute with.
 const MANY_VERTICES: usize = 100;
 
 /// The vertices as rows of text.

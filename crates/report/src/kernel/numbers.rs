@@ -27,8 +27,8 @@ fn fixed(value: &Rational, digits: u32) -> String {
     format!("{sign}{text}")
 }
 
-/// A column of numbers, some of which may be missing: decimals with one number of digits where all of them are decimals, so
-/// that the checker has one denominator, else fractions.
+/// Returns a column of numbers, some of which may be missing. Decimals have one number of digits if all numbers are
+/// decimals, so that the checker has one denominator; otherwise numbers are fractions.
 pub(super) fn column(values: &[Option<Rational>]) -> Vec<String> {
     let needed: Option<Vec<u32>> = values.iter().flatten().map(decimals).collect();
     let digits = needed.map(|needed| needed.into_iter().max().unwrap_or(0));

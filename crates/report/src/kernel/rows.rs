@@ -1,4 +1,4 @@
-//! What the rows say, as a statement that a person reads: the readings of a fit, or half-planes.
+//! The content of the rows, as a statement that a person reads: the readings of a fit, or half-planes.
 
 use std::collections::HashMap;
 
@@ -14,11 +14,11 @@ pub(super) struct Statement {
     rows: String,
     /// Number of rows.
     pub(super) count: usize,
-    /// What stands in the columns.
+    /// The content of the columns.
     about: String,
     /// `Definition`s of the columns.
     columns: String,
-    /// What a row `r` says of `p`, over the rational and over the real numbers.
+    /// The statement of a row `r` about `p`, over the rational and over the real numbers.
     says: [String; 2],
     /// The row as the checker takes it.
     form: &'static str,

@@ -124,7 +124,7 @@ fn input_json(
     }
 }
 
-/// Why each part that is null is null.
+/// Returns the reason why each null part is null.
 fn reasons(linearity: &Linearity, input: &LinearityInput) -> BTreeMap<&'static str, String> {
     let mut reasons = BTreeMap::new();
     if let Err(no_line) = &linearity.average.terminal {

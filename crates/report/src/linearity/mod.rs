@@ -44,7 +44,7 @@ pub(crate) fn lines(characteristic: &Characteristic) -> [Result<&LinearityLine, 
     ]
 }
 
-/// Why there are no percents.
+/// The reason why there are no percents.
 pub(crate) const NO_PERCENT: &str =
     "full scale is 0: all readings are the same, and nothing is a percentage of that";
 

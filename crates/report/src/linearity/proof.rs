@@ -36,7 +36,7 @@ pub fn linearity_question(
         CalibrationResponse::One(y) => question(measurements(y)?),
         CalibrationResponse::Directed { .. } => None,
         CalibrationResponse::Two { up, down } => {
-            // Of a point with one reading nothing is the mean of two.
+            // A point with one reading is no mean of two.
             let both = [measurements(up), measurements(down)];
             let lacks = |error: &InputError| {
                 matches!(error.kind, InputErrorKind::Missing { .. } | InputErrorKind::AllMissing { .. })

@@ -9,8 +9,12 @@ use crate::number::up;
 use crate::range::exact;
 use crate::style::Style;
 
-/// Writes a row for each goal: its value before the reading and after the worst outcome, as doubles rounded up, `inf` where nothing
-/// bounds; the best x, separated by blanks; and both values exactly, if they are not too long. An empty set has the header only.
+/// Writes a row for each goal.
+/// - The value before the reading and after the worst outcome, as doubles rounded up, `inf` where nothing bounds it.
+/// - The best x, separated by blanks.
+/// - Both values exactly, if they are not too long.
+///
+/// An empty set has the header only.
 pub fn next_reading_csv(report: &NextReadingReport<'_>) -> String {
     let mut text = "goal,now,worst,at,now_exact,worst_exact\n".to_owned();
     let double =

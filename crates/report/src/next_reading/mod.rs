@@ -21,7 +21,7 @@ pub use json::next_reading_json;
 pub struct NextReadingReport<'a> {
     /// The readings.
     pub problem: &'a Problem,
-    /// Their fit.
+    /// The fit of the readings.
     pub fit: &'a Fit,
     /// The error bound of the next reading.
     pub epsilon: &'a Rational,

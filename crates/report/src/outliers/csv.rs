@@ -10,9 +10,9 @@ use crate::number::{down, up};
 const COLUMNS: [&str; 8] =
     ["set", "rows", "kind", "vertices", "theta1_lower", "theta1_upper", "theta2_lower", "theta2_upper"];
 
-/// The minimal sets as a table, a row for each: its number, the data rows that are left out, separated by blanks, the kind of what
-/// is left, how many vertices that has, and the ranges of both parameters, as doubles that are rounded outward, `-inf` and
-/// `inf` where there is no end.
+/// Returns the minimal sets as a table with a row for each. Its cells are the number of the set, its data rows
+/// separated by blanks, and the kind and number of vertices of the remaining set. The ranges of both parameters
+/// follow as doubles rounded outward, `-inf` and `inf` where there is no end.
 pub fn outliers_csv(outliers: Option<&Outliers>) -> String {
     let mut writer = Writer::from_writer(Vec::new());
     let mut write = |cells: [String; 8]| {

@@ -16,7 +16,7 @@ use crate::number::Number;
 use crate::origin::Origin;
 use crate::style::Style;
 
-/// Of how many rows in all it is told by how much they are missed.
+/// The number of rows in all for which the report has the amounts by which they are missed.
 const MOST_TOLD: usize = 20_000;
 
 /// The report as indented JSON, with a line end.

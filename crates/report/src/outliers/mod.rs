@@ -31,18 +31,19 @@ pub struct OutliersReport<'a> {
     pub problem: &'a Problem,
     /// The fit of all readings.
     pub fit: &'a Fit,
-    /// Which readings to leave out, or why nothing can be.
+    /// The readings to leave out, or the reason why none can be.
     pub outliers: Result<&'a Outliers, &'a NoOutliers>,
-    /// How the set grows.
+    /// The growth of the set.
     pub growth: &'a [Growth],
-    /// Whether that was asked for.
+    /// `true` if the question asked for the growth.
     pub shows_growth: bool,
 }
 
-/// How many pieces are shown with all they have, and how many with their rows.
+/// The number of pieces that are shown in full, and the number of those that are shown with their rows.
 const MOST_WHOLE: usize = 4;
 const MOST_SETS: usize = 20;
-/// How many rows of one set are listed with what they are missed by, and by name.
+/// The number of rows of one set that are listed with the amounts by which they are missed, and the number of rows by
+/// name.
 const MOST_MISSED: usize = 30;
 const MOST_ROWS: usize = 200;
 
@@ -68,7 +69,7 @@ pub fn outliers_document(report: &OutliersReport, origin: &Origin, style: &Style
     Document::new(blocks)
 }
 
-/// Of conditions that contradict each other, which.
+/// Returns the conditions that contradict each other.
 fn contradiction(report: &OutliersReport, style: &Style) -> Vec<Block> {
     let Err(NoOutliers::Conditions(terms)) = report.outliers else { return Vec::new() };
     let names: Vec<String> = terms.iter().map(|(name, _)| name.to_string()).collect();
@@ -90,7 +91,7 @@ fn contradiction(report: &OutliersReport, style: &Style) -> Vec<Block> {
     ]
 }
 
-/// How many rows have to be left out, how many ways there are, and what is left over all of them.
+/// Returns the number of rows to leave out, the number of ways, and the range that remains over all ways.
 fn answer(report: &OutliersReport, outliers: &Outliers, style: &Style) -> Vec<Block> {
     let all = report.problem.measurements.fitted();
     let title = format!("Least number of readings to leave out: {} of {all}", outliers.least);
@@ -180,7 +181,7 @@ fn rows_text(rows: &[usize]) -> String {
     format!("{} {}{more}", if rows.len() == 1 { "row" } else { "rows" }, ranges(shown))
 }
 
-/// By how much each row that is left out is missed, over all that is left.
+/// Returns the amount by which each removed row is missed, over the whole remaining set.
 fn missed_table(problem: &Problem, piece: &Piece, style: &Style) -> Vec<Block> {
     let row = |(row, reading): (usize, &Measurement)| {
         let (bound, by) = match piece.missed_by(reading) {
@@ -220,7 +221,7 @@ fn further_sets(outliers: &Outliers) -> Vec<Block> {
     [title, table].into_iter().chain(more).collect()
 }
 
-/// How the set grows with the number of readings that may be missed.
+/// Returns the growth of the set with the number of readings that may be missed.
 fn growth_blocks(growth: &[Growth], style: &Style) -> Vec<Block> {
     // Nothing agrees with so many.
     let nothing = growth.iter().take_while(|growth| growth.pieces == 0).count();

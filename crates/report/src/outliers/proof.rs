@@ -13,18 +13,18 @@ use crate::statements_json::statements_json;
 /// Sets of readings left out of which a proof has a contradiction each.
 const MOST_CONTRADICTIONS: usize = 1_000;
 
-/// Why outliers have no proof.
+/// The reason why outliers have no proof.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoOutliersProof {
     /// The readings are not those of plain delimited text.
     NoText,
-    /// It takes more contradictions than this.
+    /// The proof needs more contradictions than this.
     TooMany(usize),
 }
 
-/// The proof of outliers, schema `boundfit/proof/2`: that fewer readings are not enough, where all sets of so many are listed that
-/// there are no others, and what is left without each; of conditions that contradict each other that nothing is left.
-/// Cost: a fit for each of at most a thousand sets of readings left out.
+/// Returns the proof of outliers, schema `boundfit/proof/2`. It proves that fewer readings are not enough, that a
+/// complete list of sets is complete, and what remains without each set. If conditions contradict each other, it
+/// proves that no parameters remain. Cost: a fit for each of at most a thousand sets of readings left out.
 ///
 /// # Errors
 /// When there is none.
@@ -49,7 +49,8 @@ pub fn outliers_proof(report: &OutliersReport, reading: Reading) -> Result<Strin
 /// Rows left out, and half-planes of others that contradict each other.
 type Contradictions = Vec<(Vec<usize>, Vec<Multiple>)>;
 
-/// From no row left out on, a contradiction of the others, of which one has to be left out as well.
+/// Returns, starting with no row left out, a contradiction of the other rows, of which one has to be left out as
+/// well.
 fn contradictions(
     problem: &Problem,
     least: usize,

@@ -14,9 +14,9 @@ use crate::style::Style;
 /// The report as JSON, with a line end, about the file of this name; `None` for standard input. Half-planes are named by their row in the file, from 1; the bound is `upper`
 /// for a row as given and `lower` for the other direction of an equation.
 ///
-/// Of a V-representation the rows are generators: active at a vertex are the points that equal it, at a boundary those on
-/// it; redundant are generators. The half-planes are then listed as `facets`, and named in proofs by their number there,
-/// from 1, with the bound `facet`.
+/// The rows of a V-representation are generators. Active at a vertex are the points that equal it, and at a boundary
+/// the points on it. Redundant rows are generators, too. The half-planes are then listed as `facets`, and named in
+/// proofs by their number there, from 1, with the bound `facet`.
 pub fn polygon_json(
     file: &HalfPlaneFile,
     polyhedron: &Polyhedron,

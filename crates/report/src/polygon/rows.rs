@@ -3,8 +3,8 @@
 use boundfit_formats::HalfPlaneFile;
 use boundfit_geometry::Polyhedron;
 
-/// The rows of the file behind inequalities that are active at a vertex or boundary, ascending, each once. Of a
-/// V-representation those of the points that equal the vertex or lie on the boundary.
+/// The rows of the file behind inequalities that are active at a vertex or boundary, ascending, each once. For a
+/// V-representation these are the rows of the points that equal the vertex or lie on the boundary.
 pub(super) fn rows_of(file: &HalfPlaneFile, indices: &[usize]) -> Vec<usize> {
     let mut rows: Vec<usize> = match &file.generators {
         None => {

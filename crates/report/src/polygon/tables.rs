@@ -11,8 +11,8 @@ use crate::document::{Block, Table, Text};
 use crate::formula::products;
 use crate::style::Style;
 
-/// Of half-planes which are redundant; of generators the half-planes that they give, and which are redundant. Each is a
-/// sentence and a table, which has no rows when the sentence says it all.
+/// Returns tables about redundancy: the redundant half-planes, or for generators the half-planes that they give, and
+/// the redundant generators. Each is a sentence and a table, which has no rows when the sentence says it all.
 pub(super) fn table_blocks(file: &HalfPlaneFile, polyhedron: &Polyhedron, style: &Style) -> Vec<Block> {
     let redundant = redundant_rows(file, polyhedron);
     let why = match &file.generators {
@@ -46,7 +46,7 @@ fn facets(polyhedron: &Polyhedron, style: &Style) -> [Block; 2] {
     [Block::Lead(sentence.into()), Block::Table(Table::new(["facet", "a1", "a2", "b"], rows))]
 }
 
-/// Why each of these rows is not needed.
+/// Returns the reason why each of these rows is not needed.
 fn redundancy(
     file: &HalfPlaneFile,
     polyhedron: &Polyhedron,
@@ -79,7 +79,7 @@ fn redundancy(
     rows
 }
 
-/// Why each of these rows is not needed.
+/// Returns the reason why each of these rows is not needed.
 fn redundant_generators(
     generators: &Generators,
     polyhedron: &Polyhedron,
@@ -127,7 +127,7 @@ pub(super) fn products_of(file: &HalfPlaneFile, multipliers: &[Multiplier], styl
     }))
 }
 
-/// Behind the number of a row, which direction of an equation is meant.
+/// Returns the text behind a row's number that tells which direction of an equation is meant.
 fn direction(reversed: bool) -> &'static str {
     if reversed { " (>=)" } else { "" }
 }

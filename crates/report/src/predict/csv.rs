@@ -10,13 +10,13 @@ use super::Prediction;
 use crate::fit_csv::shown;
 use crate::number::{down, up};
 
-/// Predictions as a table: of the values asked for, a row for each with the interval of the line and that of a further reading;
-/// else of readings, a row for each interval of x that one may come from (and one without ends and `none` where there is
-/// none). Ends are doubles rounded outward, `-inf` and `inf` where there are none; the last columns are exact. Of an empty set
-/// there is the header only.
+/// Writes predictions as a table. Values asked for have a row each, with the interval of the line and the interval of
+/// a further reading. Readings have a row for each interval of x that they may come from, or one row without ends and
+/// with `none`. Ends are doubles rounded outward, `-inf` and `inf` where there are none; the last columns are exact.
+/// An empty set has the header only.
 ///
 /// # Errors
-/// Those of the writer.
+/// Errors of the writer.
 pub fn write_prediction_csv(prediction: &Prediction, to: &mut dyn Write) -> io::Result<()> {
     let mut table = Writer::from_writer(to);
     match prediction.at.count {

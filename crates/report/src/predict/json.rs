@@ -30,7 +30,7 @@ impl<I: Iterator<Item = T>, T: Serialize> Serialize for Each<I> {
 /// Writes predictions as indented JSON, with a line end. Each is made when it is written.
 ///
 /// # Errors
-/// Those of the writer.
+/// Errors of the writer.
 pub fn write_prediction_json(prediction: &Prediction, style: &Style, to: &mut dyn Write) -> io::Result<()> {
     let Prediction { problem, fit, origin, .. } = prediction;
     let predictor = prediction.predictor();

@@ -25,10 +25,10 @@ pub use proof::prediction_proof;
 /// Rows of a table of text; other formats have all.
 const MOST_LISTED: usize = 40;
 
-/// Values that are asked about, which may be more than are to be in memory: each time that they are asked for they come anew.
-/// Of a line x and 1, of two regressors both, of readings y and 0.
+/// Values that are asked about, which may be more than are to be in memory: each time that they are asked for they
+/// come anew. The values are x and 1 of a line, both regressors of a model with two, y and 0 of a reading.
 pub struct AskedValues<'a> {
-    /// How many there are.
+    /// The number of values.
     pub count: usize,
     /// The values.
     pub values: &'a (dyn Fn() -> Box<dyn Iterator<Item = [Rational; 2]> + 'a> + 'a),
@@ -38,17 +38,17 @@ pub struct AskedValues<'a> {
 pub struct Prediction<'a> {
     /// The readings.
     pub problem: &'a Problem,
-    /// Their fit.
+    /// The fit of the readings.
     pub fit: &'a Fit,
-    /// Where they come from.
+    /// The source of the readings.
     pub origin: Origin<'a>,
     /// The known bound on the error of a further reading.
     pub error: Result<FurtherError, NoFurtherError>,
     /// The law by which that was given, where it is not that of the readings.
     pub given: Option<Law>,
-    /// Where the line is asked for.
+    /// The values at which the line is asked for.
     pub at: AskedValues<'a>,
-    /// Which readings it is asked of where they come from.
+    /// The readings whose origin is asked for.
     pub from: AskedValues<'a>,
 }
 
@@ -78,7 +78,7 @@ impl Prediction<'_> {
         (line, reading)
     }
 
-    /// Where readings come from, by y, with x as the user counts it.
+    /// Returns the x that readings may come from, by y, with x as the user counts it.
     fn sources<'b>(&'b self, predictor: &'b Predictor) -> impl Fn(&Rational) -> Vec<PossibleX> + 'b {
         let of = self.error.as_ref().ok().map(|error| predictor.sources_of_many(error));
         let moved =
@@ -92,7 +92,7 @@ impl Prediction<'_> {
         }
     }
 
-    /// Why an end of the line's interval at x is what it is.
+    /// Returns the proof of an end of the line's interval at x.
     fn why(&self, predictor: &Predictor, end: &PossibleEnd) -> Support {
         let form = self.form(&[end.x.clone(), Rational::one()]);
         let [lower, upper] = predictor.ends(&form);
@@ -209,7 +209,7 @@ fn sources(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec
     blocks
 }
 
-/// That there are more than are listed.
+/// Returns the note that there are more entries than are listed.
 fn more(count: usize, one: &str, several: &str) -> Option<Block> {
     let more = count.checked_sub(MOST_LISTED).filter(|more| *more > 0)?;
     let more = counted(more, one, several);

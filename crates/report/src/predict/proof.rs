@@ -7,8 +7,9 @@ use crate::proof_question::ProofQuestion;
 use crate::statements::{Scope, Statement};
 use crate::statements_json::statements_json;
 
-/// The proof of predictions, schema `boundfit/proof/2`: the range of the model at each value asked for, and at each x where
-/// readings end; of an empty set why it is empty. `None` where the readings are not those of plain delimited text.
+/// Returns the proof of predictions, schema `boundfit/proof/2`. It has the range of the model at each value asked
+/// for, and at each x where readings end. An empty set has the proof of its emptiness. `None` where the readings are
+/// not those of plain delimited text.
 pub fn prediction_proof(prediction: &Prediction, reading: Reading) -> Option<String> {
     let question = ProofQuestion::new(prediction.problem, reading)?;
     let set = prediction.fit.fps.polyhedron();

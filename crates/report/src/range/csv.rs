@@ -5,8 +5,10 @@ use boundfit_questions::{Contradiction, Run};
 
 use super::{RangeReport, names};
 
-/// One row for each run, in order: positions from 1, readings, rows of the file, exact x, whether it is the longest and one of
-/// the fewest, and the bounds that stand against one reading more before and after it.
+/// Writes one row for each run, in order.
+/// - Positions from 1, readings, rows of the file, exact x.
+/// - Marks of the longest run, and of the runs that are one of the fewest.
+/// - The bounds that stand against one more reading before and after it.
 pub fn range_csv(report: &RangeReport<'_>) -> String {
     let mut text =
         "first,last,readings,first_row,last_row,x_least,x_largest,longest,fewest,before,after\n".to_owned();

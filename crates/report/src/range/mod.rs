@@ -33,9 +33,9 @@ const MOST_IN_SENTENCE: usize = 8;
 pub struct RangeReport<'a> {
     /// The readings.
     pub problem: &'a Problem,
-    /// Their fit, of all at once.
+    /// The fit of all readings at once.
     pub fit: &'a Fit,
-    /// In which order runs are taken.
+    /// The order in which runs are taken.
     pub order: Order,
     /// The runs.
     pub range: &'a LinearRange,
@@ -164,7 +164,7 @@ fn table(report: &RangeReport<'_>, style: &Style) -> Table {
     let runs: Vec<&Run> = report.range.runs.iter().take(MOST_LISTED).collect();
     let reaches = report.x(0).is_some();
     let has_rows = runs.iter().any(|run| report.consecutive_rows(run).is_some());
-    // What a run is named by comes first.
+    // The columns that name a run come first.
     let mut columns = vec!["readings"];
     let place = if report.is_by_x() { 0 } else { 1 };
     if reaches {

@@ -9,9 +9,9 @@ use crate::proof_question::ProofQuestion;
 use crate::statements::{Claim, Multiple, Scope, Statement};
 use crate::statements_json::statements_json;
 
-/// The proof of a linear range, schema `boundfit/proof/2`: of each run parameters that agree with all of its readings, and why it
-/// goes on neither way; of each reading that no parameters agree with, why. `None` where the readings are not those of plain
-/// delimited text. Cost: a fit of each run.
+/// Returns the proof of a linear range, schema `boundfit/proof/2`. Each run has parameters that agree with all of its
+/// readings, and the reasons why it goes on neither way. Each reading that no parameters agree with has the reason.
+/// `None` where the readings are not those of plain delimited text. Cost: a fit of each run.
 pub fn range_proof(report: &RangeReport, reading: Reading) -> Option<String> {
     let question = ProofQuestion::new(report.problem, reading)?;
     let mut statements = Vec::new();

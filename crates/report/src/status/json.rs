@@ -16,9 +16,9 @@ use crate::number::Number;
 use crate::origin::Origin;
 use crate::style::Style;
 
-/// The report in parts, so that not all rows are in memory: [head](StatusJson::head), the rows one after the other with
-/// [`StatusJson::BETWEEN`] between them, [`StatusJson::END_OF_ROWS`], for further readings [`StatusJson::new_head`] and the
-/// same again, and [`StatusJson::TAIL`].
+/// The report in parts, so that memory need not hold all rows. The parts are [head](StatusJson::head), the rows with
+/// [`StatusJson::BETWEEN`] between them, and [`StatusJson::END_OF_ROWS`]. Further readings follow
+/// [`StatusJson::new_head`] in the same way, and [`StatusJson::TAIL`] comes last.
 #[derive(Debug)]
 pub struct StatusJson;
 
@@ -35,7 +35,7 @@ impl WidenedJson {
 impl StatusJson {
     /// The text between two rows.
     pub const BETWEEN: &'static str = ",\n";
-    /// What stands after the last row.
+    /// The text after the last row.
     pub const END_OF_ROWS: &'static str = "\n  ]";
     /// The end of the report.
     pub const TAIL: &'static str = "\n}\n";
@@ -97,7 +97,7 @@ impl StatusJson {
         format!(",\n  \"new\": {{\n  \"file\": {},\n  \"rows\": [\n", file.trim_end())
     }
 
-    /// What stands after the last of the further readings.
+    /// The text after the last of the further readings.
     pub const END_OF_NEW: &'static str = "\n  ]\n  }";
 
     /// A reading of the set.
@@ -131,7 +131,7 @@ fn parts(standing: Option<&Standing>, style: &Style) -> Parts {
     (numbers, Some(status.name()))
 }
 
-/// On one line, so that many rows stay readable.
+/// Writes a row on one line, so that many rows stay readable.
 fn line(row: &impl Serialize) -> String {
     // Strings, numbers and nulls only: there is nothing that cannot be written.
     format!("    {}", serde_json::to_string(row).expect("a row that is not JSON"))

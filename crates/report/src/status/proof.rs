@@ -8,9 +8,9 @@ use crate::proof_question::ProofQuestion;
 use crate::statements::{Scope, Statement};
 use crate::statements_json::statements_json;
 
-/// The proof of statuses, schema `boundfit/proof/2`: what the set of all readings is, from which the status of every reading
-/// follows that does not decide, and for each that does the values of the model at it over the set of the others, or why that is
-/// empty. `None` where the readings are not those of plain delimited text.
+/// Returns the proof of statuses, schema `boundfit/proof/2`. The set of all readings proves the status of every
+/// reading that does not decide. Each reading that decides has the values of the model at it over the set of the
+/// others, or the reason why that set is empty. `None` where the readings are not those of plain delimited text.
 pub fn status_proof(problem: &Problem, statuses: &Statuses, reading: Reading) -> Option<String> {
     let question = ProofQuestion::new(problem, reading)?;
     let fps = statuses.fps();

@@ -7,7 +7,7 @@ use boundfit_questions::{NoRepair, Repair, Widened};
 use crate::document::{Block, Operator, Symbol, Table, Text};
 use crate::style::Style;
 
-/// Which bounds must be wider, and by how much.
+/// Returns the bounds that must be wider, and their factors.
 pub(super) fn blocks(repair: &Result<Repair, NoRepair>, style: &Style) -> Vec<Block> {
     let mut blocks = vec![Block::Title("Least total widening".into())];
     let repair = match repair {

@@ -1,5 +1,5 @@
-//! A window as a line of JSON, schema `boundfit/window/1`. What means the same as in `boundfit/fit/2` has the same name and the
-//! same shape.
+//! A window as a line of JSON, schema `boundfit/window/1`. A key that means the same as in `boundfit/fit/2` has the
+//! same name and the same shape.
 
 use boundfit_estimation::{ParameterBound, ParameterInterval};
 use boundfit_exact::Rational;

@@ -19,7 +19,7 @@ use crate::style::Style;
 pub struct WindowReport {
     /// The rows of its first and last reading.
     pub rows: [usize; 2],
-    /// How many readings it has.
+    /// The number of readings of the window.
     pub readings: usize,
     /// x of its first and last reading; `None` with two regressors.
     pub x: Option<[Rational; 2]>,
@@ -64,8 +64,8 @@ impl WindowReport {
     pub const CSV_HEADER: &'static str = "first_row,last_row,rows,x_first,x_last,kind,theta1_lower,theta1_upper,theta2_lower,\
                                           theta2_upper,theta1_central,theta1_error,theta2_central,theta2_error,epsilon_min\n";
 
-    /// Its row of CSV, with a line end. What there is not is left out; an end that is not bounded is `-inf` or `inf`. Ends have
-    /// the digits that their interval takes.
+    /// Returns the window's row of CSV, with a line end. Missing values are empty cells; an end that is not bounded
+    /// is `-inf` or `inf`. Ends have the digits that their interval takes.
     pub fn csv(&self, style: &Style) -> String {
         let [first, last] = self.rows;
         let fit = &self.fit;
@@ -135,7 +135,7 @@ impl WindowSummary {
         self.empty > 0
     }
 
-    /// In words, with line ends.
+    /// Returns the answer in words, with line ends.
     pub fn to_text(&self, moving: &Moving, moved: &Moved, style: &Style) -> String {
         let windows = counted(moved.windows, "window", "windows");
         let long = match &moving.extent {

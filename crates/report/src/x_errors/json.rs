@@ -144,7 +144,7 @@ fn factor(least: &LeastFactor, style: &Style) -> FactorJson {
     }
 }
 
-/// Why each part that is null is null.
+/// Returns the reason why each null part is null.
 fn reasons(answer: &XErrorFit, plain: &Fit) -> BTreeMap<&'static str, String> {
     let mut reasons = BTreeMap::new();
     if let Err(reason) = &answer.least {

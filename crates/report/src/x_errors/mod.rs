@@ -72,7 +72,7 @@ struct XErrorReport<'a> {
     plain: &'a Fit,
     style: &'a Style,
     pui: Option<&'a [Interval; 2]>,
-    /// How the values of the two parameters are shown.
+    /// The scales that show the values of the two parameters.
     theta: [Scale<'a>; 2],
 }
 

@@ -7,8 +7,8 @@ use crate::proof_question::ProofQuestion;
 use crate::statements::{Claim, Multiple, Scope, Statement};
 use crate::statements_json::statements_json;
 
-/// Of each side the walk around its set with the ends of both parameters, or what proves it empty. `None` when the readings do
-/// not come from delimited text that the checkers read.
+/// Returns, for each side, the walk around its set with the ends of both parameters, or the proof of its emptiness.
+/// `None` when the readings do not come from delimited text that the checkers read.
 pub fn x_error_proof(problem: &XErrorProblem, answer: &XErrorFit, reading: Reading) -> Option<String> {
     let question = ProofQuestion::new(problem.problem(), reading)?;
     let question = match problem.bounds() {

@@ -1,4 +1,4 @@
-//! Why no line agrees, and what would help.
+//! The reason why no line agrees, and the remedies.
 
 use boundfit_exact::Rational;
 use boundfit_exact::english::{list, listed};
@@ -12,7 +12,7 @@ use crate::formula::{absurdity, products};
 use crate::style::Style;
 
 impl XErrorReport<'_> {
-    /// Of an empty set which readings contradict each other, side by side, and what would help.
+    /// Returns, for an empty set, the readings that contradict each other, side by side, and the remedies.
     pub(super) fn emptiness(&self) -> Vec<Text> {
         let first = if self.is_weak() {
             "No line meets the boxes of all readings."
@@ -43,7 +43,7 @@ impl XErrorReport<'_> {
         [first.into()].into_iter().chain(sides).chain([help]).collect()
     }
 
-    /// Why a side has no line: what its bounds ask of the slope, and the proof.
+    /// Returns the reason why a side has no line: the demands of its bounds on the slope, and the proof.
     pub(super) fn contradiction(&self, side: &SideSet) -> Vec<Text> {
         let demands = side.slope_demands();
         let mut own: Vec<Text> = demands.iter().filter_map(|demand| self.demand(demand)).collect();

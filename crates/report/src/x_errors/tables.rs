@@ -9,9 +9,10 @@ use crate::number::up;
 use crate::style::Style;
 use crate::wkt::region_wkt;
 
-/// Estimates and intervals as a table with the columns of [`fit_csv`](crate::fit_csv). The quantities are `least_squares` and `eui` as
-/// they are without errors in x, `pui` of all pieces together and `pui_rising` and `pui_falling` of each of two, `central`,
-/// `guaranteed_error` and `least_factor`, which is an interval where it is enclosed.
+/// Estimates and intervals as a table with the columns of [`fit_csv`](crate::fit_csv). The quantities `least_squares`
+/// and `eui` are those without errors in x. `pui` belongs to all pieces together, and `pui_rising` and `pui_falling`
+/// to each of two. `central`, `guaranteed_error` and `least_factor` follow; the last is an interval where it is
+/// enclosed.
 pub fn x_error_csv(answer: &XErrorFit, plain: &Fit) -> String {
     let mut table = Table::new();
     let kinds: Vec<&str> =

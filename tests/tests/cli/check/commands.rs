@@ -47,7 +47,7 @@ fn a_fit_ends_with_what_the_solver_makes_of_it() {
 
 #[test]
 fn a_fit_of_very_many_rows_does_not_wait_for_a_solver() {
-    // Of very many readings it is asked about those on a hull.
+    // A very large table is asked about the readings on a hull.
     for count in [1_000, 10_001] {
         let table = readings(count);
         let with = fit("--full", &table);
@@ -76,7 +76,7 @@ fn a_fit_of_very_many_rows_does_not_wait_for_a_solver() {
     assert_eq!(of("fit - --x x --y y --eps-column e --full", &bounds), expected);
 }
 
-/// Without the readings that cannot bound anything, every verdict stays.
+/// Every verdict stays without the readings that cannot bound anything.
 #[test]
 fn solvers_get_the_readings_that_can_matter_or_all() {
     let table = readings(1_001);
@@ -130,7 +130,7 @@ fn reports_are_written_whole() {
         assert_eq!((written.status, written.stdout.as_str()), (4, ""), "{options}");
         assert_eq!(std::fs::read_to_string(&file).unwrap(), printed.stdout, "{options}");
     }
-    // What cannot be written leaves nothing behind, and says so.
+    // A report that cannot be written leaves nothing behind, and the program says so.
     let missing = folder.path().join("none/report");
     let refused = boundfit(&format!("{NEAR_PARALLEL} {claim} -o {}", missing.display()));
     assert_eq!((refused.status, refused.stdout.as_str()), (1, ""));

@@ -1,4 +1,4 @@
-//! What is excused and what is not: the digits that were printed, and the tolerance.
+//! The deviations that are excused and those that are not: the printed digits, and the tolerance.
 
 use serde_json::Value;
 
@@ -7,7 +7,7 @@ use boundfit_tests::cli::unbroken;
 
 const TRANSDUCER: &str = "check fixtures/transducer/transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3";
 
-/// As in the help of the command, and in the paper.
+/// The claim in the help of the command, and in the paper.
 const PUBLISHED: &str = "--claim-pui 1.7909e-3,1.8484e-3,2.2596e-2,2.2807e-2";
 
 #[test]

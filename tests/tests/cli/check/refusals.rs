@@ -1,4 +1,4 @@
-//! What `check` refuses.
+//! The input that `check` refuses.
 
 use super::{NEAR_PARALLEL, boundfit};
 

@@ -99,7 +99,7 @@ fn files_alone_and_folders_are_one_answer() {
     let name = |name: &str| format!("GLPK, {}/{name}", mixed.path().display());
     assert_eq!(sources, [name("a-*.sol"), name("b-theta1-min.w")]);
     assert_eq!(found[0]["bounds"][1], whole[0]["bounds"][1]);
-    // What the file is about may stand in it alone.
+    // The subject of the file may stand only in the file.
     let unnamed = folder(&[("answer", &text("theta2-min"))]);
     let found = claims(&format!("{TRANSDUCER} --claim {}/answer", unnamed.path().display()), 0);
     assert_eq!(found[0]["bounds"][2], whole[0]["bounds"][2]);

@@ -9,7 +9,7 @@ use boundfit_tests::lp_cases::{number, times};
 /// A program as it stands in a file.
 #[derive(Debug, PartialEq, Eq)]
 pub struct ReadProgram {
-    /// Its name, which LP files do not have.
+    /// The name of the row; LP files have none.
     pub name: Option<String>,
     /// The name and the form that is minimised.
     pub objective: (String, [Rational; 2]),
@@ -17,7 +17,7 @@ pub struct ReadProgram {
     pub rows: Vec<(String, Row)>,
 }
 
-/// What comments say that rows were multiplied by.
+/// Returns the multipliers of rows that comments state.
 fn scales(text: &str, mark: &str) -> BTreeMap<String, Rational> {
     let comments = text.lines().filter_map(|line| line.strip_prefix(mark)?.split_once(" is multiplied by "));
     comments.map(|(name, rest)| (name.trim().to_owned(), number(rest.split(':').next().unwrap()))).collect()

@@ -89,7 +89,8 @@ fn rectangle(corner: &[Rational; 2], width: &Rational, height: &Rational) -> Reg
     envelope::intersect(&sides.collect::<System>())
 }
 
-/// On, just below and just above decimals, middles between decimals, doubles, and middles between doubles.
+/// Tries numbers on, just below and just above decimals, middles between decimals, doubles, and middles between
+/// doubles.
 #[test]
 fn next_to_a_boundary_of_rounding_the_digits_are_those_of_the_exact_number() {
     let mut tally = Tally::default();

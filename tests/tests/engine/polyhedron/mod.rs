@@ -1,5 +1,5 @@
-//! What a polyhedron says about itself is true: supports, redundancies, measures and their proofs on generated
-//! systems of half-planes.
+//! The truth of a polyhedron's statements: supports, redundancies, measures and their proofs on generated systems of
+//! half-planes.
 
 mod large;
 mod long_sums;

@@ -32,8 +32,8 @@ fn landmarks(polyhedron: &Polyhedron) -> Vec<Point> {
     points
 }
 
-/// Whether the region has a point with that sign of θ1: one of its vertices has, or it goes on in a direction that
-/// leads there, or it is bounded by a vertical line there.
+/// Returns whether the region has a point with that sign of θ1. One of its vertices has that sign, a direction of the
+/// region leads there, or a vertical line bounds the region there.
 fn reaches(polyhedron: &Polyhedron, branch: Branch) -> bool {
     landmarks(polyhedron).iter().any(|point| is_on(branch, &point.theta1()))
         || recession(polyhedron.region()).iter().any(|d| is_on(branch, &Rational::from(d.dx())))

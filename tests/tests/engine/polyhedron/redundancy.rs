@@ -1,4 +1,4 @@
-//! Which inequalities can be left out, and why.
+//! The inequalities that can be left out, with the reasons.
 
 use boundfit_exact::Rational;
 use boundfit_geometry::{Constraint, Inequality, Polyhedron, Redundancy, Support, envelope};

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use crate::tables::python;
 
-/// How far floats may be off, in units of the number.
+/// The largest error of floats, in units of the number.
 const TOLERANCE: f64 = 1e-9;
 
 fn check(file: &str, [x, y]: [&str; 2], eps: f64) {

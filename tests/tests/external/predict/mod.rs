@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use crate::tables::python;
 
-/// How far floats may be off, in units of the number.
+/// The largest error of floats, in units of the number.
 const TOLERANCE: f64 = 1e-9;
 
 /// The rows of a table of two columns, from `first` to `last`.
@@ -21,7 +21,7 @@ fn rows(file: &str, columns: [usize; 2], first: usize, last: usize) -> Vec<[f64;
     text.lines().skip(first).take(last + 1 - first).map(cells).collect()
 }
 
-/// What scipy makes of these questions.
+/// Returns scipy's answers to these questions.
 fn solved(question: &Value) -> Value {
     let mut command = Command::new(python());
     command.arg(root().join("tests/tests/external/predict/predict.py"));
@@ -77,7 +77,7 @@ fn check(
 fn intervals_and_sources_are_those_of_linear_programs() {
     let transducer = "--x Vz --y z --rows 14..36 --eps 0.5e-3";
     check("fixtures/transducer/transducer.csv", [1, 0], transducer, [14, 36], 0.5e-3, "0.012,0.03,-0.01");
-    // Of Norris the columns are y and x.
+    // The columns of Norris are y and x.
     let text = std::fs::read_to_string(root().join("fixtures/norris/norris.csv")).unwrap();
     let header: Vec<&str> = text.lines().next().unwrap().split(',').collect();
     let column = |name: &str| header.iter().position(|own| *own == name).unwrap();

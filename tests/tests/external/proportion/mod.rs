@@ -1,4 +1,4 @@
-//! What HiGHS, GLPK and CBC write about seven data sets that everybody knows: right answers pass, and answers that are off by a
+//! The output of HiGHS, GLPK and CBC about seven well-known data sets. Right answers pass. Answers that are off by a
 //! known part of the width get the verdict of the manual's table, by a judge that was written from it.
 
 use std::fs;

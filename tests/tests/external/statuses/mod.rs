@@ -14,7 +14,7 @@ const QUESTIONS: [(&str, &str, &str, &str, usize, usize); 3] = [
     ("fixtures/norris/norris.csv", "x", "y", "5", 3, 17),
 ];
 
-/// How far doubles may be off.
+/// The largest error of doubles.
 const TOLERANCE: f64 = 1e-9;
 
 #[test]

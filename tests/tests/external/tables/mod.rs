@@ -1,5 +1,5 @@
-//! Tables as R, statsmodels, vega_datasets, Excel, MATLAB and numpy write them, each fitted by the command that the manual
-//! says: the answer is that of the plain numbers, exactly, and that of linear programs in scipy.
+//! Tables as R, statsmodels, vega_datasets, Excel, MATLAB and numpy write them, each fitted by the command in the
+//! manual. The answer is exactly that of the plain numbers, and that of linear programs in scipy.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use boundfit_tests::cli::{report, words};
 use boundfit_tests::program::root;
 use serde_json::Value;
 
-/// How far an end found by a float solver may be off, in units of the larger end and the width.
+/// The largest error of an end from a float solver, in units of the larger end and the width.
 const TOLERANCE: f64 = 1e-9;
 
 /// Python with the packages that make tables and solve programs, installed on the first run.

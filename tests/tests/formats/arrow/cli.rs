@@ -14,7 +14,7 @@ fn fitted(file: &str, options: &[&str]) -> Value {
     // Another file, other bytes, another hash.
     report["input"]["file"] = Value::Null;
     report["input"]["sha256"] = Value::Null;
-    // What a text was taken for.
+    // The format in which a text was read.
     report["input"]["table"] = Value::Null;
     report
 }

@@ -1,4 +1,4 @@
-//! What is refused, and the words for it.
+//! The refusals, with their words.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -14,7 +14,7 @@ pub static POOLS: LazyLock<Vec<ThreadPool>> = LazyLock::new(|| {
     [1, 2, 8].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build().unwrap()).into()
 });
 
-/// How the reference reads these bytes: what it found, or its message.
+/// Returns the reference's reading of these bytes: its result, or its message.
 pub fn by_reference(
     bytes: &[u8],
     columns: &[ColumnSelector],
@@ -23,7 +23,7 @@ pub fn by_reference(
     reference_table::read(bytes, None, columns, &options.table)
 }
 
-/// How `scan` reads these bytes in the current pool.
+/// Returns the reading of these bytes by `scan` in the current pool.
 pub fn by_scan(bytes: &[u8], columns: &[ColumnSelector], options: &ScanOptions) -> Result<Found, String> {
     let (scanned, batches) = batches(source(bytes), columns, options)?;
     Ok(found(scanned, &batches))

@@ -1,4 +1,4 @@
-//! How the bytes come makes no difference.
+//! The same results for bytes in chunks of any size.
 
 use std::collections::VecDeque;
 use std::io::{self, Read};
@@ -8,7 +8,7 @@ use boundfit_tests::reference_table;
 
 use super::both::{POOLS, batches, by_reference, found};
 
-/// What a reader does when it is called.
+/// An event: the reader's response to a call.
 #[derive(Clone)]
 enum Event {
     /// Gives these bytes, or the first of them if the buffer is smaller.
@@ -68,7 +68,7 @@ fn one_byte_at_a_time_and_interrupted() {
     }
 }
 
-/// What is wrong before the reader fails comes first, then the failure with the line it is in.
+/// The program reports a fault before the reader's failure first, and else the failure with its line.
 #[test]
 fn a_reader_that_fails() {
     for table in TABLES {

@@ -51,7 +51,7 @@ fn number(rng: &mut ChaCha8Rng) -> String {
     }
 }
 
-/// How a table is written, and what has to be said of that.
+/// A table in some dialect, with the options that describe it.
 struct Written {
     bytes: Vec<u8>,
     asked: AskedDialect,

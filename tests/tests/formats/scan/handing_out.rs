@@ -1,4 +1,4 @@
-//! What a scan hands out beside the numbers, and when.
+//! The results that a scan hands out beside the numbers, and the time of each.
 
 use std::io::Cursor;
 use std::sync::Arc;
@@ -84,7 +84,7 @@ fn a_key_is_text() {
     );
 }
 
-/// How a column is kept.
+/// Returns the storage of a column.
 fn column(cells: &str, reading: Reading) -> Column {
     let table = TableOptions { reading, ..TableOptions::default() };
     let options = ScanOptions { table, ..ScanOptions::default() };

@@ -9,7 +9,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::both::{POOLS, by_reference, by_scan};
 
-/// What may go wrong with a table whose numbers all are in quotes.
+/// The oddities of a table whose numbers all are in quotes.
 const ODDITIES: &[&str] = &[
     "\"\"",
     "\" \"",

@@ -160,7 +160,7 @@ pub fn case(rng: &mut ChaCha8Rng) -> Case {
     let columns = if rng.random_bool(0.2) { any_columns(rng) } else { columns_of(rng, width, text_column) };
     let mut options = options(rng, plain);
     let dialect = &mut options.table.dialect;
-    // What blanks separate is another matter.
+    // Fields separated by blanks are another matter.
     if detect(bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(&bytes)).is_none() {
         dialect.delimiter = dialect.delimiter.or(Some(b','));
     }

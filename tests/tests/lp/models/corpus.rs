@@ -41,7 +41,7 @@ fn form(row: &ModelRow, point: &[Rational]) -> Rational {
     row.coefficients.iter().fold(Rational::zero(), |sum, (column, value)| sum + value * &point[*column])
 }
 
-/// What is bounded, with its bounds: rows, then columns.
+/// Returns the bounded quantities with their bounds: rows, then columns.
 fn bounded<'a>(model: &'a Model, point: &[Rational]) -> Vec<(Rational, &'a Bounds)> {
     let rows = model.rows.iter().map(|row| (form(row, point), &row.bounds));
     let columns = model.columns.iter().zip(point).map(|(column, value)| (value.clone(), &column.bounds));

@@ -31,7 +31,7 @@ fn cards(text: &str) -> Vec<(String, Vec<String>)> {
     cards
 }
 
-/// What the lines of a section say, as `(vector, row, number)`.
+/// Returns the entries of a section, as `(vector, row, number)`.
 fn entries(cards: &[(String, Vec<String>)], section: &str) -> Vec<(String, String, Rational)> {
     let lines = cards.iter().filter(|(name, _)| name == section);
     lines

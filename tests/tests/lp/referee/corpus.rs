@@ -46,7 +46,8 @@ fn off_by(exact: &Rational, end: End, error: &Rational) -> Rational {
     if end == End::Upper { exact + error } else { exact - error }
 }
 
-/// By how much the error bounds must grow for a point, from the readings themselves; `None` beside a condition.
+/// Returns the growth of the error bounds that a point needs, from the readings themselves; `None` beside a
+/// condition.
 fn needed(problem: &Problem, theta: &[Rational; 2]) -> Option<Rational> {
     let mut conditions = problem.conditions.iter().flat_map(Condition::inequalities);
     if conditions.any(|inequality| inequality.slack(theta).is_negative()) {

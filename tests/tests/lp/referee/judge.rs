@@ -79,7 +79,7 @@ impl<'a> Judge<'a> {
                 expected.verdict = Verdict::InvertedInterval;
             }
             let place = || format!("{axis} {end:?} {claim:?}: {judgement:?} of {:?}", self.rows);
-            // What proves a finding is not unique: it is checked, not compared.
+            // A finding may have several proofs: the test checks the proof and does not compare it.
             let Judgement { witness, proof, repairable, .. } = judgement.clone();
             let plain = Judgement { witness: None, proof: None, repairable: None, ..judgement.clone() };
             let wanted_witness = expected.witness.take().is_some();
@@ -111,7 +111,8 @@ impl<'a> Judge<'a> {
         Some(second_judge::judge_end(&said(claimed), &truth, end == End::Upper))
     }
 
-    /// What is said of duals that are not one for each row, or of the first one that is negative beyond noise.
+    /// Returns the expected remark about duals that are not one for each row, or about the first one that is negative
+    /// beyond noise.
     fn about_duals(&self, duals: &[f64]) -> Option<String> {
         let rows = self.rows.len();
         if duals.len() != rows {
@@ -171,7 +172,7 @@ impl<'a> Judge<'a> {
                     Some(digits) => RoundedTo::Digits(digits),
                 });
                 if found.verdict == Verdict::Unsafe {
-                    // Which point it is does not matter here.
+                    // The choice of the point does not matter here.
                     found.witness = Some([exact.clone(), exact.clone()]);
                 }
                 found.excess_in_ulps = ulp(exact).and_then(|ulp| outward.checked_div(&ulp));
@@ -189,7 +190,7 @@ impl<'a> Judge<'a> {
         found
     }
 
-    /// What errors of an end are compared with.
+    /// Returns the unit with which errors of an end are compared.
     fn unit(&self, axis: usize, exact: &Rational) -> Option<(Rational, ToleranceUnit)> {
         let width = self.width(axis).map(|width| (width, ToleranceUnit::Width));
         let value = Some((exact.abs(), ToleranceUnit::Value));
@@ -233,7 +234,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Whether rounding or the tolerance excuses what a point violates.
+    /// Returns whether rounding or the tolerance excuses a point's violations.
     pub fn excuses(&self, point: &[Said; 2]) -> bool {
         let is_excused = |RefereeRow { row, epsilon }: &RefereeRow| {
             second_judge::is_excused(&row.a, &row.b, epsilon.as_ref(), point, self.tolerance)
@@ -246,7 +247,7 @@ impl<'a> Judge<'a> {
         self.rows.iter().all(|row| holds(&row.row))
     }
 
-    /// Whether a proof shows that a claim is wrong.
+    /// Returns whether a proof shows that a claim is wrong.
     fn holds(&self, axis: usize, end: End, claimed: &Claimed, proof: &Refutation) -> bool {
         let form = form(axis, end);
         let product = |u: &[Rational; 2], v: &[Rational; 2]| &u[0] * &v[0] + &u[1] * &v[1];
@@ -279,7 +280,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Whether the two rows with the largest duals alone already bound the end where it is.
+    /// Returns whether the two rows with the largest duals alone already bound the end where it is.
     fn repairable(&self, axis: usize, end: End, claim: &BoundClaim) -> Option<bool> {
         let duals = claim.duals.as_ref().filter(|duals| duals.len() == self.rows.len())?;
         let Truth::At(exact) = self.truth(axis, end) else { return None };
@@ -305,7 +306,7 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// What is largest at an end: θ at the upper one, -θ at the lower one.
+/// Returns the form that is largest at an end: θ at the upper one, -θ at the lower one.
 pub fn form(axis: usize, end: End) -> [Rational; 2] {
     let sign = if end == End::Upper { Rational::one() } else { -Rational::one() };
     [0, 1].map(|i| if i == axis { sign.clone() } else { Rational::zero() })

@@ -1,5 +1,5 @@
-//! Claims as people and programs print them, off by known parts of the width: the referee and the second judge, which was
-//! written from the table of the manual alone, name the same verdict for each.
+//! Claims as people and programs print them, off by known parts of the width. The referee and the second judge, which
+//! was written from the manual's table alone, name the same verdict for each.
 
 use boundfit_check::{Answer, ClaimLimits, ClaimText, ProgramRows, parse_claim_pui, read_claims};
 use boundfit_estimation::Problem;
@@ -15,7 +15,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::judge::{Judge, Truth};
 
-/// From best to worst, as in the table.
+/// The verdicts from best to worst, as in the table.
 const ORDER: [&str; 8] = [
     "exact",
     "rounded",

@@ -180,7 +180,7 @@ fn vertices_stand_at_their_numbers() {
     let mut checked = 0;
     for (status, fit) in fits() {
         let text = svg(&format!("{fit} --figure fps --real-text"), status);
-        // What is taken out of tick labels is written beside the axis.
+        // A factor taken out of tick labels is written beside the axis.
         if !text.contains("Feasible parameter set: polygon") || text.contains("×10") || text.contains("\n+")
         {
             continue;

@@ -43,7 +43,7 @@ pub fn plot(line: &str) -> Output {
     Command::new(binary()).arg("plot").args(line.split_whitespace()).current_dir(root()).output().unwrap()
 }
 
-/// What a run that must end with this status, and say nothing else, writes to standard output.
+/// Returns the standard output of a run that must end with this status, and write nothing else.
 pub fn picture(line: &str, status: i32) -> Vec<u8> {
     let output = plot(line);
     let stderr = String::from_utf8_lossy(&output.stderr);

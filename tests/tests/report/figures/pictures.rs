@@ -1,4 +1,4 @@
-//! What holds for every picture.
+//! The properties of every picture.
 
 use std::fs;
 
@@ -146,7 +146,7 @@ fn all_figures_go_into_a_folder() {
     let line = format!("{TRANSDUCER} --figure all -o {}", inside.display());
     assert_eq!(picture(&line, 0), b"");
     assert_eq!(picture(&format!("{line} --format png"), 0), b"");
-    // Those of a fit alone.
+    // The figures of a fit alone.
     for figure in &FIGURES[..6] {
         let expected = root().join(format!("fixtures/figures/transducer-{figure}.svg"));
         assert_eq!(fs::read(inside.join(format!("{figure}.svg"))).unwrap(), fs::read(expected).unwrap());

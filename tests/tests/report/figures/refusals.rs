@@ -1,4 +1,4 @@
-//! What is not drawn, and why not.
+//! The figures that are refused, with the reasons.
 
 use std::fs;
 

@@ -24,7 +24,7 @@ use crate::output::{self, Guard, Output};
 use crate::progress::while_working;
 use crate::work::{refuse_long_outliers, refuse_long_problem, times};
 
-/// Where pictures go.
+/// The destination of pictures.
 enum Destination<'a> {
     /// One picture to a file, or to standard output.
     One(Figure, Option<&'a str>),
@@ -104,7 +104,7 @@ impl Job<'_> {
         Ok(if is_empty { Exit::Empty } else { Exit::Answer })
     }
 
-    /// What is left without outliers.
+    /// Draws the set that remains without outliers.
     fn run_with_outliers(&self) -> CommandResult {
         let problem = problem(self.arguments, 1)?;
         let (file, table) = (self.arguments.data.file_name(), &self.arguments.data.table);
@@ -219,10 +219,10 @@ fn refuse_of_other_figures(arguments: &PlotArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What draws a figure of errors in x.
+/// The function that draws a figure of errors in x.
 type DrawXErrors = fn(&XErrorProblem, &XErrorFit, &PlotOptions) -> Result<Picture, FigureError>;
 
-/// What draws this figure with errors in x.
+/// Returns the function that draws this figure with errors in x.
 fn x_error_figure(figures: Figures) -> Result<DrawXErrors, Failure> {
     let name = match figures {
         Figures::One(Figure::Data) => return Ok(draw_boxes),
@@ -240,7 +240,7 @@ fn options(arguments: &PlotArguments, problem: &Problem) -> PlotOptions {
     plain_options(arguments, [x_unit, y_unit])
 }
 
-/// How to draw with these units of x and y.
+/// Returns the options for drawing with these units of x and y.
 fn plain_options(arguments: &PlotArguments, [x_unit, y_unit]: [Option<Foreign>; 2]) -> PlotOptions {
     PlotOptions {
         x_unit,
@@ -252,7 +252,7 @@ fn plain_options(arguments: &PlotArguments, [x_unit, y_unit]: [Option<Foreign>; 
     }
 }
 
-/// What goes where, and in which format.
+/// Returns the destination of each picture, and its format.
 fn destination(arguments: &PlotArguments) -> Result<(Destination<'_>, PictureFormat), Failure> {
     let file = arguments.output.as_deref().filter(|file| *file != "-");
     let asked = arguments.format;

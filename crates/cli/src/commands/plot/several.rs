@@ -21,13 +21,13 @@ use crate::work::{refuse_long_problem, times};
 
 /// Several fits.
 pub(super) enum Several {
-    /// Of files, error bounds or both.
+    /// A comparison of files, error bounds or both.
     Compared(Compared),
-    /// Of groups of rows.
+    /// A comparison of groups of rows.
     Groups(Compared),
 }
 
-/// What is to be drawn of several fits, where there are such.
+/// Returns the figure of several fits, if the options ask for one.
 pub(super) fn asked(arguments: &PlotArguments) -> Result<Option<Several>, Failure> {
     let (files, bounds) = (arguments.files().count(), arguments.data.bounds().len().max(1));
     let subject = match (&arguments.by, files, bounds) {
@@ -86,7 +86,7 @@ fn series(all: &[Named]) -> Vec<Series<'_>> {
         .collect()
 }
 
-/// How to draw; units that no option states are those of each file.
+/// Returns the options for drawing; units that no option states come from each file.
 fn options(arguments: &PlotArguments) -> PlotOptions {
     let labels = &arguments.labels;
     plain_options(arguments, [labels.x_unit.clone(), labels.y_unit.clone()])
@@ -134,7 +134,7 @@ fn parts(arguments: &PlotArguments) -> Vec<(String, DataArguments)> {
     parts
 }
 
-/// What files are called: by their names alone where these differ, else by their paths, but for the folders that all are in.
+/// Returns the names of files: their names alone where these differ, else their paths without the common folders.
 fn names(files: &[&str]) -> Vec<String> {
     let stem = |file: &&str| Path::new(file).file_stem().and_then(|stem| stem.to_str()).map(str::to_owned);
     let stems: Vec<Option<String>> = files.iter().map(stem).collect();

@@ -1,11 +1,12 @@
 //! The two hulls of a few readings on integers, and what of a line's FPS follows from them without its vertices.
 //!
-//! A line is in the FPS when it passes above all readings lowered by ε and below all raised by ε: above the upper hull of the
-//! former, and below the lower hull of the latter. Where some line does so with room to spare, exactly two lines touch both hulls:
-//! the steepest one, which touches the upper hull on the left, and the flattest one, which touches it on the right. Their slopes
-//! are the ends of θ1. The largest value at 0 is that of the lower hull where the flattest line touches it left of 0 and the
-//! steepest right of 0; otherwise that of the one of the two whose touching point lies between 0 and where it touches the other
-//! hull (linear programming duality).
+//! A line is in the FPS when it passes above all readings lowered by ε and below all readings raised by ε. So it
+//! passes above the upper hull of the lowered readings and below the lower hull of the raised ones. Where some line
+//! has room to spare, exactly two lines touch both hulls. The steepest touches the upper hull on the left, and the
+//! flattest touches it on the right. Their slopes are the ends of θ1. By linear programming duality, the largest
+//! value at 0 is the lower hull's value if the flattest line touches it left of 0 and the steepest right of 0.
+//! Otherwise it belongs to the tangent line whose contact with the lower hull lies between 0 and its contact with the
+//! upper hull.
 
 use std::cmp::Ordering;
 
@@ -41,7 +42,7 @@ impl Chains {
         }
         let mut chains = Chains { lower: Vec::new(), upper: Vec::new() };
         for &site in sorted {
-            // Of several at one x the lowest comes first, and the highest last.
+            // Among several sites at one x the lowest comes first, and the highest last.
             if chains.lower.last().is_none_or(|last| last.0 < site.0) {
                 push(&mut chains.lower, site, Ordering::Less);
             }
@@ -99,25 +100,25 @@ impl Chains {
         Ends { lower: [slope(flattest), lowest], upper: [slope(steepest), highest] }
     }
 
-    /// The steepest line above the upper and below the lower hull, as the corners of each, in this order, that it touches: of
-    /// the lines through a corner of each, the former left of the latter, it is the flattest.
+    /// Returns the steepest line above the upper and below the lower hull, as the corner of each that it touches. It
+    /// is the flattest line through a corner of the upper hull and, right of it, one of the lower hull.
     fn steepest(&self) -> (usize, usize) {
         tangent(&self.upper, &self.lower, Ordering::Less)
     }
 
-    /// The flattest line above the upper and below the lower hull, as the corners of each, in this order, that it touches: of
-    /// the lines through a corner of each, the former right of the latter, it is the steepest.
+    /// Returns the flattest line above the upper and below the lower hull, as the corner of each that it touches. It
+    /// is the steepest line through a corner of the lower hull and, right of it, one of the upper hull.
     fn flattest(&self) -> (usize, usize) {
         let (of_lower, of_upper) = tangent(&self.lower, &self.upper, Ordering::Greater);
         (of_upper, of_lower)
     }
 }
 
-/// Of the lines through a corner of one chain and, right of it, one of another, that whose slope is the least (`Less`) or the
-/// largest, as these corners.
+/// Returns the line of least (`Less`) or largest slope through a corner of one chain and a corner of another to its
+/// right, as these corners.
 ///
-/// One that is so among those through either of its corners leaves no corner of a hull on the wrong side: those beyond the
-/// other's corner lie on the side of a line that keeps clear of both.
+/// A line that is extreme among the lines through either of its corners leaves no corner of a hull on the wrong side.
+/// Corners beyond the other's corner lie on the side of a line that keeps clear of both.
 fn tangent(lefts: &[Site], rights: &[Site], wanted: Ordering) -> (usize, usize) {
     let (mut left, mut right) = (0, rights.len() - 1);
     loop {
@@ -181,7 +182,7 @@ fn long_product([left, right]: [i128; 2]) -> (u128, u128) {
     (a * c + (middle >> 64), middle << 64 | (low & u128::from(u64::MAX)))
 }
 
-/// By how much a site is above the line through two others, or above the one that both are.
+/// Returns the height of a site above the line through two others, or above the single site if both are the same.
 fn distance(site: Site, [left, right]: [Site; 2]) -> Quotient {
     let run = right.0 - left.0;
     if run == 0 {

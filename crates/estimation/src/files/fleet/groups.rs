@@ -1,11 +1,11 @@
-//! Which rows belong to which group.
+//! The rows of each group.
 
 use std::ops::Range;
 
 /// The rows of each group, ascending.
 #[derive(Debug, Clone)]
 pub(super) struct Groups {
-    /// Where the rows of each group start in the order of groups, and where the last ones end.
+    /// The start of each group's rows in the order of groups, and the end of the last.
     starts: Vec<u32>,
     /// The rows in the order of groups; `None` when they already are.
     order: Option<Vec<u32>>,

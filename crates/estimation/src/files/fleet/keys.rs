@@ -9,7 +9,7 @@ use hashbrown::{DefaultHashBuilder, HashTable};
 pub(super) struct Keys {
     /// All texts, one after the other.
     text: String,
-    /// Where each text ends.
+    /// The end of each text.
     ends: Vec<usize>,
     /// The numbers of the texts, by their hashes.
     numbers: HashTable<u32>,

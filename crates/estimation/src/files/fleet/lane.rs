@@ -1,5 +1,5 @@
-//! The lines of groups whose readings are integers on powers of ten, as those of most files are: from the two hulls alone, without
-//! half-planes, vertices, proofs or a fraction for each number.
+//! The lines of groups whose readings are integers on powers of ten, as in most files. They follow from the two hulls
+//! alone, without half-planes, vertices, proofs or a fraction for each number.
 
 use boundfit_exact::{Endpoint, Integer, Interval, Rational, WideProducts};
 use boundfit_geometry::RegionKind;
@@ -20,8 +20,8 @@ const MOST_EXPONENT: u32 = 60;
 /// The most digits by which the unit of y is refined for the error bound.
 const MOST_REFINED: u32 = 18;
 
-/// Returns what a line says of a group of readings (x, y) of a line under a uniform error bound, but for its rows; `None` unless its FPS is
-/// a polygon, and for numbers that are too long. Exact. Cost: O(N log N).
+/// Returns the line of a report about a group of readings (x, y) under a uniform error bound, except its rows.
+/// Returns `None` unless the FPS is a polygon, and for numbers that are too long. Exact. Cost: O(N log N).
 pub(super) fn group_fit(x: &Counts, y: &Counts, epsilon: &Rational) -> Option<GroupFit> {
     if x.exponent.unsigned_abs().max(y.exponent.unsigned_abs()) > MOST_EXPONENT {
         return None;

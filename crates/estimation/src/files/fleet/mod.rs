@@ -1,7 +1,7 @@
 //! Fleets: the readings of many sensors in one table, each sensor fitted on its own.
 //!
-//! The table is read once. A number takes eight bytes where the text allows it, a row one column of numbers each and the
-//! number of its group; the rows of a group need not be neighbours and are gathered by counting.
+//! The table is read once. A number takes eight bytes where the text allows it. A row takes one number in each column
+//! and the number of its group. The rows of a group need not be neighbours: counting gathers them.
 
 mod chains;
 mod groups;
@@ -32,9 +32,9 @@ use groups::Groups;
 use keys::Keys;
 pub(super) use lane::Counts;
 
-/// How many groups one piece of work has.
+/// The number of groups in one piece of work.
 const GROUPS_PER_PIECE: usize = 64;
-/// How many pieces are computed while those before are taken: enough for many threads, few enough to hold.
+/// The number of pieces that are computed ahead: enough for many threads, few enough to hold in memory.
 const PIECES_PER_BLOCK: usize = 32;
 
 /// Readings with a text that says to which group each belongs. Groups are numbered from 0 in the order in which they
@@ -46,7 +46,7 @@ pub struct Fleet {
     groups: Groups,
     /// x or φ1 and φ2, then y, then the error bounds that are a column.
     columns: Vec<Series>,
-    /// Which rows of the file these are.
+    /// The numbers of these rows in the file.
     rows: RowNumbers,
     /// Other rows, of which many are equal: the number of the group, and then as the columns.
     counted: CountedRows,
@@ -56,9 +56,9 @@ pub struct Fleet {
 }
 
 impl Fleet {
-    /// Reads the columns of a table. Rows with the same text in the column `by`, spaces and tabs around it aside, are a
-    /// group. What `options` say about keys is not looked at. Exact. Cost: one pass, on the threads of the current rayon
-    /// pool; 8 bytes of memory per number and 4 to 8 per row.
+    /// Reads the columns of a table. Rows with the same text in the column `by`, spaces and tabs around it aside, are
+    /// a group. Ignores the option of `options` about keys. Exact. Cost: one pass, on the threads of the current
+    /// rayon pool; 8 bytes of memory per number and 4 to 8 per row.
     ///
     /// # Errors
     /// The first thing wrong with the file, a negative error bound included; more than 2³² - 1 rows.
@@ -138,8 +138,9 @@ impl Fleet {
         Foreign::of(self.keys.get(group))
     }
 
-    /// The readings of a group in the order of the file: of a group of more than [`Keep::MOST_ROWS`] equal ones once where many are
-    /// equal, and of a line under one bound else those that support a hull.
+    /// Returns the readings of a group in the order of the file. A group of more than [`Keep::MOST_ROWS`] readings
+    /// keeps equal readings once where many are equal. Otherwise a line under one bound keeps the readings that
+    /// support a hull.
     ///
     /// # Panics
     /// When there are not that many groups.
@@ -237,9 +238,9 @@ impl Fleet {
         Measurements::of_readings(meaning, Readings::Supporting { rows, ties, reduction })
     }
 
-    /// Returns what a line says of a group under no conditions: [`GroupFit::of`] its fit. `None` where only the fit tells: unless the model
-    /// is a line with an intercept, the numbers are decimals of usual lengths, the error bound is one for all readings and their
-    /// FPS is a polygon. Exact. Cost: O(N log N), a tenth of that of the fit.
+    /// Returns what a line says of a group under no conditions: [`GroupFit::of`] its fit. Returns `None` where only
+    /// the fit can answer. The short way needs a line with an intercept, decimals of usual lengths, one error bound
+    /// for all readings, and an FPS that is a polygon. Exact. Cost: O(N log N), a tenth of that of the fit.
     ///
     /// # Panics
     /// When there are not that many groups.
@@ -274,9 +275,9 @@ impl Fleet {
         Some(GroupFit { first_row, ..line })
     }
 
-    /// Calls `work` for consecutive groups, on the threads of the current rayon pool and in any order, and `take` with
-    /// what it made of them, in order. Which groups go together is the same for any number of threads. Holds what a few
-    /// thousand groups make.
+    /// Calls `work` for consecutive groups, on the threads of the current rayon pool and in any order, and `take`
+    /// with what it made of them, in order. The partition into pieces is the same for any number of threads. Holds
+    /// what a few thousand groups make.
     ///
     /// # Errors
     /// The first error of `take`, after which nothing more is computed.
@@ -366,7 +367,7 @@ impl Store {
     }
 }
 
-/// Of so many rows at least all but one have to be equal to others, for it to be worth the while to count them.
+/// The divisor of the number of rows: counting equal rows pays if there are at most this part of different rows.
 const FEWEST_EQUAL: usize = 4;
 
 /// The rows of a batch.

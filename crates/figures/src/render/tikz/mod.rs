@@ -1,6 +1,6 @@
-//! A figure as source for LaTeX's TikZ: what it looks like is written once, above, as styles that people change; what stands
-//! where is written below, on the page in pixels to the right and down, in a panel in fractions of its axes. Axes are those of
-//! the other formats: pgfplots computes in floats of few digits, and would draw a view of width 1e-12 beside 1e6 as a point.
+//! A figure as source for LaTeX's TikZ. Styles that people change stand once, above. The figure follows below: on the
+//! page in pixels to the right and down, in a panel in fractions of its axes. Axes are those of the other formats:
+//! pgfplots computes in floats of few digits, and would draw a view of width 1e-12 beside 1e6 as a point.
 
 mod path;
 mod styles;
@@ -61,7 +61,7 @@ pub(crate) fn source(drawing: &Drawing, look: &Look, is_document: bool) -> Resul
     Ok(text)
 }
 
-/// What stands where, the styles that it is written in, and the size of the picture in points.
+/// Returns the source of the figure, the styles that it uses, and the size of the picture in points.
 fn written(drawing: &Drawing, look: &Look) -> CanvasResult<(String, Styles, [f64; 2])> {
     let words = measured(drawing, look.page)?;
     let points = POINTS * look.page.scale;
@@ -163,7 +163,7 @@ impl Writer {
         self.paths.node(&format!("{style}, anchor={anchor}"), &path::at(*at), &tex::text(text));
     }
 
-    /// What is drawn on a panel, and its frame.
+    /// Writes the content of a panel, and its frame.
     fn panel(&mut self, panel: &Panel, frame: Frame) {
         let bottom = path::at([frame.left, frame.top + frame.height]);
         let [width, height] = [frame.width, frame.height].map(|length| path::number(length * self.points));

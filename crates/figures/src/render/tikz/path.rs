@@ -61,7 +61,7 @@ impl Paths {
         self.part(&format!("\\path[{style}]"), &(joined(points, " -- ") + end), true);
     }
 
-    /// A filled area. Those that let others shine through are paths of their own, or would be one area where they overlap.
+    /// A filled area. Translucent areas are paths of their own; otherwise they would be one area where they overlap.
     pub(super) fn fill(&mut self, style: &str, points: &[String], is_opaque: bool) {
         self.part(&format!("\\path[{style}]"), &(joined(points, " -- ") + " -- cycle"), is_opaque);
     }

@@ -6,7 +6,7 @@ use super::path::number;
 use crate::drawing::LegendEntry;
 use crate::palette::{Colour, Fill, Stroke};
 
-/// From the size of letters to the distance of lines, of which there is one.
+/// The ratio of the distance of lines, of which there is one, to the size of letters.
 const LEADING: f64 = 1.2;
 
 /// The styles of a figure so far, each kind in the order in which it was asked for.
@@ -97,7 +97,7 @@ impl Styles {
     }
 }
 
-/// What the legend says of a style, as a comment.
+/// Returns the legend's text about a style, as a comment.
 fn meaning(legend: &[LegendEntry], is_of: impl Fn(&LegendEntry) -> bool) -> String {
     let entry = legend.iter().find(|entry| is_of(entry));
     entry.map(|entry| format!(" % {}", entry.text.replace(['\n', '\r'], " "))).unwrap_or_default()

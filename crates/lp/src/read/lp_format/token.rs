@@ -126,7 +126,7 @@ impl<'a> Iterator for Pieces<'a> {
         let first = rest.chars().next()?;
         let begins = |text: &str| rest.starts_with(text);
         let (kind, length) = match first {
-            // What follows is a comment.
+            // A comment follows.
             '\\' => return None,
             '-' if begins("->") => (Kind::Arrow, 2),
             '+' => (Kind::Plus, 1),

@@ -14,8 +14,8 @@ use program::Program;
 use record::{Layout, Record, has_fields_with_blanks};
 use section::{Section, is_comment, is_marker};
 
-/// Reads either form. A file is fixed if its lines of data are in the columns of that form, names in it contain blanks, and
-/// it can be read so; what can be read either way with different meanings is refused.
+/// Reads either form. A file is fixed if its lines of data are in the columns of that form, names in it contain
+/// blanks, and it can be read so. A file that can be read either way with different meanings is refused.
 pub(super) fn read(text: &str, limits: &ModelLimits) -> Result<Model, ModelError> {
     let free = read_as(text, Layout::Free, limits);
     if !has_fields_with_blanks(text, limits) {

@@ -1,4 +1,4 @@
-//! What the readers make of texts, and what they say about those that they refuse.
+//! The results of the readers, and their messages about refused texts.
 
 mod lp_format;
 mod mps;

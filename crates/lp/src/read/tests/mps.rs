@@ -113,7 +113,7 @@ fn the_frame_of_a_file_may_vary() {
     assert_eq!(read(&PLAIN.replace(" x r2 1", " x r2 0"), MPS).rows[1].coefficients, []);
 }
 
-/// In the columns of the fixed format, with blanks in all names.
+/// A model in the columns of the fixed format, with blanks in all names.
 const FIXED: &str = "\
 NAME          a model
 ROWS
