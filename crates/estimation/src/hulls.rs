@@ -80,11 +80,8 @@ impl Extremes {
         Extremes::of_touching(touching(points, usize::MAX))
     }
 
-<<<<<<< HEAD
-    /// For numbers of any size. Those of few digits, as 1.25e300, are machine integers on a unit of their own.
-=======
-    /// Finds the extremes of numbers of any size.
->>>>>>> words3
+    /// Finds the extremes of numbers of any size. Those of few digits, as 1.25e300, are machine integers on a unit of their
+    /// own.
     pub(crate) fn in_general(rows: &[Measurement]) -> Self {
         let x = multiples(rows.iter().map(|row| &row.regressor[0]));
         if let Some((x, y)) = x.zip(multiples(rows.iter().map(|row| row.y_and_epsilon().0))) {
