@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds boundfit_wasm.wasm.gz, page.wasm.gz and the JavaScript that goes with both from source, into crates/lesson/engine, where the
-# lesson takes them from, or into the folder that is named. The page's module answers no question, and every page has it inside.
+# lesson takes them from, or into the folder that is named. The page's module answers fit alone, and every page has it inside.
 #
 # The standard library for WebAssembly is compiled too, from Debian's sources of it, so that nothing is downloaded but packages and
 # crates: Debian's compiler for browsers (rustc-web, and rust-web-src of the same version), the linker of the usual toolchain, and

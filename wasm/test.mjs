@@ -505,7 +505,7 @@ test("without a name the question is a fit, with errors of x or without", () => 
   assert.throws(() => run(table, { ...asked, sweep: "1..2", row_numbers: [[5, 7]] }), /^Error: row_numbers: sweep is about the rows of a table/);
 });
 
-test("the module of a page has every lesson, and answers no question", async () => {
+test("the module of a page has every lesson, and answers fit alone", async () => {
   const folder = mkdtempSync(join(tmpdir(), "boundfit-"));
   try {
     // Scripts in another folder start a module of their own.
@@ -517,9 +517,10 @@ test("the module of a page has every lesson, and answers no question", async () 
       if (isLeftOut(args[0])) continue;
       const [table, options] = [readFileSync(join(fixtures, args[0])), optionsOf(ofReadings(args))];
       assert.deepEqual(said(() => page.lesson(table, options)), said(() => lesson(table, options)), line);
+      if (!("x_eps" in options)) assert.deepEqual(said(() => page.run(table, options)), said(() => run(table, options)), line);
     }
-    const question = { x: "x", y: "y", eps: "1" };
-    assert.throws(() => page.run("x,y\n1,2\n", question), { message: "this is the module of a page, which answers no question" });
+    const question = { ask: "range", x: "x", y: "y", eps: "1" };
+    assert.throws(() => page.run("x,y\n1,2\n", question), { message: "range: the module of a page answers fit alone" });
   } finally {
     rmSync(folder, { recursive: true });
   }

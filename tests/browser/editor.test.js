@@ -525,7 +525,7 @@ test("readings that are too many for an address: the page says so", async () => 
   });
   await page.waitForTimeout(1500);
   await page.locator("#export summary").click();
-  assert.match(await page.locator("#link-note").textContent(), /too many for an address/);
+  assert.match(await page.locator("#link-note").textContent(), /too many readings for a link/);
   assert.ok(!page.url().includes("#readings"));
   assert.deepEqual(complaints, []);
   await close();

@@ -111,7 +111,7 @@ test("the live region says what changed, in the language of the page", async () 
   assert.match(await status(), /^ε = 0,00039444\. Hier entsteht die Menge/);
   await page.locator("#tab-leave-one-out").click();
   await page.locator("#leave-out").selectOption("34");
-  assert.match(await status(), /^Messung 34 ist ausgeschaltet\. Die Menge ist jetzt ein Vieleck/);
+  assert.match(await status(), /^Messung 34 ist ausgeschaltet\. Die Menge ist jetzt ein Polygon mit/);
   await page.locator("#layer-pui-box").check();
   assert.equal(await status(), "1 Ebene eingeblendet.");
   assert.deepEqual(complaints, []);

@@ -14,10 +14,6 @@ use crate::refusal::Refusal;
 
 /// An answer of the program, or what is wrong.
 pub(crate) fn run(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
-    // Unreachable code is left out of the module; both modules have the same names, and one script of JavaScript.
-    if cfg!(not(feature = "questions")) {
-        return Err("this is the module of a page, which answers no question".to_owned().into());
-    }
     let options = Options::parse(options)?;
     options.refuse_words_of_page()?;
     let (form, style, request) = (options.form()?, options.style()?, options.request()?);
@@ -28,7 +24,13 @@ pub(crate) fn run(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
     if options.numbering()?.is_some() {
         return numbered(&request, &asked, source, &options, form, &Paper { origin, style });
     }
-    Ok(request.answer(&asked, source, form, Some(origin), &style).map_err(refused)?.text)
+    // Unreachable code is left out of the module; both modules have the same names, and one script of JavaScript.
+    let answer = match &request {
+        _ if cfg!(feature = "questions") => request.answer(&asked, source, form, Some(origin), &style),
+        Request::Fit(fit) => ask::ask(fit, &asked, source, form, Some(origin), &style),
+        other => return Err(format!("{}: the module of a page answers fit alone", other.name()).into()),
+    };
+    Ok(answer.map_err(refused)?.text)
 }
 
 /// The fit of readings whose rows have numbers of their own.

@@ -79,7 +79,7 @@ pub use readings::{
     range_of_limit, resolve_limits, take_key,
 };
 pub use refusal::{Refusal, ValueProblem};
-pub use request::{Answer, Request};
+pub use request::{Answer, Request, ask};
 pub use status::{Judgeable, Judgement, Status};
 pub use surface::Surface;
 pub use tables::{Files, Held, Tables};

@@ -30,8 +30,11 @@ pub struct Answer {
     pub written: Written,
 }
 
-/// Goes from a table to the text of an answer.
-fn ask<Q: Ask>(
+/// Goes from a table to the text of an answer of one kind of question, as [`Request::answer`] does of every kind.
+///
+/// # Errors
+/// Why there is none.
+pub fn ask<Q: Ask>(
     question: &Q,
     asked: &Asked,
     source: Source,

@@ -15,7 +15,7 @@ mod with_engine {
     /// Further permissions of the page: compile WebAssembly, and start Workers from a script of its own.
     pub(crate) const POLICY: &str = " 'wasm-unsafe-eval'; worker-src blob:";
 
-    /// The module that answers no question but the page's own, packed by gzip.
+    /// The module that answers the page's own questions and the fit alone, packed by gzip.
     const MODULE: &[u8] = include_bytes!("../engine/page.wasm.gz");
     /// The code that wasm-bindgen writes to go with the module.
     const BINDINGS: &str = include_str!("../engine/boundfit_wasm.mjs");
