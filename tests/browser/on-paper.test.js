@@ -54,7 +54,7 @@ test("without scripts the page has the numbers and the words of the one with scr
     for (const selector of ["#introduction", "footer"])
       assert.deepEqual(await texts(still.page, selector), await texts(lively.page, selector), `${language}: ${selector}`);
     const [data, set] = await texts(still.page, "noscript svg");
-    for (const name of ["Vz (V)", "z (m)"]) assert.ok(data.includes(name), `${language}: ${name}`);
+    for (const name of ["Vz [V]", "z [m]"]) assert.ok(data.includes(name), `${language}: ${name}`);
     for (const name of ["θ₁", "θ₂"]) assert.ok(set.includes(name), `${language}: ${name}`);
     await still.close();
     await lively.close();
