@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use boundfit_ask::{Misuse, Refusal, Surface};
+use boundfit_ask::{Refusal, Surface};
 use boundfit_check::ClaimFileError;
 use boundfit_exact::{Foreign, Limit};
 use boundfit_formats::{InputError, Setting, Way};
@@ -88,18 +88,12 @@ impl Surface for Options {
 
     fn value(&self, key: &str, text: &str) -> String {
         // As the help shows it.
-        let placeholder = match key {
-            "window" | "step" => "N",
-            "through" => "X,Y",
-            "sweep" => "FROM..TO",
-            "at" => "X,...|FILE:COL",
-            "from" => "Y,...|FILE:COL",
-            "grid" => "FROM..TO/N",
-            "within" => "LO..HI",
-            "goal" => "GOAL",
-            _ => "NUM",
-        };
-        value(&format!("--{} <{placeholder}>", key.replace('_', "-")), text)
+        let (option, command) = (key.replace('_', "-"), crate::command());
+        let arguments = command.get_subcommands().flat_map(clap::Command::get_arguments);
+        let own = arguments.filter(|argument| argument.get_long() == Some(&option));
+        let placeholder = own.filter_map(clap::Arg::get_value_names).flatten().next();
+        let placeholder = placeholder.map_or("NUM", |name| name.as_str());
+        value(&format!("--{option} <{placeholder}>"), text)
     }
 
     fn way(&self, way: &Way) -> String {
@@ -127,12 +121,6 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
-    /// What is wrong.
-    pub(crate) fn message(&self) -> &str {
-        let (Failure::Data(message) | Failure::Usage(message)) = self;
-        message
-    }
-
     /// Bad data or input/output.
     pub(crate) fn data(problem: impl Display) -> Self {
         Failure::Data(problem.to_string())
@@ -163,9 +151,9 @@ impl Failure {
         }
     }
 
-    /// What excludes or needs each other.
-    pub(crate) fn misuse(misuse: Misuse) -> Self {
-        Failure::Usage(Refusal::Misuse(misuse).words(&Options))
+    /// What is wrong with options, whatever the data.
+    pub(crate) fn misused(refusal: Refusal) -> Self {
+        Failure::Usage(refusal.words(&Options))
     }
 
     /// A bad value of an option.

@@ -40,7 +40,7 @@ fn options_that_say_nothing_sensible() {
         (
             "--x Vz --y z --eps 1,5".to_owned(),
             "invalid value '1,5' for '--eps <NUM>': not a number: unexpected ',' (the decimal mark is a point) at character 2 \
-             (options take a point, whatever the data have: 1.5, not 1,5)"
+             (a point comes before decimals, whatever the data have: 1.5, not 1,5)"
                 .to_owned(),
         ),
         ("--x Vz --y z --eps nan".to_owned(), eps("nan", "not a finite number at character 1")),
