@@ -88,12 +88,26 @@ impl Surface for Options {
 
     fn value(&self, key: &str, text: &str) -> String {
         // As the help shows it.
-        let (option, command) = (key.replace('_', "-"), crate::command());
-        let arguments = command.get_subcommands().flat_map(clap::Command::get_arguments);
-        let own = arguments.filter(|argument| argument.get_long() == Some(&option));
-        let placeholder = own.filter_map(clap::Arg::get_value_names).flatten().next();
-        let placeholder = placeholder.map_or("NUM", |name| name.as_str());
-        value(&format!("--{option} <{placeholder}>"), text)
+        let placeholder = match key {
+            "x" | "y" | "eps_column" | "lower" | "upper" | "x_eps_column" => "COL",
+            "x_eps" => "NUM|COL",
+            "where" => "CONDITION",
+            "rows" | "without" => "ROWS",
+            "where_row" => "COMPARISON",
+            "encoding" => "NAME",
+            "thousands" | "comment" => "MARK",
+            "block" => "N|NAME",
+            "window" | "step" => "N",
+            "through" => "X,Y",
+            "sweep" => "FROM..TO",
+            "at" => "X,...|FILE:COL",
+            "from" => "Y,...|FILE:COL",
+            "grid" => "FROM..TO/N",
+            "within" => "LO..HI",
+            "goal" => "GOAL",
+            _ => "NUM",
+        };
+        value(&format!("--{} <{placeholder}>", key.replace('_', "-")), text)
     }
 
     fn way(&self, way: &Way) -> String {
@@ -172,5 +186,33 @@ impl Failure {
         let lines: Vec<String> = message.split('\n').map(|line| Foreign::of(line).to_string()).collect();
         let _ = writeln!(std::io::stderr(), "error: {}{hint}", lines.join("\n"));
         ExitCode::from(status)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use boundfit_ask::{Readings, RowWords, TableWords};
+
+    use super::*;
+
+    #[test]
+    fn refused_values_are_named_as_in_the_help() {
+        // Any value of these makes sense.
+        let never_refused = ["skip_lines", "missing_as", "sheet"];
+        let command = crate::command();
+        for key in [Readings::KEYS, RowWords::KEYS, TableWords::KEYS].concat() {
+            let option = key.replace('_', "-");
+            let arguments = command.get_subcommands().flat_map(clap::Command::get_arguments);
+            let own = arguments.filter(|argument| argument.get_long() == Some(&option));
+            let free = own.filter(|argument| argument.get_possible_values().is_empty());
+            let names: Vec<_> = free.filter_map(clap::Arg::get_value_names).flatten().collect();
+            let shown = Options.value(key, "a");
+            let is_named =
+                |name: &&clap::builder::Str| shown == format!("invalid value 'a' for '--{option} <{name}>'");
+            assert!(
+                names.is_empty() || never_refused.contains(&key) || names.iter().any(is_named),
+                "{shown}: {names:?}"
+            );
+        }
     }
 }

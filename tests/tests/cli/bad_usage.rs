@@ -118,7 +118,7 @@ fn options_that_are_missing_unknown_or_too_many() {
             ("--y z --eps 1", &format!("{missing}--x <COL[,COL2]>")),
             (
                 "--x Vz --y z --eps 1 --eps-column z",
-                "the argument '--eps <NUM>' cannot be used with '--eps-column <COL>'",
+                "the errors have one bound: '--eps', or '--eps-column', or '--lower' and '--upper'",
             ),
             ("--x Vz --y z --eps 1 --tolerance 1", "unexpected argument '--tolerance' found"),
             ("more.csv --x Vz --y z --eps 1", "unexpected argument 'more.csv' found"),

@@ -93,11 +93,10 @@ pub(crate) struct EpsilonArguments {
     /// unit of the last digit written) or '+0.2/-0.1' (the truth lies in [y - 0.1, y + 0.2]); or 'min' or '1.2*min', a
     /// multiple of eps_min, the smallest bound with a non-empty set, computed from these readings
     // Some of no more than one; figures take several.
-    #[arg(long, value_name = "NUM", action = ArgAction::Set, num_args = 1, allow_hyphen_values = true,
-          conflicts_with_all = ["eps_column", "lower", "upper"])]
+    #[arg(long, value_name = "NUM", action = ArgAction::Set, num_args = 1, allow_hyphen_values = true)]
     pub(crate) eps: Vec<String>,
     /// Column with the error bound of each reading
-    #[arg(long, value_name = "COL", conflicts_with_all = ["lower", "upper"])]
+    #[arg(long, value_name = "COL")]
     pub(crate) eps_column: Option<String>,
     /// Column with the smallest value that the model may have at each reading, instead of an error bound; a missing
     /// cell is no bound

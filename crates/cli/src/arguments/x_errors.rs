@@ -7,7 +7,7 @@ use clap::Args;
 pub(crate) struct XErrorArguments {
     /// Bound on the errors of x as well: a number, or else the column with the bound of each reading. A line then
     /// agrees with a reading if it meets its box
-    #[arg(long, value_name = "NUM|COL", allow_hyphen_values = true, conflicts_with = "x_eps_column")]
+    #[arg(long, value_name = "NUM|COL", allow_hyphen_values = true)]
     pub(super) x_eps: Option<String>,
     /// Column with the bound on the error of each x, by name or by number
     #[arg(long, value_name = "COL")]
