@@ -75,7 +75,10 @@ impl Asked {
     }
 
     /// Reads the readings in memory that does not grow with the table beyond what `keep` says.
-    pub(crate) fn scanned(
+    ///
+    /// # Errors
+    /// When the table cannot be read, its numbers are too long, or it has other bounds than those that are asked for.
+    pub fn scanned(
         &self,
         source: Source,
         (row_cost, shows): (usize, Shows),
@@ -84,6 +87,15 @@ impl Asked {
         self.refuse_moving(&source)?;
         let measurements = self.question.measurements(source, &self.held(row_cost, shows), keep)?;
         self.problem(measurements)
+    }
+
+    /// Reads the readings that this says how to read, with what it says to keep of each.
+    ///
+    /// # Errors
+    /// Errors are those of [`Asked::scanned`].
+    pub fn read(&self, source: Source, table: &TableOptions) -> Result<Problem, Refusal> {
+        self.refuse_moving(&source)?;
+        self.problem(Measurements::read(source, &self.question.columns, table)?)
     }
 
     /// Reads every reading. Refuses reductions, which have them no more.

@@ -1,5 +1,5 @@
-//! One way from a request to an answer. The command line and Python say in their own words of which readings something is asked, and
-//! WebAssembly in those of [`Readings`]; from there on they share this crate.
+//! One way from a request to an answer. The command line, Python and WebAssembly fill [`Readings`] with texts, as people say them; from there
+//! on they share this crate.
 //!
 //! A question is one module. It implements [`Ask`]: what it reads of the data, what it costs, what it answers, and the forms of
 //! that answer. One line in [`Request`] registers it, and every surface has it.

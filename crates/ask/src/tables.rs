@@ -25,11 +25,19 @@ pub trait Tables: Send + Sync {
 /// Files, by their paths, read as this says but for the rows that it chooses.
 pub struct Files(pub ScanOptions);
 
+impl Files {
+    /// Returns how a file is read: as doubles where it stores doubles.
+    pub fn options(&self, source: &Source) -> ScanOptions {
+        let reading = if source.is_stored() { Reading::Binary64 } else { self.0.table.reading };
+        of_all_rows(&self.0, reading)
+    }
+}
+
 impl Tables for Files {
     fn open(&self, name: &str) -> Result<(Source, ScanOptions), Refusal> {
         let source = Source::open(name)?;
-        let reading = if source.is_stored() { Reading::Binary64 } else { self.0.table.reading };
-        Ok((source, of_all_rows(&self.0, reading)))
+        let options = self.options(&source);
+        Ok((source, options))
     }
 }
 

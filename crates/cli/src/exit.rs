@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use boundfit_ask::{Misuse, Refusal, Surface};
+use boundfit_ask::{Refusal, Surface};
 use boundfit_check::ClaimFileError;
 use boundfit_exact::{Foreign, Limit};
 use boundfit_formats::{InputError, Setting, Way};
@@ -89,6 +89,14 @@ impl Surface for Options {
     fn value(&self, key: &str, text: &str) -> String {
         // As the help shows it.
         let placeholder = match key {
+            "x" | "y" | "eps_column" | "lower" | "upper" | "x_eps_column" => "COL",
+            "x_eps" => "NUM|COL",
+            "where" => "CONDITION",
+            "rows" | "without" => "ROWS",
+            "where_row" => "COMPARISON",
+            "encoding" => "NAME",
+            "thousands" | "comment" => "MARK",
+            "block" => "N|NAME",
             "window" | "step" => "N",
             "through" => "X,Y",
             "sweep" => "FROM..TO",
@@ -127,12 +135,6 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
-    /// Returns the fault in words.
-    pub(crate) fn message(&self) -> &str {
-        let (Failure::Data(message) | Failure::Usage(message)) = self;
-        message
-    }
-
     /// Bad data or input/output.
     pub(crate) fn data(problem: impl Display) -> Self {
         Failure::Data(problem.to_string())
@@ -163,9 +165,9 @@ impl Failure {
         }
     }
 
-    /// Reports options that exclude or need each other.
-    pub(crate) fn misuse(misuse: Misuse) -> Self {
-        Failure::Usage(Refusal::Misuse(misuse).words(&Options))
+    /// What is wrong with options, whatever the data.
+    pub(crate) fn misused(refusal: Refusal) -> Self {
+        Failure::Usage(refusal.words(&Options))
     }
 
     /// A bad value of an option.
@@ -184,5 +186,33 @@ impl Failure {
         let lines: Vec<String> = message.split('\n').map(|line| Foreign::of(line).to_string()).collect();
         let _ = writeln!(std::io::stderr(), "error: {}{hint}", lines.join("\n"));
         ExitCode::from(status)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use boundfit_ask::{Readings, RowWords, TableWords};
+
+    use super::*;
+
+    #[test]
+    fn refused_values_are_named_as_in_the_help() {
+        // Any value of these makes sense.
+        let never_refused = ["skip_lines", "missing_as", "sheet"];
+        let command = crate::command();
+        for key in [Readings::KEYS, RowWords::KEYS, TableWords::KEYS].concat() {
+            let option = key.replace('_', "-");
+            let arguments = command.get_subcommands().flat_map(clap::Command::get_arguments);
+            let own = arguments.filter(|argument| argument.get_long() == Some(&option));
+            let free = own.filter(|argument| argument.get_possible_values().is_empty());
+            let names: Vec<_> = free.filter_map(clap::Arg::get_value_names).flatten().collect();
+            let shown = Options.value(key, "a");
+            let is_named =
+                |name: &&clap::builder::Str| shown == format!("invalid value 'a' for '--{option} <{name}>'");
+            assert!(
+                names.is_empty() || never_refused.contains(&key) || names.iter().any(is_named),
+                "{shown}: {names:?}"
+            );
+        }
     }
 }

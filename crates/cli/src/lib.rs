@@ -5,6 +5,7 @@
 //! | `arguments` | options of every command, with their help |
 //! | `usage` | command lines that are not understood, with a tip |
 //! | `commands` | one file per command: from arguments to the answer |
+//! | `readings` | readings of a file, asked for in the words that every surface has |
 //! | `input`, `output` | files that are read, and files that are written whole or not at all |
 //! | `work`, `memory` | limits of work and memory of each command |
 //! | `exit`, `interrupt`, `progress` | exit statuses, a clean stop, progress on a terminal |
@@ -22,6 +23,7 @@ mod interrupt;
 mod memory;
 mod output;
 mod progress;
+mod readings;
 mod usage;
 mod work;
 

@@ -268,7 +268,7 @@ fn what_a_text_is_encoded_as_is_told_or_asked_for() {
         proof.stderr
     );
     let unknown = boundfit(directory.path(), &fit("--encoding utf-7"));
-    let expected = "expected auto or one of utf-8, windows-1252, iso-8859-1, iso-8859-15, utf-16le, utf-16be";
+    let expected = "expected one of \"auto\", \"utf-8\", \"windows-1252\", \"iso-8859-1\", \"iso-8859-15\", \"utf-16le\", \"utf-16be\"";
     assert!(unknown.status == 2 && unknown.stderr.contains(expected), "{}", unknown.stderr);
 }
 

@@ -40,7 +40,7 @@ fn options_that_say_nothing_sensible() {
         (
             "--x Vz --y z --eps 1,5".to_owned(),
             "invalid value '1,5' for '--eps <NUM>': not a number: unexpected ',' (the decimal mark is a point) at character 2 \
-             (options take a point, whatever the data have: 1.5, not 1,5)"
+             (a point comes before decimals, whatever the data have: 1.5, not 1,5)"
                 .to_owned(),
         ),
         ("--x Vz --y z --eps nan".to_owned(), eps("nan", "not a finite number at character 1")),
@@ -118,7 +118,7 @@ fn options_that_are_missing_unknown_or_too_many() {
             ("--y z --eps 1", &format!("{missing}--x <COL[,COL2]>")),
             (
                 "--x Vz --y z --eps 1 --eps-column z",
-                "the argument '--eps <NUM>' cannot be used with '--eps-column <COL>'",
+                "the errors have one bound: '--eps', or '--eps-column', or '--lower' and '--upper'",
             ),
             ("--x Vz --y z --eps 1 --tolerance 1", "unexpected argument '--tolerance' found"),
             ("more.csv --x Vz --y z --eps 1", "unexpected argument 'more.csv' found"),

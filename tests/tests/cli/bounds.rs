@@ -65,7 +65,7 @@ fn what_is_no_bound_is_refused_with_advice() {
     let message = "'written' is half a unit of the last digit written, and a MATLAB file stores numbers without their \
                    digits (expected a bound as a number, such as 0.005, or a law without 'written')";
     assert!(stored.stderr.contains(message), "{stored:?}");
-    assert!(refused(TABLE, "--x t --lower lo --eps 1").contains("cannot be used with"));
+    assert!(refused(TABLE, "--x t --lower lo --eps 1").contains("the errors have one bound"));
     assert!(refused(TABLE, "--x t --eps 1").contains("required arguments were not provided"));
 }
 

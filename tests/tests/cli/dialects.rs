@@ -115,13 +115,13 @@ fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
         ("fit date.csv --x x --y y --eps 1 --comment ab", "expected auto, none or one character such as '#'"),
         (
             "fit date.csv --x x --y y --eps 1 --thousands , --decimal comma",
-            "'--thousands \",\"' and '--decimal comma' name one mark: it cannot both group digits and come before decimals",
+            "'--thousands' and '--decimal' name one mark: it cannot both group digits and come before decimals",
         ),
         (
             "reduce date.csv --x x --y y --thousands . --decimal point",
-            "'--thousands \".\"' and '--decimal point' name one mark: it cannot both group digits and come before decimals",
+            "'--thousands' and '--decimal' name one mark: it cannot both group digits and come before decimals",
         ),
-        ("fit date.csv --x x --y y --eps 1 --thousands ;", "expected ',' '.' ' ' or \"'\""),
+        ("fit date.csv --x x --y y --eps 1 --thousands ;", "expected one of \",\", \".\", \" \", \"'\""),
     ] {
         let run = boundfit(directory.path(), line);
         assert!(run.status == 2 && run.stderr.contains(said), "{}", run.stderr);

@@ -87,6 +87,11 @@ keys::keys! {
 }
 
 impl Readings {
+    /// Returns whether it is said how large errors may be.
+    pub fn has_bounds(&self) -> bool {
+        self.eps.is_some() || [&self.eps_column, &self.lower, &self.upper].into_iter().any(Option::is_some)
+    }
+
     /// Returns what is asked of readings whose numbers are read like that ([`TableWords::reading`]); numbers that are said to be exact are
     /// what they say under every reading.
     ///

@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 use std::sync::{Arc, OnceLock};
 
+use boundfit_ask::{AskedLimits, limits_of_files, range_of_limit, resolve_limits};
 use boundfit_exact::{Limit, Limits};
 use boundfit_formats::{MemoryBudget, SizeLimits};
 use boundfit_questions::OutlierLimits;
@@ -14,13 +15,6 @@ use super::values::parse_size;
 
 /// The heading of limits in the help, below all other options.
 const HEADING: &str = "Limits";
-
-/// The limits of whatever is read; the others are of one command each.
-fn of_files() -> impl Iterator<Item = Limit> {
-    let is_own =
-        |limit: &Limit| matches!(limit, Limit::Fraction | Limit::Sets | Limit::Steps | Limit::Readings);
-    Limit::ALL.into_iter().filter(move |limit| !is_own(limit))
-}
 
 /// A limit that is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,7 +44,7 @@ pub(super) fn with(own: &'static [Limit]) -> impl FnOnce(Arg) -> Arg {
 fn long_help(own: &[Limit]) -> String {
     let mut help =
         format!("{HELP}. Sizes may have a unit, as in memory=512MiB. The names, each with its default:");
-    for limit in of_files().chain(own.iter().copied()) {
+    for limit in limits_of_files().chain(own.iter().copied()) {
         let (most, what) = about(limit);
         help += &format!("\n- {} ({most}): {what}", limit.name());
     }
@@ -120,16 +114,9 @@ fn is_size(limit: Limit) -> bool {
 
 /// Returns the values that a user may ask for.
 fn range(limit: Limit) -> RangeInclusive<u64> {
-    const LONG: u64 = 1_000_000;
     match limit {
-        Limit::Digits | Limit::Fraction | Limit::Sets => 1..=LONG,
-        Limit::Exponent => 0..=LONG,
-        Limit::Line | Limit::Columns | Limit::Rows | Limit::Elements => 1..=1 << 32,
-        Limit::Workbook => 1..=1 << 40,
-        Limit::Nesting => 1..=120,
         Limit::Readings => 1..=boundfit_lesson::MOST_ROWS_EVER.into(),
-        Limit::Work | Limit::Steps => 0..=u64::MAX,
-        Limit::Unpacked | Limit::Ratio | Limit::Text | Limit::Memory => 1..=u64::MAX,
+        limit => range_of_limit(limit),
     }
 }
 
@@ -142,7 +129,7 @@ fn parse(text: &str, own: &[Limit]) -> Result<AskedLimit, String> {
     let (name, number) = text
         .split_once('=')
         .ok_or("expected NAME=N, such as digits=20000 or memory=4GiB; --help lists the names")?;
-    let limits = || of_files().chain(own.iter().copied());
+    let limits = || limits_of_files().chain(own.iter().copied());
     let limit = limits().find(|limit| limit.name() == name.trim()).ok_or_else(|| {
         let names: Vec<&str> = limits().map(Limit::name).collect();
         let is_another = Limit::ALL.iter().any(|limit| limit.name() == name.trim());
@@ -170,39 +157,28 @@ impl LimitArguments {
         self.limit.iter().rev().find(|asked| asked.limit == limit).map(|asked| asked.most)
     }
 
-    /// Returns the limits on one number.
+    /// Of whatever is read, by their names.
+    pub(super) fn words(&self) -> AskedLimits {
+        let is_of_files = |asked: &&AskedLimit| limits_of_files().any(|limit| limit == asked.limit);
+        let named = |asked: &AskedLimit| (asked.limit.name().to_owned(), asked.most);
+        self.limit.iter().filter(is_of_files).map(named).collect()
+    }
+
+    /// Of one number, and of a file.
+    fn resolved(&self) -> (Limits, SizeLimits) {
+        // Others were refused with the command line.
+        resolve_limits(&self.words()).unwrap_or_default()
+    }
+
+    /// Of one number.
     pub(crate) fn number(&self) -> Limits {
-        let usual = Limits::default();
-        Limits {
-            digits: self.asked(Limit::Digits).map_or(usual.digits, size),
-            exponent: self
-                .asked(Limit::Exponent)
-                .and_then(|most| u32::try_from(most).ok())
-                .unwrap_or(usual.exponent),
-        }
+        self.resolved().0
     }
 
     /// Returns the limits on a file.
     pub(crate) fn sizes(&self) -> SizeLimits {
-        let usual = SizeLimits::default();
-        let count = |limit, usual| self.asked(limit).map_or(usual, size);
-        let number = |limit, usual| self.asked(limit).unwrap_or(usual);
-        SizeLimits {
-            line: count(Limit::Line, usual.line),
-            columns: count(Limit::Columns, usual.columns),
-            rows: count(Limit::Rows, usual.rows),
-            elements: count(Limit::Elements, usual.elements),
-            unpacked: number(Limit::Unpacked, usual.unpacked),
-            ratio: number(Limit::Ratio, usual.ratio),
-            workbook: number(Limit::Workbook, usual.workbook),
-            work: number(Limit::Work, usual.work),
-            text: number(Limit::Text, usual.text),
-            nesting: count(Limit::Nesting, usual.nesting),
-            memory: self
-                .memory
-                .get_or_init(|| self.asked(Limit::Memory).map_or(usual.memory, MemoryBudget::new))
-                .clone(),
-        }
+        let (_, sizes) = self.resolved();
+        SizeLimits { memory: self.memory.get_or_init(|| sizes.memory.clone()).clone(), ..sizes }
     }
 
     /// Returns the limit on a statement about an answer: a proof, a claim, a solution.

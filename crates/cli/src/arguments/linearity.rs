@@ -1,13 +1,12 @@
 //! The arguments of `boundfit linearity`.
 
 use boundfit_ask::{Given, Linearity, Through};
-use boundfit_formats::ColumnSelector;
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 
 use super::look::LookArguments;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::values::{column_text, parse_column};
+use super::values::column_text;
 use super::{LabelArguments, OutputArguments, RowArguments, TableArguments, TableFormat};
 
 pub(super) const NOTES: Notes = Notes {
@@ -40,12 +39,11 @@ pub(crate) struct LinearityArguments {
     /// A table of readings, or - for standard input
     pub(crate) data: String,
     /// Column of the applied x, by header name or number from 1
-    #[arg(long, value_name = "COL", value_parser = parse_column, required = true)]
-    pub(crate) x: ColumnSelector,
+    #[arg(long, value_name = "COL", required = true)]
+    pub(super) x: String,
     /// Column of the sensor's output. Without --direction each reading is used as it is and none are averaged
-    #[arg(long, value_name = "COL", value_parser = parse_column, required_unless_present = "up",
-          conflicts_with_all = ["up", "down"])]
-    pub(crate) y: Option<ColumnSelector>,
+    #[arg(long, value_name = "COL", required_unless_present = "up", conflicts_with_all = ["up", "down"])]
+    pub(super) y: Option<String>,
     /// Column of the sensor's output for rising x; a cell may be empty if only the other direction was read
     #[arg(long, value_name = "COL", value_parser = column_text, requires = "down")]
     pub(crate) up: Option<String>,

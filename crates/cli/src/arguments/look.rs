@@ -1,10 +1,10 @@
 //! The look of a figure: its size, axes and colours.
 
+use boundfit_ask::ValueProblem;
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use boundfit_figures::{Encoding, PictureFormat, PlotOptions};
 use clap::{Args, value_parser};
 
-use super::values::number_problem;
 use crate::exit::Failure;
 
 /// The heading of these options.
@@ -193,7 +193,8 @@ fn parse_range(text: &str) -> Result<[Rational; 2], String> {
     const EXPECTED: &str = "expected LOWER..UPPER, two numbers as in -1.5..2";
     let (lower, upper) = text.split_once("..").ok_or(EXPECTED)?;
     let number = |text: &str| {
-        Reading::Decimal.read(text, &Limits::default()).map_err(|error| number_problem(&error, EXPECTED))
+        let number = Reading::Decimal.read(text, &Limits::default());
+        number.map_err(|error| ValueProblem::Number { error, expected: EXPECTED }.words())
     };
     let ends = [number(lower)?, number(upper)?];
     if ends[0] >= ends[1] {

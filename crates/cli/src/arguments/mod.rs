@@ -50,6 +50,7 @@ pub(crate) use plot::{Figures, PlotArguments};
 pub(crate) use polygon::PolygonArguments;
 pub(crate) use predict::PredictArguments;
 pub(crate) use range::RangeArguments;
+pub(crate) use reading::Words;
 pub(crate) use reduce::ReduceArguments;
 pub(crate) use rows::RowArguments;
 pub(crate) use shared::{

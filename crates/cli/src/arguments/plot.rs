@@ -2,13 +2,12 @@
 
 use boundfit_ask::Factors;
 use boundfit_figures::{Figure, PictureFormat};
-use boundfit_formats::ColumnSelector;
 use clap::builder::{NonEmptyStringValueParser, PossibleValue};
 use clap::{ArgAction, Args, value_parser};
 
 use super::look::LookArguments;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::values::{explained, named, parse_column, parse_factors};
+use super::values::{column_text, explained, named};
 use super::{DataArguments, LabelArguments, ReplaceArguments, XErrorArguments};
 use crate::exit::Failure;
 
@@ -80,8 +79,8 @@ pub(crate) struct PlotArguments {
     more: Vec<String>,
     /// Draw, as the figure fps or data, one panel per group of rows with the same text in this column, all with the
     /// same axes; at most 24 groups, in order of first occurrence
-    #[arg(long, value_name = "COL", value_parser = parse_column, conflicts_with_all = ["sweep", "x_eps", "x_eps_column"])]
-    pub(crate) by: Option<ColumnSelector>,
+    #[arg(long, value_name = "COL", value_parser = column_text, conflicts_with_all = ["sweep", "x_eps", "x_eps_column"])]
+    pub(crate) by: Option<String>,
     #[command(flatten)]
     pub(crate) x_errors: XErrorArguments,
     /// The figure to draw
@@ -126,7 +125,8 @@ impl PlotArguments {
     /// The factors of `--sweep`, if they are asked for.
     pub(crate) fn factors(&self) -> Result<Option<Factors>, Failure> {
         let limits = self.data.table.limits.number();
-        self.sweep.as_deref().map(|text| parse_factors(text, &limits)).transpose()
+        let factors = self.sweep.as_deref().map(|text| Factors::parse(text, &limits));
+        factors.transpose().map_err(Failure::misused)
     }
 }
 

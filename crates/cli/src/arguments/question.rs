@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use boundfit_ask::{Readings, Regressors};
 use boundfit_estimation::{Condition, EpsilonColumn, Law, LineForm};
 use boundfit_exact::english::split_unit;
 use boundfit_exact::{Foreign, Rational, Reading};
@@ -10,12 +11,11 @@ use boundfit_report::{condition_text, rows_text};
 use boundfit_verify::{About, Quantity, Statement};
 
 use super::VerifyArguments;
-use super::values::Regressors;
 use crate::exit::Failure;
 
 /// The question; a part that is `None` is not compared.
 pub(crate) struct Question {
-    x: Option<Regressors>,
+    x: Option<(ColumnSelector, Option<ColumnSelector>)>,
     y: Option<ColumnSelector>,
     bound: Option<EpsilonColumn>,
     rows: Option<RowSet>,
@@ -30,48 +30,62 @@ impl VerifyArguments {
     /// The question that the options ask. Numbers in them are read as the proof reads those of the data, unless something else is
     /// asked for.
     pub(crate) fn question(&self, about: &About) -> Result<Question, Failure> {
-        let limits = self.limits.number();
-        let reading = self.reading.unwrap_or(about.reading);
-        let two_regressors = match &self.x {
-            Some(regressors) => regressors.second.is_some(),
-            None => about.model[1].0 != 0,
+        let said = self.words();
+        let (has_bound, has_reading) = (said.has_bounds(), said.table.reading.is_some());
+        let resolved = || {
+            let reading = said.table.reading(false)?;
+            let own = if has_reading { reading } else { about.reading };
+            let whole = with_columns_of(about, &said);
+            let asked = if has_bound { whole.resolve(own) } else { whole.resolve_without_bounds(own) };
+            Ok((asked?, reading))
         };
-        let epsilon = self.epsilon.asked(reading, &limits, two_regressors)?;
-        if epsilon.as_ref().is_some_and(|asked| asked.multiple_of_least.is_some()) {
+        let (asked, reading) = resolved().map_err(Failure::misused)?;
+        let (question, table) = (asked.question, asked.options.table);
+        let columns = question.columns;
+        if question.multiple_of_least.is_some() {
             return Err(refuse("'--eps min'", "the number that it comes to, which 'fit' reports"));
         }
-        if self.rows.depend_on_cells() {
+        if !said.rows.where_row.is_empty() {
             return Err(refuse("'--where-row'", "the rows with '--rows' and '--without'"));
         }
-        let is_whole = self.x.is_some() && epsilon.is_some();
-        let has_form = self.line.through_origin || self.line.x_origin.is_some();
-        let conditions = super::reading::conditions(&self.conditions, reading, &limits)?;
-        let form = self.line.form(reading, &limits, two_regressors)?;
-        let bound = epsilon.map(|asked| asked.column);
-        if let Some(EpsilonColumn::Law(law)) = &bound
+        if let EpsilonColumn::Law(law) = &columns.epsilon
             && law.terms(&Rational::zero()) != law.terms(&Rational::one())
         {
             return Err(refuse("'range(y)'", "the number that it comes to"));
         }
+        let is_whole = said.x.is_some() && has_bound;
+        let has_rows = !said.rows.rows.are_all() || !said.rows.without.are_all();
+        let has_form = said.through_origin || said.x_origin.is_some();
         Ok(Question {
-            x: self.x.clone(),
-            y: self.y.clone(),
-            bound,
-            rows: (is_whole || self.rows.are_asked()).then(|| self.rows.set()).transpose()?,
-            conditions: (is_whole || !conditions.is_empty()).then_some(conditions),
-            form: (is_whole || has_form).then_some(form),
-            reading: if is_whole { Some(reading_or_default(self.reading)) } else { self.reading },
-            header: match self.header {
+            x: said.x.is_some().then_some((columns.first, columns.second)),
+            y: columns.response.filter(|_| said.y.is_some()),
+            bound: has_bound.then_some(columns.epsilon),
+            rows: (is_whole || has_rows).then_some(table.rows),
+            conditions: (is_whole || !said.conditions.is_empty()).then_some(question.conditions),
+            form: (is_whole || has_form).then_some(columns.form),
+            reading: (is_whole || has_reading).then_some(reading),
+            header: match table.header {
                 Header::Auto => None,
                 asked => Some(asked == Header::Present),
             },
-            delimiter: self.delimiter.0.map(char::from),
+            delimiter: table.dialect.delimiter.map(char::from),
         })
     }
 }
 
-fn reading_or_default(asked: Option<Reading>) -> Reading {
-    asked.unwrap_or_default()
+/// What is said, with the columns of a proof where none are.
+fn with_columns_of(about: &About, said: &Readings) -> Readings {
+    let [first, second, response, _] = &about.model;
+    let column = |(column, _): &(u64, Rational)| column.to_string();
+    let x = || match second {
+        (0, _) => Regressors::One(column(first)),
+        second => Regressors::Two([column(first), column(second)]),
+    };
+    Readings {
+        x: said.x.clone().or_else(|| Some(x())),
+        y: said.y.clone().or_else(|| Some(column(response))),
+        ..said.clone()
+    }
 }
 
 fn refuse(what: &str, instead: &str) -> Failure {
@@ -89,7 +103,7 @@ impl Question {
             }
         };
         let columns = Columns(statement);
-        if let Some(Regressors { first, second }) = &self.x {
+        if let Some((first, second)) = &self.x {
             let [phi1, phi2, ..] = &about.model;
             differ(columns.is(phi1, first), "x =", columns.shown(phi1), columns.asked(first));
             match second {

@@ -1,11 +1,11 @@
 //! The arguments of `boundfit reduce`.
 
-use boundfit_formats::ColumnSelector;
+use boundfit_ask::Regressors;
 use clap::Args;
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::shared::EpsilonArguments;
-use super::values::{Regressors, parse_column, parse_regressors};
+use super::values::parse_regressors;
 use super::{FileArguments, RowArguments, TableArguments, ThreadArguments};
 
 pub(super) const NOTES: Notes = Notes {
@@ -45,8 +45,8 @@ pub(crate) struct ReduceArguments {
     #[arg(long, value_name = "COL[,COL2]", value_parser = parse_regressors, required = true)]
     pub(super) x: Regressors,
     /// Column of y; optional beside --lower or --upper, where only least squares uses it
-    #[arg(long, value_name = "COL", value_parser = parse_column, required_unless_present_any = ["lower", "upper"])]
-    pub(super) y: Option<ColumnSelector>,
+    #[arg(long, value_name = "COL", required_unless_present_any = ["lower", "upper"])]
+    pub(super) y: Option<String>,
     #[command(flatten)]
     pub(super) epsilon: EpsilonArguments,
     #[command(flatten)]

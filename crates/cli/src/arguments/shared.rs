@@ -1,19 +1,17 @@
 //! The arguments of several commands.
 
-use boundfit_exact::{DecimalMark, Foreign, Reading, Thousands};
-use boundfit_formats::{AskedBlock, ColumnSelector, CommentMark, Encoding, Header, Missing};
+use boundfit_ask::Regressors;
+use boundfit_exact::{DecimalMark, Foreign, Reading};
+use boundfit_formats::{DELIMITERS, Header, Missing};
 use boundfit_report::EndRounding;
-use clap::builder::NonEmptyStringValueParser;
+use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser};
 use clap::{ArgAction, Args, ValueEnum, value_parser};
 
 use crate::exit::Failure;
 use crate::output::Guard;
 
 use super::endings::{Format, NamedFormat, told_by_name};
-use super::values::{
-    DECIMAL_MARKS, IfAsked, Regressors, delimiters, named, named_or_auto, parse_block, parse_column,
-    parse_comment, parse_encoding, parse_regressors, parse_thousands,
-};
+use super::values::{named, parse_regressors, words_or_auto};
 use super::{LimitArguments, RowArguments};
 
 /// Where a text goes.
@@ -59,8 +57,8 @@ pub(crate) struct DataArguments {
     #[arg(long, value_name = "COL[,COL2]", value_parser = parse_regressors, required = true)]
     pub(super) x: Regressors,
     /// Column of y; optional beside --lower or --upper, where only least squares uses it
-    #[arg(long, value_name = "COL", value_parser = parse_column, required_unless_present_any = ["lower", "upper"])]
-    pub(super) y: Option<ColumnSelector>,
+    #[arg(long, value_name = "COL", required_unless_present_any = ["lower", "upper"])]
+    pub(super) y: Option<String>,
     #[command(flatten)]
     pub(super) epsilon: EpsilonArguments,
     #[command(flatten)]
@@ -95,19 +93,18 @@ pub(crate) struct EpsilonArguments {
     /// unit of the last digit written) or '+0.2/-0.1' (the truth lies in [y - 0.1, y + 0.2]); or 'min' or '1.2*min', a
     /// multiple of eps_min, the smallest bound with a non-empty set, computed from these readings
     // Some of no more than one; figures take several.
-    #[arg(long, value_name = "NUM", action = ArgAction::Set, num_args = 1, allow_hyphen_values = true,
-          conflicts_with_all = ["eps_column", "lower", "upper"])]
+    #[arg(long, value_name = "NUM", action = ArgAction::Set, num_args = 1, allow_hyphen_values = true)]
     pub(crate) eps: Vec<String>,
     /// Column with the error bound of each reading
-    #[arg(long, value_name = "COL", value_parser = parse_column, conflicts_with_all = ["lower", "upper"])]
-    pub(crate) eps_column: Option<ColumnSelector>,
+    #[arg(long, value_name = "COL")]
+    pub(crate) eps_column: Option<String>,
     /// Column with the smallest value that the model may have at each reading, instead of an error bound; a missing
     /// cell is no bound
-    #[arg(long, value_name = "COL", value_parser = parse_column)]
-    pub(crate) lower: Option<ColumnSelector>,
+    #[arg(long, value_name = "COL")]
+    pub(crate) lower: Option<String>,
     /// Column with the largest value that the model may have at each reading
-    #[arg(long, value_name = "COL", value_parser = parse_column)]
-    pub(crate) upper: Option<ColumnSelector>,
+    #[arg(long, value_name = "COL")]
+    pub(crate) upper: Option<String>,
 }
 
 /// What pictures and pages say besides what follows from the data.
@@ -129,28 +126,30 @@ pub(crate) struct LabelArguments {
 pub(crate) struct TableArguments {
     /// Read numbers exactly as written, or as the nearest double, exactly [default for .mat files: binary64]
     #[arg(long, default_value = Reading::Decimal.name(),
-          value_parser = named(Reading::ALL.map(|reading| (reading.name(), reading))))]
-    pub(super) reading: Reading,
+          value_parser = PossibleValuesParser::new(Reading::ALL.map(Reading::name)))]
+    pub(super) reading: String,
     /// Whether the first row names the columns
     #[arg(long, default_value = Header::Auto.name(),
-          value_parser = named(Header::ALL.map(|header| (header.name(), header))))]
-    pub(super) header: Header,
+          value_parser = PossibleValuesParser::new(Header::ALL.map(Header::name)))]
+    pub(super) header: String,
     /// Encoding of a text: utf-8, windows-1252, iso-8859-1, iso-8859-15, utf-16le or utf-16be; auto: UTF-8 or UTF-16,
     /// otherwise Windows-1252, as the report then says
-    #[arg(long, value_name = "NAME", default_value = "auto", value_parser = parse_encoding, help_heading = TEXT)]
-    pub(super) encoding: IfAsked<Encoding>,
+    #[arg(long, value_name = "NAME", default_value = "auto", help_heading = TEXT)]
+    pub(super) encoding: String,
     /// Separator of columns (space: runs of blanks and tabs)
-    #[arg(long, default_value = "auto", value_parser = named_or_auto(delimiters()), help_heading = TEXT)]
-    pub(super) delimiter: IfAsked<u8>,
+    #[arg(long, default_value = "auto", value_parser = words_or_auto(DELIMITERS.map(|(name, _)| name)),
+          help_heading = TEXT)]
+    pub(super) delimiter: String,
     /// Decimal mark; auto detects it, unless commas separate the columns
-    #[arg(long, default_value = "auto", value_parser = named_or_auto(DECIMAL_MARKS), help_heading = TEXT)]
-    pub(super) decimal: IfAsked<DecimalMark>,
+    #[arg(long, default_value = "auto", value_parser = words_or_auto(DecimalMark::ALL.map(DecimalMark::name)),
+          help_heading = TEXT)]
+    pub(super) decimal: String,
     /// Mark between groups of three digits: ',' '.' ' ' or "'"
-    #[arg(long, value_name = "MARK", value_parser = parse_thousands, help_heading = TEXT)]
-    pub(super) thousands: Option<Thousands>,
+    #[arg(long, value_name = "MARK", help_heading = TEXT)]
+    pub(super) thousands: Option<String>,
     /// Skip lines that start with this character; auto: # and % before the table; none
-    #[arg(long, value_name = "MARK", default_value = "auto", value_parser = parse_comment, help_heading = TEXT)]
-    pub(super) comment: CommentMark,
+    #[arg(long, value_name = "MARK", default_value = "auto", help_heading = TEXT)]
+    pub(super) comment: String,
     /// Skip the first N lines
     #[arg(long, value_name = "N", default_value_t = 0, help_heading = TEXT)]
     pub(super) skip_lines: u64,
@@ -159,13 +158,13 @@ pub(crate) struct TableArguments {
     pub(super) units_row: bool,
     /// Read one block of a file in which comments or two blank lines between rows begin another: its number or the
     /// comment before it; all: the rows of all blocks together
-    #[arg(long, value_name = "N|NAME", value_parser = parse_block, help_heading = TEXT)]
-    pub(super) block: Option<AskedBlock>,
+    #[arg(long, value_name = "N|NAME", help_heading = TEXT)]
+    pub(super) block: Option<String>,
     /// Treatment of rows with a missing number in a used column: empty, NA, N/A, #N/A, NaN, null, none, - -- . or ?, or
     /// a spreadsheet's error such as #DIV/0!
     #[arg(long, default_value = Missing::Refuse.name(), help_heading = TEXT,
-          value_parser = named(Missing::ALL.map(|missing| (missing.name(), missing))))]
-    pub(super) missing: Missing,
+          value_parser = PossibleValuesParser::new(Missing::ALL.map(Missing::name)))]
+    pub(super) missing: String,
     /// Also treat cells with this text, or the same number, as missing, such as -999 or OVLD; repeatable
     #[arg(long, value_name = "TEXT", allow_hyphen_values = true, help_heading = TEXT)]
     pub(super) missing_as: Vec<String>,

@@ -1,9 +1,9 @@
 //! The deviation up to which an answer is not refuted.
 
+use boundfit_ask::{Refusal, ValueProblem};
 use boundfit_exact::{Limits, Rational, Reading};
 use clap::{Args, ValueEnum};
 
-use super::values::number_problem;
 use crate::exit::Failure;
 
 /// Whether something is done.
@@ -33,13 +33,15 @@ impl ToleranceArguments {
         if self.strict {
             return Ok(Rational::zero());
         }
-        let refuse = |problem: String| Failure::value("--tolerance <NUM>", &self.tolerance, problem);
+        let refuse = |problem: ValueProblem| {
+            Failure::misused(Refusal::Value { key: "tolerance", text: self.tolerance.clone(), problem })
+        };
         let usual = Limits::default();
         let limits =
             Limits { digits: asked.digits.max(usual.digits), exponent: asked.exponent.max(usual.exponent) };
         let expected = "expected a number that is at least 0, such as 1e-6";
         let tolerance = Reading::Decimal.read(&self.tolerance, &limits);
-        let tolerance = tolerance.map_err(|error| refuse(number_problem(&error, expected)))?;
-        if tolerance.is_negative() { Err(refuse("negative".to_owned())) } else { Ok(tolerance) }
+        let tolerance = tolerance.map_err(|error| refuse(ValueProblem::Number { error, expected }))?;
+        if tolerance.is_negative() { Err(refuse(ValueProblem::Expected("negative"))) } else { Ok(tolerance) }
     }
 }

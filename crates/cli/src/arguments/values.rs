@@ -2,65 +2,13 @@
 
 use std::iter;
 
-use boundfit_ask::Factors;
-use boundfit_exact::{
-    DecimalMark, Foreign, Limit, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Thousands,
-};
-use boundfit_formats::{AskedBlock, ColumnSelector, CommentMark, DELIMITERS, Encoding};
+use boundfit_ask::Regressors;
+use boundfit_exact::{Limits, Rational, Reading};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
-use crate::exit::{Failure, raises};
-
-/// The columns of one or two regressors.
-#[derive(Debug, Clone)]
-pub(crate) struct Regressors {
-    pub(crate) first: ColumnSelector,
-    pub(crate) second: Option<ColumnSelector>,
-}
-
-/// Returns the separators of columns; nothing when the file tells.
-pub(super) fn delimiters() -> impl Iterator<Item = (&'static str, Option<u8>)> {
-    let named = DELIMITERS.into_iter().map(|(name, byte)| (name, Some(byte)));
-    iter::once(("auto", None)).chain(named)
-}
-
-/// The decimal mark; nothing when the file tells.
-pub(super) const DECIMAL_MARKS: [(&str, Option<DecimalMark>); 3] = [
-    ("auto", None),
-    (DecimalMark::Point.name(), Some(DecimalMark::Point)),
-    (DecimalMark::Comma.name(), Some(DecimalMark::Comma)),
-];
-
-/// A value that may be left to the file, as what clap takes for one that is there.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct IfAsked<T>(pub(super) Option<T>);
-
-/// The parser of an option that takes one of these names, one of which leaves the choice to the file.
-pub(super) fn named_or_auto<T: Clone + Send + Sync + 'static>(
-    values: impl IntoIterator<Item = (&'static str, Option<T>)>,
-) -> impl TypedValueParser<Value = IfAsked<T>> {
-    named(values.into_iter().map(|(name, value)| (name, IfAsked(value))))
-}
-
-pub(super) fn parse_comment(text: &str) -> Result<CommentMark, String> {
-    CommentMark::parse(text).ok_or_else(|| {
-        "expected auto, none or one character such as '#', no letter, digit or blank".to_owned()
-    })
-}
-
-/// An encoding, or none where the text is to tell it.
-pub(super) fn parse_encoding(text: &str) -> Result<IfAsked<Encoding>, String> {
-    if text == "auto" {
-        return Ok(IfAsked(None));
-    }
-    let encoding =
-        Encoding::named(text).ok_or_else(|| format!("expected auto or one of {}", Encoding::names()))?;
-    Ok(IfAsked(Some(encoding)))
-}
-
-pub(super) fn parse_thousands(text: &str) -> Result<Thousands, String> {
-    let mark = Thousands::ALL.into_iter().find(|thousands| thousands.mark() == text);
-    mark.ok_or_else(|| "expected ',' '.' ' ' or \"'\"".to_owned())
+/// The parser of an option whose value is one of these words, or leaves the choice to the file. Help and completions list them.
+pub(super) fn words_or_auto<const N: usize>(words: [&'static str; N]) -> PossibleValuesParser {
+    iter::once("auto").chain(words).into()
 }
 
 /// The parser of an option that takes one of these names. Help and completions list them.
@@ -104,29 +52,18 @@ pub(super) fn parse_size(text: &str) -> Option<u64> {
     (rest.is_zero() && bytes.is_positive()).then(|| u64::try_from(whole.to_i128()?).ok()).flatten()
 }
 
-pub(super) fn parse_column(text: &str) -> Result<ColumnSelector, String> {
-    if text.trim().is_empty() {
-        return Err("expected a header name or a column number".to_owned());
-    }
-    Ok(ColumnSelector::name_or_number(text))
-}
-
 /// A column as it is asked for.
 pub(super) fn column_text(text: &str) -> Result<String, String> {
-    parse_column(text).map(|_| text.to_owned())
-}
-
-pub(super) fn parse_block(text: &str) -> Result<AskedBlock, String> {
-    AskedBlock::parse(text)
-        .ok_or_else(|| "expected a number from 1, the comment before a block, or all".to_owned())
+    match text.trim() {
+        "" => Err("expected a header name or a column number".to_owned()),
+        _ => Ok(text.to_owned()),
+    }
 }
 
 pub(super) fn parse_regressors(text: &str) -> Result<Regressors, String> {
     match split_at_commas(text).as_slice() {
-        [first] => Ok(Regressors { first: parse_column(first)?, second: None }),
-        [first, second] => {
-            Ok(Regressors { first: parse_column(first)?, second: Some(parse_column(second)?) })
-        }
+        [x] => column_text(x).map(Regressors::One),
+        [first, second] => Ok(Regressors::Two([column_text(first)?, column_text(second)?])),
         _ => Err("expected one column, or two separated by a comma".to_owned()),
     }
 }
@@ -148,23 +85,6 @@ fn split_at_commas(text: &str) -> Vec<&str> {
         is_between
     })
     .collect()
-}
-
-/// Returns the fault of a number: the expected form if it is no number, or the option that raises the limit that it
-/// passes.
-pub(crate) fn number_problem(error: &ParseNumberError, expected: &str) -> String {
-    match Limit::of_number(&error.kind) {
-        Some(limit) => format!("refused: {error}; {}", raises(limit)),
-        None if error.kind == ParseNumberErrorKind::Comma => {
-            format!("not a number: {error} (options take a point, whatever the data have: 1.5, not 1,5)")
-        }
-        None => format!("not a number: {error} ({expected})"),
-    }
-}
-
-/// The factors `FROM..TO`.
-pub(super) fn parse_factors(text: &str, limits: &Limits) -> Result<Factors, Failure> {
-    Factors::parse(text, limits).map_err(|refusal| Failure::of(&refusal, Foreign::of("")))
 }
 
 #[cfg(test)]

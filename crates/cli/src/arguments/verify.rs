@@ -1,13 +1,14 @@
 //! The arguments of `boundfit verify`.
 
-use clap::Args;
-
+use boundfit_ask::Regressors;
 use boundfit_exact::Reading;
-use boundfit_formats::{ColumnSelector, Header};
+use boundfit_formats::{DELIMITERS, Header};
+use clap::Args;
+use clap::builder::PossibleValuesParser;
 
 use super::notes::{BAD_USAGE, Notes};
 use super::shared::{EpsilonArguments, LineArguments};
-use super::values::{IfAsked, Regressors, delimiters, named, named_or_auto, parse_column, parse_regressors};
+use super::values::{parse_regressors, words_or_auto};
 use super::{FileArguments, Format, LimitArguments, RowArguments};
 
 pub(super) const NOTES: Notes = Notes {
@@ -67,8 +68,8 @@ pub(crate) struct VerifyArguments {
     #[arg(long, value_name = "COL[,COL2]", value_parser = parse_regressors, help_heading = QUESTION)]
     pub(super) x: Option<Regressors>,
     /// Column of y
-    #[arg(long, value_name = "COL", value_parser = parse_column, help_heading = QUESTION)]
-    pub(super) y: Option<ColumnSelector>,
+    #[arg(long, value_name = "COL", help_heading = QUESTION)]
+    pub(super) y: Option<String>,
     #[command(flatten, next_help_heading = QUESTION)]
     pub(super) epsilon: EpsilonArguments,
     #[command(flatten)]
@@ -79,15 +80,15 @@ pub(crate) struct VerifyArguments {
     #[command(flatten)]
     pub(super) line: LineArguments,
     /// Read numbers exactly as written, or as the nearest double, exactly
-    #[arg(long, value_parser = named(Reading::ALL.map(|reading| (reading.name(), reading))))]
-    pub(super) reading: Option<Reading>,
+    #[arg(long, value_parser = PossibleValuesParser::new(Reading::ALL.map(Reading::name)))]
+    pub(super) reading: Option<String>,
     /// Whether the first row names the columns
     #[arg(long, default_value = Header::Auto.name(),
-          value_parser = named(Header::ALL.map(|header| (header.name(), header))))]
-    pub(super) header: Header,
+          value_parser = PossibleValuesParser::new(Header::ALL.map(Header::name)))]
+    pub(super) header: String,
     /// Separator of columns
-    #[arg(long, default_value = "auto", value_parser = named_or_auto(delimiters()))]
-    pub(super) delimiter: IfAsked<u8>,
+    #[arg(long, default_value = "auto", value_parser = words_or_auto(DELIMITERS.map(|(name, _)| name)))]
+    pub(super) delimiter: String,
 }
 
 /// The heading of what asks the question that the proof must answer.

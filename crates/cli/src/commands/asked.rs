@@ -1,64 +1,22 @@
 //! Questions about readings: all go the same way.
 
 use std::io::{self, IsTerminal, Write};
-use std::sync::Arc;
 
-use boundfit_ask::{Ask, Asked, Form, Out, Paper, Refusal, Shows, Tables};
-use boundfit_exact::Foreign;
-use boundfit_formats::{ScanOptions, Source, TableNotes};
+use boundfit_ask::{Ask, Form, Out, Paper, Refusal, Shows};
 use boundfit_report::{Origin, Style};
 
 use super::proof_file;
 use crate::CommandResult;
-use crate::arguments::{DataArguments, OutputArguments, ReplaceArguments, TableArguments, TableFormat};
+use crate::arguments::{OutputArguments, ReplaceArguments, TableFormat, Words};
 use crate::exit::{Exit, Failure};
 use crate::input;
+use crate::memory;
 use crate::output::{self, Guard, Output, Stop};
 use crate::progress::while_working;
 
-/// Readings that an answer is about.
-pub(super) trait Given {
-    /// The file as it was named on the command line.
-    fn path(&self) -> &str;
-
-    /// The file, opened, with what is asked of which of its readings.
-    fn opened(&self) -> Result<(Origin<'_>, Asked, Source), Failure>;
-}
-
-impl Given for DataArguments {
-    fn path(&self) -> &str {
-        self.path()
-    }
-
-    fn opened(&self) -> Result<(Origin<'_>, Asked, Source), Failure> {
-        let opened = self.open();
-        let origin = opened.origin();
-        let (asked, source) = opened.asked_with(None)?;
-        let asked = Asked { tables: Some(Arc::new(FilesBeside(self.table.clone()))), ..asked };
-        Ok((origin, asked, source))
-    }
-}
-
-/// Files beside the data, which are read in the same way.
-struct FilesBeside(TableArguments);
-
-impl Tables for FilesBeside {
-    fn open(&self, name: &str) -> Result<(Source, ScanOptions), Refusal> {
-        let source = input::open(name)?;
-        let options = self.0.scan_options(&source, None);
-        // The faults of these options were reported before the data were read.
-        let options = options.map_err(|failure| Refusal::Readings(failure.message().to_owned()))?;
-        Ok((source, options))
-    }
-
-    fn was_read(&self, name: &str, table: Option<&TableNotes>) {
-        input::say_table(Foreign::of(input::named(name)), table);
-    }
-}
-
-/// The data that a question is about, and the destination of the answer.
+/// What is asked about, and where the answer goes.
 pub(super) struct Job<'a> {
-    pub(super) data: &'a dyn Given,
+    pub(super) data: Words<'a>,
     pub(super) form: Form,
     pub(super) style: Style,
     pub(super) output: Option<&'a str>,
@@ -71,7 +29,7 @@ type Beside<'a> = Option<(Vec<u8>, &'a str)>;
 impl<'a> Job<'a> {
     /// A job as the options about its output say.
     pub(super) fn of(
-        data: &'a dyn Given,
+        data: Words<'a>,
         output: &'a OutputArguments<TableFormat>,
         proof: Option<&'a str>,
     ) -> Result<Self, Failure> {
@@ -81,7 +39,7 @@ impl<'a> Job<'a> {
 
     /// Returns the files that must not be written over, once the answer may be written to its file.
     pub(super) fn guard(&self, replace: &ReplaceArguments, beside: &[&str]) -> Result<Guard, Failure> {
-        let guard = replace.guard([self.data.path()].into_iter().chain(beside.iter().copied()));
+        let guard = replace.guard([self.data.path].into_iter().chain(beside.iter().copied()));
         guard.check(self.output)?;
         guard.check(self.proof)?;
         proof_file::check(self.proof, self.output)?;
@@ -100,14 +58,15 @@ impl<'a> Job<'a> {
         guard: &mut Guard,
         add: impl FnOnce(&Q::Problem, &mut Q::Answer, &Origin<'_>) -> Result<Beside<'a>, Failure>,
     ) -> CommandResult {
-        let Job { data, form, style, output, proof } = *self;
-        let file = Foreign::of(input::named(data.path()));
+        let Job { ref data, form, style, output, proof } = *self;
+        let file = data.file_name();
         let failed = |refusal: Refusal| Failure::of(&refusal, file);
         if !Q::FORMS.contains(&form) {
             return Err(failed(Q::no_form(form)));
         }
-        let (origin, asked, source) = data.opened()?;
-        let paper = Paper { origin, style };
+        let data = data.open_for(Q::HAS_BOUNDS)?.holding(memory::OF_A_READING);
+        let paper = Paper { origin: data.origin, style };
+        let (asked, source) = data.scan();
         let shows = form.shows().max(if proof.is_some() { Shows::Rows } else { Shows::Nothing });
         let problem = question.read(&asked, source, shows).map_err(failed)?;
         if !form.has_input() {

@@ -28,8 +28,8 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     let guard = arguments.output.file.replace.guard(inputs);
     let output = arguments.output.file.output.as_deref();
     guard.check(output)?;
-    let data = arguments.data.open();
-    let boundfit_report::Origin { file, reading, .. } = data.origin();
+    let data = arguments.data.words().open()?;
+    let boundfit_report::Origin { file, reading, .. } = data.origin;
     let options = options(arguments, claims)?;
     let problem = if options.all_rows { data.problem()? } else { data.supporting_problem()? };
     let limits = &arguments.data.table.limits;

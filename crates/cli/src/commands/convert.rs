@@ -36,8 +36,8 @@ pub(crate) fn run(arguments: &ConvertArguments) -> CommandResult {
         Destination::One(_, file) => guard.check(file)?,
         Destination::All(folder) => guard.check_all(folder, PuiEnd::ALL.map(name))?,
     }
-    let data = arguments.data.open();
-    let reading = data.origin().reading;
+    let data = arguments.data.words().open()?;
+    let reading = data.origin.reading;
     let problem = data.whole_problem()?;
     let limits = &arguments.data.table.limits;
     refuse_long_problem(arguments.data.file_name(), &problem, times::CONVERT, limits)?;

@@ -24,7 +24,7 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     let mut guard = arguments.output.file.replace.guard([arguments.data.path()]);
     guard.check(output)?;
     guard.check(arguments.proof.as_deref())?;
-    if arguments.x_errors.are_asked()? {
+    if arguments.x_errors.are_asked() {
         return x_errors::run(arguments, format, &mut guard);
     }
     if let Some(by) = &arguments.by {
@@ -65,7 +65,7 @@ impl FitArguments {
     /// Returns the data of the question, and the destination of the answer.
     pub(super) fn job(&self, form: Form) -> Job<'_> {
         Job {
-            data: &self.data,
+            data: self.data.words_with(&self.x_errors),
             form,
             style: self.data.table.limits.limited(self.output.style()),
             output: self.output.file.output.as_deref(),
@@ -107,7 +107,7 @@ fn check_usage_of_proof(arguments: &FitArguments) -> Result<(), Failure> {
     }
     let proof = arguments.proof.as_deref();
     proof_file::theory(proof, arguments.proof_library)?;
-    if arguments.x_errors.are_asked()? || arguments.window().is_some() {
+    if arguments.x_errors.are_asked() || arguments.window().is_some() {
         proof_file::refuse_theorem(proof)?;
     }
     proof_file::check_place(proof, arguments.output.file.output.as_deref())

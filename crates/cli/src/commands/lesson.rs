@@ -18,8 +18,8 @@ pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
     guard.check(output)?;
     told_by_name(output, &[("html", ()), ("htm", ())], None)?;
     let most = arguments.data.table.limits.readings();
-    let data = arguments.data.open().at_most(most);
-    let reading = data.origin().reading;
+    let data = arguments.data.words().open()?.at_most(most);
+    let reading = data.origin.reading;
     let problem = data.problem_with_cells()?;
     if problem.measurements.is_of_reductions() {
         return Err(Failure::refused(InputError::of_file(

@@ -1,26 +1,21 @@
 //! `boundfit linearity`.
 
-use boundfit_ask::{Asked, Calibrated};
-use boundfit_estimation::Question;
-use boundfit_exact::{Foreign, Reading};
+use boundfit_ask::Calibrated;
 use boundfit_figures::{PictureFormat, PlotOptions, draw_linearity};
-use boundfit_formats::Source;
 use boundfit_questions::Linearity;
-use boundfit_report::Origin;
 
-use super::asked::{Given, Job};
+use super::asked::Job;
 use super::pictures;
 use crate::CommandResult;
 use crate::arguments::{LinearityArguments, refuse_without_picture};
 use crate::exit::Failure;
-use crate::input;
 use crate::output;
 use crate::progress::while_working;
 
 /// Reads the calibration and writes its linearity, and its picture if one is asked for.
 pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
     check_proof(arguments)?;
-    let job = Job::of(arguments, &arguments.output, arguments.proof.as_deref())?;
+    let job = Job::of(arguments.words(), &arguments.output, arguments.proof.as_deref())?;
     let mut guard = job.guard(&arguments.output.file.replace, &[])?;
     let figure = figure(arguments)?;
     check_look(arguments, figure.map(|(_, format)| format))?;
@@ -29,22 +24,6 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
         let picture = |(file, format)| Ok((picture(arguments, problem, linearity, format)?, file));
         figure.map(picture).transpose()
     })
-}
-
-impl Given for LinearityArguments {
-    fn path(&self) -> &str {
-        &self.data
-    }
-
-    fn opened(&self) -> Result<(Origin<'_>, Asked, Source), Failure> {
-        let source = input::open(&self.data).map_err(Failure::refused)?;
-        let is_stored = source.is_stored();
-        let reading = if is_stored { Reading::Binary64 } else { self.table.reading() };
-        let file = (self.data != "-").then_some(Foreign::of(&self.data));
-        let options = self.table.scan_options(&source, Some(&self.rows))?;
-        let asked = Asked { options, ..Asked::new(Question::line(self.x.clone(), self.y.clone())) };
-        Ok((Origin { file, reading, is_stored }, asked, source))
-    }
 }
 
 /// The picture, encoded.

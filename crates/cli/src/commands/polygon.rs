@@ -1,5 +1,6 @@
 //! `boundfit polygon`.
 
+use boundfit_ask::RowWords;
 use boundfit_exact::Foreign;
 use boundfit_figures::{PictureFormat, draw_region};
 use boundfit_formats::{HalfPlaneFile, TableOptions, read_half_planes};
@@ -41,8 +42,10 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     guard.check(output)?;
     guard.check(arguments.plot.as_deref())?;
     guard.check(proof)?;
-    let reading = arguments.table.reading();
-    let options = arguments.table.options(reading, None)?;
+    let words = arguments.table.words();
+    let options = words.reading(false).and_then(|reading| words.resolve(reading, &RowWords::default()));
+    let options = options.map_err(Failure::misused)?;
+    let reading = options.reading;
     let options = TableOptions { row_cost: memory::OF_A_HALF_PLANE, ..options };
     let source = input::open(&arguments.file).map_err(Failure::refused)?;
     let name = source.name().to_owned();

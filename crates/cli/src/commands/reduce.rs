@@ -1,14 +1,17 @@
 //! `boundfit reduce`.
 
-use boundfit_estimation::ReducedTable;
-use boundfit_exact::{Foreign, Reading};
-use boundfit_formats::{ScanOptions, Source};
+use boundfit_estimation::{Question, ReducedTable};
+use boundfit_formats::ScanOptions;
 
 use crate::CommandResult;
 use crate::arguments::{ReduceArguments, told_by_name};
 use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::output;
+
+/// Why readings of two regressors are not reduced.
+const NO_BOUNDS: &str = "which readings of two regressors decide depends on their bounds: say them with '--eps', as a number or a \
+                         law, '--eps-column' or '--lower' and '--upper'";
 
 /// Reads the data and writes those rows that decide every fit.
 pub(crate) fn run(arguments: &ReduceArguments) -> CommandResult {
@@ -17,15 +20,16 @@ pub(crate) fn run(arguments: &ReduceArguments) -> CommandResult {
     let guard = arguments.file.replace.guard([arguments.data.as_str()]);
     guard.check(output)?;
     told_by_name(output, &[("csv", ()), ("tsv", ()), ("txt", ())], None)?;
-    let source = input::open(&arguments.data).map_err(Failure::refused);
-    let is_stored = source.as_ref().is_ok_and(Source::is_stored);
-    let reading = if is_stored { Reading::Binary64 } else { arguments.table.reading() };
-    let columns = arguments.columns(reading)?;
-    let source = source?;
-    let options = arguments.table.scan_options(&source, Some(&arguments.rows))?;
-    let options = ScanOptions { list_rows: false, ..options };
-    let reduced = ReducedTable::scan(source, &columns, &options).map_err(Failure::refused)?;
-    input::say_table(Foreign::of(input::named(&arguments.data)), reduced.table());
+    let words = arguments.words();
+    let has_bounds = words.readings.has_bounds();
+    let (asked, source) = words.open_for(has_bounds)?.scan();
+    let Question { columns, multiple_of_least, .. } = &asked.question;
+    if columns.second.is_some() && (!has_bounds || multiple_of_least.is_some()) {
+        return Err(Failure::Usage(NO_BOUNDS.to_owned()));
+    }
+    let options = ScanOptions { list_rows: false, ..asked.options.clone() };
+    let reduced = ReducedTable::scan(source, columns, &options).map_err(Failure::refused)?;
+    input::say_table(words.file_name(), reduced.table());
     let mut text = Vec::new();
     // Writing to memory cannot fail.
     reduced.write(&mut text).map_err(Failure::data)?;

@@ -1,39 +1,16 @@
 //! `boundfit fit` with errors in x.
 
-use boundfit_ask::{Ask, Asked, FitXErrors, Form};
-use boundfit_formats::Source;
-use boundfit_report::Origin;
+use boundfit_ask::{Ask, FitXErrors, Form};
 
-use super::asked::{Given, Job};
 use crate::CommandResult;
-use crate::arguments::{DataArguments, FitArguments, ReportFormat, XErrorArguments};
+use crate::arguments::{FitArguments, ReportFormat};
 use crate::exit::Failure;
 use crate::output::Guard;
 
 /// Reads the data, finds the lines that agree with all readings, and writes the report.
 pub(crate) fn run(arguments: &FitArguments, format: ReportFormat, guard: &mut Guard) -> CommandResult {
     let form = check_usage(arguments, format)?;
-    let data = WithXErrors { data: &arguments.data, x_errors: &arguments.x_errors };
-    Job { data: &data, ..arguments.job(form) }.run(&FitXErrors {}, guard)
-}
-
-/// Readings whose x have errors, too.
-struct WithXErrors<'a> {
-    data: &'a DataArguments,
-    x_errors: &'a XErrorArguments,
-}
-
-impl Given for WithXErrors<'_> {
-    fn path(&self) -> &str {
-        self.data.path()
-    }
-
-    fn opened(&self) -> Result<(Origin<'_>, Asked, Source), Failure> {
-        let opened = self.data.open();
-        let origin = opened.origin();
-        let (asked, source) = opened.asked_with(Some(self.x_errors))?;
-        Ok((origin, asked, source))
-    }
+    arguments.job(form).run(&FitXErrors {}, guard)
 }
 
 /// The form of the answer; refuses what is not there with errors in x.

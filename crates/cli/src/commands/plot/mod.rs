@@ -34,7 +34,7 @@ enum Destination<'a> {
 
 /// Reads the data, fits, draws every picture that is asked for, and then writes them.
 pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
-    let draw_x_errors = match arguments.x_errors.are_asked()? {
+    let draw_x_errors = match arguments.x_errors.are_asked() {
         true => Some(x_error_figure(arguments.figure)?),
         false => None,
     };
@@ -123,7 +123,7 @@ impl Job<'_> {
 
     /// Reads the data with errors in x, fits and draws.
     fn run_with_x_errors(&self, draw: DrawXErrors) -> CommandResult {
-        let problem = self.arguments.data.open().x_error_problem(&self.arguments.x_errors)?;
+        let problem = self.arguments.data.words_with(&self.arguments.x_errors).open()?.x_error_problem()?;
         input::say_table(self.arguments.data.file_name(), problem.problem().measurements.table());
         let answer = while_working("fitting", || problem.fit());
         let options = options(self.arguments, problem.problem());
@@ -156,7 +156,12 @@ impl Job<'_> {
 
 /// Reads the readings, those that are not fitted too, of which so many figures will be drawn.
 fn problem(arguments: &PlotArguments, figures: u64) -> Result<Problem, Failure> {
-    let problem = arguments.data.open().holding(memory::OF_A_FIGURE).shown_problem()?;
+    let problem = arguments
+        .data
+        .words_with(&arguments.x_errors)
+        .open()?
+        .holding(memory::OF_A_FIGURE)
+        .shown_problem()?;
     let limits = &arguments.data.table.limits;
     input::say_table(arguments.data.file_name(), problem.measurements.table());
     refuse_long_problem(arguments.data.file_name(), &problem, figures * times::PLOT, limits)?;

@@ -9,6 +9,7 @@ use boundfit_exact::Foreign;
 use boundfit_figures::{
     Compared, Figure, MOST_COMPARED, MOST_PANELS, PlotOptions, Series, draw_compared, draw_groups,
 };
+use boundfit_formats::ColumnSelector;
 
 use super::{Job, plain_options};
 use crate::CommandResult;
@@ -46,7 +47,7 @@ pub(super) fn asked(arguments: &PlotArguments) -> Result<Option<Several>, Failur
             "'-' is standard input, which is read once, and it is given twice".to_owned(),
         ));
     }
-    if arguments.x_errors.are_asked()? || arguments.factors()?.is_some() {
+    if arguments.x_errors.are_asked() || arguments.factors()?.is_some() {
         return Err(Failure::Usage(format!("{subject}, without '--x-eps', '--x-eps-column' and '--sweep'")));
     }
     if files * bounds > MOST_COMPARED {
@@ -101,7 +102,8 @@ fn run_compared(job: &Job, what: Compared) -> CommandResult {
     let mut all = Vec::new();
     let mut said = BTreeSet::new();
     for (name, data) in parts(job.arguments) {
-        let problem = data.open().holding(memory::OF_A_FIGURE).whole_problem()?;
+        let problem =
+            data.words_with(&job.arguments.x_errors).open()?.holding(memory::OF_A_FIGURE).whole_problem()?;
         refuse_long_problem(data.file_name(), &problem, times::PLOT, &data.table.limits)?;
         if said.insert(data.path().to_owned()) {
             input::say_table(data.file_name(), problem.measurements.table());
@@ -159,8 +161,9 @@ fn names(files: &[&str]) -> Vec<String> {
 
 fn run_groups(job: &Job, what: Compared) -> CommandResult {
     let Some(by) = &job.arguments.by else { return Ok(Exit::Answer) };
-    let (asked, source) = job.arguments.data.open().asked_with(None)?;
-    let groups = Groups::read(&asked, source, by);
+    let by = ColumnSelector::name_or_number(by);
+    let (asked, source) = job.arguments.data.words_with(&job.arguments.x_errors).open()?.scan();
+    let groups = Groups::read(&asked, source, &by);
     let groups = groups.map_err(|refusal| Failure::of(&refusal, job.arguments.data.file_name()))?;
     let (asked, fleet) = (groups.question(), groups.fleet());
     input::say_table(job.arguments.data.file_name(), fleet.table());

@@ -1,0 +1,171 @@
+//! Readings of a file: what is asked of them, resolved, and reading them.
+
+use std::sync::Arc;
+
+use boundfit_ask::{Asked, Files, FitXErrors, Refusal, Shows, Tables};
+use boundfit_estimation::{Keep, Problem};
+use boundfit_exact::Foreign;
+use boundfit_formats::{InputError, InputErrorKind, ScanOptions, Source, TableNotes, TableOptions};
+use boundfit_lesson::LessonError;
+use boundfit_questions::XErrorProblem;
+use boundfit_report::Origin;
+
+use crate::arguments::Words;
+use crate::exit::Failure;
+use crate::input;
+use crate::memory;
+use crate::progress::ReadingProgress;
+
+/// A file, opened, and what is asked of which of its readings.
+pub(crate) struct Data<'a> {
+    /// Where the readings come from, for reports.
+    pub(crate) origin: Origin<'a>,
+    asked: Asked,
+    source: Source,
+    /// The file in the words of reports.
+    name: Foreign<&'a str>,
+}
+
+impl<'a> Words<'a> {
+    /// Opens the file of readings whose errors have bounds.
+    pub(crate) fn open(&self) -> Result<Data<'a>, Failure> {
+        Ok(self.open_for(true)?.holding(memory::OF_A_READING))
+    }
+
+    /// Opens the file, for a question in which bounds on the errors have a say or none. The file is opened first, since it tells how
+    /// numbers are read in both it and the options. That it cannot be opened is said after what is wrong with the options.
+    pub(crate) fn open_for(&self, has_bounds: bool) -> Result<Data<'a>, Failure> {
+        let source = input::open(self.path).map_err(Failure::refused);
+        let is_stored = source.as_ref().is_ok_and(Source::is_stored);
+        let resolved = || {
+            let (words, reading) = (&self.readings, self.readings.table.reading(is_stored)?);
+            let mut asked = match has_bounds {
+                true => words.resolve(reading),
+                false => words.resolve_without_bounds(reading),
+            }?;
+            // One budget for all that the command reads.
+            asked.options.table.sizes.memory = self.limits.sizes().memory;
+            let table = TableOptions { reading: words.table.reading(false)?, ..asked.options.table.clone() };
+            let beside = Files(ScanOptions { table, ..asked.options.clone() });
+            Ok(Asked { tables: Some(Arc::new(FilesBeside(beside))), ..asked })
+        };
+        let name = self.file_name();
+        let asked = resolved().map_err(|refusal| Failure::of(&refusal, name))?;
+        let file = (self.path != "-").then_some(Foreign::of(self.path));
+        let origin = Origin { file, reading: asked.options.table.reading, is_stored };
+        Ok(Data { origin, asked, source: source?, name })
+    }
+}
+
+/// Files beside the data, which are read in the same way.
+struct FilesBeside(Files);
+
+impl Tables for FilesBeside {
+    fn open(&self, name: &str) -> Result<(Source, ScanOptions), Refusal> {
+        let source = input::open(name)?;
+        let options = with_progress(self.0.options(&source), &source);
+        Ok((source, options))
+    }
+
+    fn was_read(&self, name: &str, table: Option<&TableNotes>) {
+        input::say_table(Foreign::of(input::named(name)), table);
+    }
+}
+
+/// Options of a scan that shows how far it is.
+fn with_progress(options: ScanOptions, source: &Source) -> ScanOptions {
+    ScanOptions { progress: Some(ReadingProgress::new(source.length())), ..options }
+}
+
+impl<'a> Data<'a> {
+    /// The data, of which the command holds every reading in so many bytes, with all that it makes of it.
+    pub(crate) fn holding(mut self, row_cost: usize) -> Self {
+        self.asked.options.table.row_cost = row_cost;
+        self
+    }
+
+    /// The data, which are refused as soon as they have more readings than this.
+    pub(crate) fn at_most(mut self, most_wanted: usize) -> Self {
+        self.asked.options.table.most_wanted = Some(most_wanted);
+        self
+    }
+
+    /// What is asked of which readings, and the file that they stand in, to be read in parts, which may be many.
+    pub(crate) fn scan(self) -> (Asked, Source) {
+        memory::keep_freed();
+        let Data { asked, source, .. } = self;
+        let options = with_progress(asked.options, &source);
+        (Asked { options, ..asked }, source)
+    }
+
+    /// Reads the problem.
+    pub(crate) fn problem(self) -> Result<Problem, Failure> {
+        self.read(|table| table)
+    }
+
+    /// Reads the problem, and keeps the readings of the file that are not fitted.
+    pub(crate) fn problem_with_others(self) -> Result<Problem, Failure> {
+        self.read(|table| TableOptions { keep_others: true, ..table })
+    }
+
+    /// As [`Data::problem_with_others`], with the texts of the cells.
+    pub(crate) fn problem_with_cells(self) -> Result<Problem, Failure> {
+        self.read(|table| TableOptions { keep_others: true, keep_cells: true, ..table })
+    }
+
+    /// As [`Data::problem_with_others`], without the hash of the data: in less memory where no reading may be left out.
+    pub(crate) fn shown_problem(self) -> Result<Problem, Failure> {
+        match self.asked.options.table.selects_rows() {
+            true => self.problem_with_others(),
+            false => self.whole_problem(),
+        }
+    }
+
+    /// Reads the problem with the readings that can bound anything under some error bound, others too where they are few.
+    pub(crate) fn supporting_problem(self) -> Result<Problem, Failure> {
+        let keep = if self.asked.question.columns.are_open() { Keep::default() } else { Keep::EVERY };
+        self.scanned(keep, Shows::Rows)
+    }
+
+    /// Reads the problem with every reading, which takes less memory than [`Data::problem`] does, and has no hash of the data.
+    pub(crate) fn whole_problem(self) -> Result<Problem, Failure> {
+        self.scanned(Keep::EVERY, Shows::Nothing)
+    }
+
+    /// Reads the readings with the bounds on the errors of x, and those that are not fitted, for pictures.
+    pub(crate) fn x_error_problem(self) -> Result<XErrorProblem, Failure> {
+        let name = self.name;
+        let (asked, source) = self.scan();
+        let problem = asked.x_error_problem(source, FitXErrors::ROW_COST, Shows::Nothing, true);
+        problem.map_err(|refusal| Failure::of(&refusal, name))
+    }
+
+    fn scanned(self, keep: Keep, shows: Shows) -> Result<Problem, Failure> {
+        let name = self.name;
+        let (asked, source) = self.scan();
+        let row_cost = asked.options.table.row_cost;
+        let problem = asked.scanned(source, (row_cost, shows), Keep { eui: false, ..keep });
+        problem.map_err(|refusal| Failure::of(&refusal, name))
+    }
+
+    fn read(self, with: impl FnOnce(TableOptions) -> TableOptions) -> Result<Problem, Failure> {
+        let Data { asked, source, name, .. } = self;
+        let table = with(asked.options.table.clone());
+        asked.read(source, &table).map_err(|refusal| match refusal {
+            Refusal::Input(error) => refused_reading(error),
+            refusal => Failure::of(&refusal, name),
+        })
+    }
+}
+
+/// Why readings cannot be had; of more than a lesson shows, what to do.
+fn refused_reading(error: InputError) -> Failure {
+    match error.kind {
+        InputErrorKind::TooManyWanted { limit } => Failure::data(format_args!(
+            "{}: {}; choose some with --rows FIRST..LAST, or raise it with --limit readings=N",
+            error.file,
+            LessonError::TooManyRows { rows: limit.saturating_add(1), limit }
+        )),
+        _ => Failure::refused(error),
+    }
+}
