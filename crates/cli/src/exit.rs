@@ -165,7 +165,7 @@ impl Failure {
         }
     }
 
-    /// What is wrong with options, whatever the data.
+    /// Mistakes of options, whatever the data.
     pub(crate) fn misused(refusal: Refusal) -> Self {
         Failure::Usage(refusal.words(&Options))
     }

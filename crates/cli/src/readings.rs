@@ -18,7 +18,7 @@ use crate::progress::ReadingProgress;
 
 /// A file, opened, and what is asked of which of its readings.
 pub(crate) struct Data<'a> {
-    /// Where the readings come from, for reports.
+    /// The origin of the readings, for reports.
     pub(crate) origin: Origin<'a>,
     asked: Asked,
     source: Source,
@@ -90,7 +90,7 @@ impl<'a> Data<'a> {
         self
     }
 
-    /// What is asked of which readings, and the file that they stand in, to be read in parts, which may be many.
+    /// The question, its readings, and the file that they stand in, which may be read in many parts.
     pub(crate) fn scan(self) -> (Asked, Source) {
         memory::keep_freed();
         let Data { asked, source, .. } = self;
@@ -108,12 +108,12 @@ impl<'a> Data<'a> {
         self.read(|table| TableOptions { keep_others: true, ..table })
     }
 
-    /// As [`Data::problem_with_others`], with the texts of the cells.
+    /// Reads what [`Data::problem_with_others`] does, with the texts of the cells.
     pub(crate) fn problem_with_cells(self) -> Result<Problem, Failure> {
         self.read(|table| TableOptions { keep_others: true, keep_cells: true, ..table })
     }
 
-    /// As [`Data::problem_with_others`], without the hash of the data: in less memory where no reading may be left out.
+    /// Reads what [`Data::problem_with_others`] does, without the hash of the data: in less memory where no reading may be left out.
     pub(crate) fn shown_problem(self) -> Result<Problem, Failure> {
         match self.asked.options.table.selects_rows() {
             true => self.problem_with_others(),
@@ -158,7 +158,7 @@ impl<'a> Data<'a> {
     }
 }
 
-/// Why readings cannot be had; of more than a lesson shows, what to do.
+/// The reason why readings cannot be had; of more than a lesson shows, what to do.
 fn refused_reading(error: InputError) -> Failure {
     match error.kind {
         InputErrorKind::TooManyWanted { limit } => Failure::data(format_args!(

@@ -23,7 +23,7 @@ struct AskedLimit {
     most: u64,
 }
 
-/// What an input may ask for at most. The short help is silent about it: a message that names a limit also says how it is raised.
+/// The most that an input may ask for. The short help is silent about it: a message that names a limit also says how it is raised.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct LimitArguments {
     #[arg(long, value_name = "NAME=N", value_parser = parser(&[]), help = HELP, long_help = long_help(&[]),
@@ -157,20 +157,20 @@ impl LimitArguments {
         self.limit.iter().rev().find(|asked| asked.limit == limit).map(|asked| asked.most)
     }
 
-    /// Of whatever is read, by their names.
+    /// The limits of whatever is read, by their names.
     pub(super) fn words(&self) -> AskedLimits {
         let is_of_files = |asked: &&AskedLimit| limits_of_files().any(|limit| limit == asked.limit);
         let named = |asked: &AskedLimit| (asked.limit.name().to_owned(), asked.most);
         self.limit.iter().filter(is_of_files).map(named).collect()
     }
 
-    /// Of one number, and of a file.
+    /// The limits of one number, and of a file.
     fn resolved(&self) -> (Limits, SizeLimits) {
         // Others were refused with the command line.
         resolve_limits(&self.words()).unwrap_or_default()
     }
 
-    /// Of one number.
+    /// The limits of one number.
     pub(crate) fn number(&self) -> Limits {
         self.resolved().0
     }

@@ -73,7 +73,7 @@ impl VerifyArguments {
     }
 }
 
-/// What is said, with the columns of a proof where none are.
+/// Returns the question, with the columns of a proof where it names none.
 fn with_columns_of(about: &About, said: &Readings) -> Readings {
     let [first, second, response, _] = &about.model;
     let column = |(column, _): &(u64, Rational)| column.to_string();

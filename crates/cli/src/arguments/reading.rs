@@ -1,4 +1,4 @@
-//! From options to readings as every surface says them.
+//! Turns options into readings as every surface says them.
 
 use boundfit_ask::{Given, Readings, Regressors, TableWords};
 use boundfit_estimation::Measurements;
@@ -150,7 +150,7 @@ impl EpsilonArguments {
 }
 
 impl LineArguments {
-    /// Which lines are fitted, beside what else is said.
+    /// Says which lines are fitted, beside what else is said.
     fn beside(&self, readings: Readings) -> Readings {
         Readings {
             through_origin: self.through_origin,
@@ -161,7 +161,7 @@ impl LineArguments {
 }
 
 impl TableArguments {
-    /// How the table is read.
+    /// Says how the table is read.
     pub(crate) fn words(&self) -> TableWords {
         TableWords {
             reading: Some(self.reading.clone()),

@@ -3,7 +3,7 @@
 use boundfit_ask::{Given, RowWords, Rows};
 use clap::Args;
 
-/// Which data rows are used.
+/// The data rows that are used.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct RowArguments {
     /// Use only these data rows, counted from 1 without the header: 14..36, 5, ..10, 10.. or a list such as

@@ -14,7 +14,7 @@ use super::endings::{Format, NamedFormat, told_by_name};
 use super::values::{named, parse_regressors, words_or_auto};
 use super::{LimitArguments, RowArguments};
 
-/// Where a text goes.
+/// The place where a text goes.
 #[derive(Debug, Args)]
 pub(crate) struct FileArguments {
     /// Write to this file instead of standard output: whole or not at all
@@ -24,7 +24,7 @@ pub(crate) struct FileArguments {
     pub(crate) replace: ReplaceArguments,
 }
 
-/// What may be lost by writing.
+/// The losses that writing may bring.
 #[derive(Debug, Args)]
 pub(crate) struct ReplaceArguments {
     /// Replace an existing file even if boundfit did not write it; never an input file or a read-only one
@@ -39,7 +39,7 @@ impl ReplaceArguments {
     }
 }
 
-/// How much of the machine is used.
+/// The share of the machine that is used.
 #[derive(Debug, Args)]
 pub(crate) struct ThreadArguments {
     /// Threads that read and reduce the data [default: all processors]. The answer does not depend on it
@@ -47,7 +47,7 @@ pub(crate) struct ThreadArguments {
     pub(super) threads: Option<u16>,
 }
 
-/// Which readings are fitted, and how.
+/// The readings that are fitted, and their bounds.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct DataArguments {
     /// A table of readings (delimited text or a MATLAB .mat file), or - for standard input
@@ -73,7 +73,7 @@ pub(crate) struct DataArguments {
     pub(crate) table: TableArguments,
 }
 
-/// Which lines are fitted.
+/// The kind of lines that are fitted.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct LineArguments {
     /// Fit y = theta1*x + e, a line without an offset: theta2 = 0 becomes the last condition, and least squares has one
@@ -107,7 +107,7 @@ pub(crate) struct EpsilonArguments {
     pub(crate) upper: Option<String>,
 }
 
-/// What pictures and pages say besides what follows from the data.
+/// The words of pictures and pages that do not follow from the data.
 #[derive(Debug, Args)]
 pub(crate) struct LabelArguments {
     /// Unit of x, such as V; with two regressors, of both
@@ -121,7 +121,7 @@ pub(crate) struct LabelArguments {
     pub(crate) title: Option<Foreign>,
 }
 
-/// How the input is read.
+/// The way the input is read.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct TableArguments {
     /// Read numbers exactly as written, or as the nearest double, exactly [default for .mat files: binary64]
@@ -178,7 +178,7 @@ pub(crate) struct TableArguments {
 /// The heading of what tells how a table is written.
 const TEXT: &str = "Tables";
 
-/// How the answer is written.
+/// The way the answer is written.
 #[derive(Debug, Args)]
 pub(crate) struct OutputArguments<F: ValueEnum + Send + Sync + 'static = Format> {
     /// Format of the answer. Default: the ending of the output file's name (r.json, r.txt ...), else text

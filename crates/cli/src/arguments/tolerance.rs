@@ -6,14 +6,14 @@ use clap::{Args, ValueEnum};
 
 use crate::exit::Failure;
 
-/// Whether something is done.
+/// A choice whether something is done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Switch {
     On,
     Off,
 }
 
-/// How far an answer may be off.
+/// The distance that an answer may be off.
 #[derive(Debug, Args)]
 pub(crate) struct ToleranceArguments {
     /// Allowed error of an answer on either side, relative to its size: of an optimum, a row, a price

@@ -18,7 +18,7 @@ pub(crate) struct XErrorArguments {
 }
 
 impl XErrorArguments {
-    /// Whether x has errors.
+    /// The errors of x.
     pub(crate) fn are_asked(&self) -> bool {
         self.x_eps.is_some() || self.x_eps_column.is_some()
     }

@@ -14,7 +14,7 @@ use crate::memory;
 use crate::output::{self, Guard, Output, Stop};
 use crate::progress::while_working;
 
-/// What is asked about, and where the answer goes.
+/// The readings that are asked about, and the place where the answer goes.
 pub(super) struct Job<'a> {
     pub(super) data: Words<'a>,
     pub(super) form: Form,

@@ -9,7 +9,7 @@ use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::output;
 
-/// Why readings of two regressors are not reduced.
+/// The refusal of readings of two regressors.
 const NO_BOUNDS: &str = "which readings of two regressors decide depends on their bounds: say them with '--eps', as a number or a \
                          law, '--eps-column' or '--lower' and '--upper'";
 
