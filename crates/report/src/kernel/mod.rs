@@ -2,6 +2,7 @@
 
 mod evidence;
 mod numbers;
+mod program;
 mod rows;
 
 use std::fmt::Write;
@@ -12,7 +13,8 @@ use boundfit_geometry::{Polyhedron, System};
 
 use crate::proof_question::ProofQuestion;
 use evidence::{Evidence, Number, contradiction};
-use numbers::{column, literal, pieces};
+use numbers::literal;
+pub use program::kernel_program;
 use rows::Statement;
 
 /// The files of the theory, in the order in which each needs those before it.
@@ -41,10 +43,14 @@ pub fn kernel_fit(problem: &Problem, fit: &Fit, reading: Reading, theory: Theory
     let polyhedron = fit.fps.polyhedron();
     let ranges = fit.pui_intervals();
     let number = |index: usize| numbers.get(&fit.fps.name(index)).copied();
-    let sha256 = problem.measurements.sha256();
-    let rows = problem.measurements.fitted_rows();
-    let question = ProofQuestion::new(problem, reading);
-    theorem(&statement, polyhedron, ranges, &number, &head(sha256, rows, question), theory)
+    let set = Set { polyhedron, ranges, number: &number };
+    let head = Head {
+        sha256: problem.measurements.sha256(),
+        rows: problem.measurements.fitted_rows(),
+        question: ProofQuestion::new(problem, reading),
+        ..Head::default()
+    };
+    theorem(&statement, &set, head, theory)
 }
 
 /// The theorem about a set of half-planes. `None` never happens for the set of these half-planes.
@@ -55,56 +61,71 @@ pub fn kernel_half_planes(
     theory: Theory,
 ) -> Option<String> {
     let statement = Statement::of_half_planes(system);
-    theorem(
-        &statement,
-        polyhedron,
-        polyhedron.bounding_box(),
-        &|index| Some(index + 1),
-        &head(sha256, &[], None),
-        theory,
-    )
+    let set = Set { polyhedron, ranges: polyhedron.bounding_box(), number: &|index| Some(index + 1) };
+    theorem(&statement, &set, Head { sha256, ..Head::default() }, theory)
 }
 
-/// The first lines: what is proved, how to check it, and what is outside.
-fn head(sha256: Option<&str>, rows: &[[usize; 2]], question: Option<ProofQuestion>) -> String {
-    let mut text = String::from(
-        "(* What is proved: the last theorems of this file. Their statements need the definitions of rows, feasible and\n   \
-         vertices below, and those of read, hull and is_range in the theory.\n   \
-         How to check: coqc FILE (Coq 8.16). It ends by printing what the theorem over the rational numbers assumes:\n   \
-         nothing. The one over the real numbers assumes the axioms of Coq's real numbers.\n   \
-         What is outside: that the rows are those of the data.\n   \
-         'boundfit verify FILE DATA' compares both where the question stands here.\n",
-    );
-    if let Some(sha256) = sha256 {
-        let _ = writeln!(text, "   The data have the SHA-256 {sha256}.");
-    }
-    if !rows.is_empty() && rows.len() <= 20 {
-        let range =
-            |&[from, to]: &[usize; 2]| if from == to { from.to_string() } else { format!("{from}..{to}") };
-        let _ =
-            writeln!(text, "   Rows of the data: {}.", rows.iter().map(range).collect::<Vec<_>>().join(","));
-    }
-    if let Some(question) = question {
-        let _ = writeln!(text, "   The question: {}", question.to_line("boundfit/theorem/1"));
-    }
-    text + "*)\n"
-}
-
-fn theorem(
-    statement: &Statement,
-    polyhedron: &Polyhedron,
+/// A set with the ranges of its parameters.
+struct Set<'a> {
+    polyhedron: &'a Polyhedron,
     ranges: Option<[Interval; 2]>,
-    number: Number,
-    head: &str,
-    theory: Theory,
-) -> Option<String> {
-    let mut text = format!("{head}{}\n{}\n", imports(theory), statement.text());
+    number: Number<'a>,
+}
+
+/// The facts in the first lines.
+#[derive(Default)]
+struct Head<'a> {
+    /// The subject of the last theorems where it is more than a set.
+    subject: Option<&'static str>,
+    sha256: Option<&'a str>,
+    /// Rows of the data.
+    rows: &'a [[usize; 2]],
+    question: Option<ProofQuestion>,
+}
+
+impl Head<'_> {
+    /// The first lines: what is proved, how to check it, and what is outside.
+    fn text(self) -> String {
+        let Head { subject, sha256, rows, question } = self;
+        let mut text = String::from(
+            "(* What is proved: the last theorems of this file. Their statements need the definitions of rows, feasible and\n   \
+             vertices below, and those of read, hull and is_range in the theory.\n   \
+             How to check: coqc FILE (Coq 8.16). It ends by printing what the theorem over the rational numbers assumes:\n   \
+             nothing. The one over the real numbers assumes the axioms of Coq's real numbers.\n   \
+             What is outside: that the rows are those of the data.\n   \
+             'boundfit verify FILE DATA' compares both where the question stands here.\n",
+        );
+        if let Some(subject) = subject {
+            let _ = writeln!(text, "   The theorems are about {subject}.");
+        }
+        if let Some(sha256) = sha256 {
+            let _ = writeln!(text, "   The data have the SHA-256 {sha256}.");
+        }
+        if !rows.is_empty() && rows.len() <= 20 {
+            let range = |&[from, to]: &[usize; 2]| {
+                if from == to { from.to_string() } else { format!("{from}..{to}") }
+            };
+            let _ = writeln!(
+                text,
+                "   Rows of the data: {}.",
+                rows.iter().map(range).collect::<Vec<_>>().join(",")
+            );
+        }
+        if let Some(question) = question {
+            let _ = writeln!(text, "   The question: {}", question.to_line("boundfit/theorem/1"));
+        }
+        text + "*)\n"
+    }
+}
+
+fn theorem(statement: &Statement, set: &Set, head: Head, theory: Theory) -> Option<String> {
+    let mut text = format!("{}{}\n{}\n", head.text(), imports(theory), statement.text());
     let _ = write!(
         text,
         "Theorem the_rows : Z.of_nat (length rows) = {}%Z.\nProof. vm_compute. reflexivity. Qed.\n\n",
         statement.count
     );
-    match contradiction(polyhedron, number) {
+    match contradiction(set.polyhedron, set.number) {
         Some(numbers) => {
             let _ = write!(
                 text,
@@ -117,7 +138,9 @@ fn theorem(
                  Print Assumptions nothing_is_feasible.\n"
             );
         }
-        None => text.push_str(&the_set(&Evidence::new(polyhedron, number)?, &ranges?)),
+        None => {
+            text.push_str(&the_set(&Evidence::new(set.polyhedron, set.number)?, set.ranges.as_ref()?));
+        }
     }
     Some(text)
 }
@@ -161,18 +184,10 @@ fn included() -> String {
 
 /// The theorem about a set that is not empty.
 fn the_set(evidence: &Evidence, ranges: &[Interval; 2]) -> String {
-    let Evidence { vertices, rays, certificate } = evidence;
-    let rows = vertex_rows(vertices);
-    let ray_list: Vec<String> = rays.iter().map(|ray| format!("({}, {})", ray.dx(), ray.dy())).collect();
     let [lemmas, names, says] = ends(ranges);
-    let (hull, real_hull) = match rays.is_empty() {
-        true => ("hull vertices p", "hullR vertices p"),
-        false => ("hull_and_cone vertices rays p", "hull_and_coneR vertices rays p"),
-    };
+    let [hull, real_hull] = evidence.hull(["vertices", "rays"]);
     format!(
-        "Definition vertices : list (Q * Q) := map point (read {}).\n\
-         Definition rays : list (Q * Q) := [{}].\n\
-         Definition evidence : certificate := {certificate}.\n\
+        "{}\
          Lemma checked : check forms evidence vertices rays = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n\
          Lemma same_set (p : Q * Q) : feasible p <-> set_of vertices rays p.\n\
          Proof. rewrite feasible_forms. exact (set_sound forms evidence vertices rays checked p). Qed.\n{lemmas}\n\
@@ -182,28 +197,8 @@ fn the_set(evidence: &Evidence, ranges: &[Interval; 2]) -> String {
          Theorem the_real_set : forall p, feasibleR p <-> {real_hull}.\n\
          Proof. intros p. rewrite feasible_formsR. exact (set_soundR forms evidence vertices rays checked p). Qed.\n\n\
          Print Assumptions the_set.\n",
-        pieces(rows),
-        ray_list.join("; "),
+        evidence.definitions(["vertices", "rays", "evidence"]),
     )
-}
-
-/// Beyond so many vertices, both coordinates of each have one denominator: they are longer to read, and shorter to compute with.
-const MANY_VERTICES: usize = 100;
-
-/// The vertices as rows of text.
-fn vertex_rows(vertices: &[[Rational; 2]]) -> Vec<String> {
-    if vertices.len() > MANY_VERTICES {
-        let row = |[x, y]: &[Rational; 2]| {
-            let ([x, y], w) = Rational::over_common_denominator([x, y]);
-            format!("{x}/{w},{y}/{w}")
-        };
-        return vertices.iter().map(row).collect();
-    }
-    let coordinate = |index: usize| {
-        let values: Vec<_> = vertices.iter().map(|own| own.get(index).cloned()).collect();
-        column(&values)
-    };
-    coordinate(0).into_iter().zip(coordinate(1)).map(|(x, y)| format!("{x},{y}")).collect()
 }
 
 /// Lemmas about the four ends, their names in a proof, and what they say.
