@@ -1,33 +1,14 @@
 //! The answer to a linear program in two columns as a theorem: the feasible set, the optimum, and all optimal points.
 
 use boundfit_exact::Rational;
-use boundfit_geometry::{Inequality, Polyhedron, System};
+use boundfit_geometry::{Polyhedron, System};
 use boundfit_judge::Answer;
 use boundfit_lp::{Bounds, Model, ObjectiveSense};
 
 use super::evidence::Evidence;
 use super::numbers::literal;
-use super::rows::Statement;
-use super::{Head, Set, Theory, theorem};
-
-/// A row `lower ≤ a·θ1 + b·θ2 ≤ upper` of a program, or the bounds of one of its columns.
-pub(super) struct ProgramRow<'a> {
-    pub(super) form: [Rational; 2],
-    pub(super) bounds: &'a Bounds,
-}
-
-impl ProgramRow<'_> {
-    /// Adds a half-plane for each bound, the lower one first, as the checker numbers them.
-    fn push_to(&self, system: &mut System) {
-        let [a, b] = &self.form;
-        if let Some(lower) = &self.bounds.lower {
-            system.push(Inequality::new(-a, -b, -lower));
-        }
-        if let Some(upper) = &self.bounds.upper {
-            system.push(Inequality::new(a.clone(), b.clone(), upper.clone()));
-        }
-    }
-}
+use super::rows::{ProgramRow, Statement};
+use super::theorem::{Head, Set, Theory, theorem};
 
 /// The theorem about the answer to a linear program. `None` when it has other than two columns. Exact. Cost: O(n log n) in the
 /// number of bounds.

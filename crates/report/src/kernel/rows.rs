@@ -5,9 +5,28 @@ use std::collections::HashMap;
 use boundfit_estimation::{BoundName, Bounds, Condition, Measurement, Measurements, Model, Problem};
 use boundfit_exact::{Foreign, Rational};
 use boundfit_geometry::{Inequality, System};
+use boundfit_lp as lp;
 
 use super::numbers::{column, literal, pieces};
-use super::program::ProgramRow;
+
+/// A row `lower ≤ a·θ1 + b·θ2 ≤ upper` of a program, or the bounds of one of its columns.
+pub(super) struct ProgramRow<'a> {
+    pub(super) form: [Rational; 2],
+    pub(super) bounds: &'a lp::Bounds,
+}
+
+impl ProgramRow<'_> {
+    /// Adds a half-plane for each bound, the lower one first, as the checker numbers them.
+    pub(super) fn push_to(&self, system: &mut System) {
+        let [a, b] = &self.form;
+        if let Some(lower) = &self.bounds.lower {
+            system.push(Inequality::new(-a, -b, -lower));
+        }
+        if let Some(upper) = &self.bounds.upper {
+            system.push(Inequality::new(a.clone(), b.clone(), upper.clone()));
+        }
+    }
+}
 
 /// Rows in text with the columns that a statement names, and what the statement says of each.
 pub(super) struct Statement {
