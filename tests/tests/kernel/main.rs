@@ -4,3 +4,4 @@ mod accepted;
 mod claim;
 mod coq;
 mod forged;
+mod forged_files;
