@@ -61,6 +61,16 @@ fn the_theorem_is_about_what_was_asked() {
             &["<-> hull_and_cone vertices rays p)", "Rows of the data: 4."],
         ),
         (
+            "check a.csv --x x --y y --eps 0.2 --claim-pui 13/15,17/15,2/3,4/3",
+            0,
+            &[INSIDE, "is_range feasible fst (13 # 15) (17 # 15) /\\ is_range feasible snd (2 # 3) (4 # 3)."],
+        ),
+        (
+            "check a.csv --x x --y y --eps 0.2 --claim-pui 0.8,1.2,0,1",
+            4,
+            &["is_range feasible snd (2 # 3) (4 # 3)."],
+        ),
+        (
             "judge best.lp",
             0,
             &[
@@ -106,8 +116,8 @@ fn readings_from_standard_input_have_a_theorem() {
 
 #[test]
 fn other_answers_have_no_theorem() {
-    const NONE: &str = "'--proof a.v': there are theorems for Coq about the set of one fit, polygons and linear programs, and none about \
-                        this answer; a file that ends in .json gets the proof for 'boundfit verify'";
+    const NONE: &str = "'--proof a.v': there are theorems for Coq about the set of one fit, the ends that 'check' judges, polygons \
+                        and linear programs, and none about this answer; a file that ends in .json gets the proof for 'boundfit verify'";
     let directory = directory();
     for command in ["status", "outliers", "range", "predict --at 1"] {
         refused(directory.path(), &format!("{command} a.csv --x x --y y --eps 1 --proof a.v"), NONE);
@@ -123,6 +133,11 @@ fn other_answers_have_no_theorem() {
         directory.path(),
         "judge best.lp --proof a.json",
         "the proof of a linear program is a theorem for Coq: give '--proof' a file that ends in .v",
+    );
+    refused(
+        directory.path(),
+        "check a.csv --x x --y y --eps 1 --proof a.json",
+        "the proof of the four ends is a theorem for Coq: give '--proof' a file that ends in .v",
     );
     refused(
         directory.path(),
