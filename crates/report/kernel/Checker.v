@@ -16,6 +16,9 @@ Definition infinity := T 0 0 1.
 (* low <= first*theta1 + second*theta2 <= high, as far as there are bounds. *)
 Record form := Form { first : Q; second : Q; low : option Q; high : option Q }.
 
+(* a*theta1 + b*theta2 + c = v. *)
+Definition level (a b c v : Q) : form := Form a b (Some (v - c)%Q) (Some (v - c)%Q).
+
 (* A condition as a row of text: its first and second coefficient, and its bounds. *)
 Definition form_of (r : row) : form := Form (number 0 r) (number 1 r) (entry 2 r) (entry 3 r).
 

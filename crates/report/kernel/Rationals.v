@@ -259,3 +259,44 @@ Section Transfer.
   Lemma no_highest_of : check_no_highest f vs rs = true -> no_highest S f.
   Proof. intros H m. apply (no_highest_sound f a b linear) in H. destruct (H m) as (p & Hp & A). exists p. split; [apply E, Hp | exact A]. Qed.
 End Transfer.
+
+(* Linear programs: the ends of an objective a*theta1 + b*theta2 + c, and all points at which it has one value. *)
+Lemma cost_is_linear a b p : fst p * a + snd p * b == a * fst p + b * snd p.
+Proof. ring. Qed.
+Lemma level_is forms a b c v p :
+  feasible_q forms p /\ fst p * a + snd p * b + c == v <-> feasible_q (forms ++ [level a b c v]) p.
+Proof.
+  unfold feasible_q, feasible. split.
+  - intros [F E] h H. apply in_app_or in H. destruct H as [H | [<- | []]]; [now apply F |].
+    apply between_is. cbn. split; lra.
+  - intros F. split; [intros h H; apply F, in_or_app; now left |].
+    assert (L : meets_q (level a b c v) p) by (apply F, in_or_app; right; now left).
+    apply between_is in L. cbn in L. lra.
+Qed.
+Theorem attained forms a b c v cert vs rs : check (forms ++ [level a b c v]) cert vs rs = true ->
+  forall p, feasible_q forms p /\ fst p * a + snd p * b + c == v <-> set_of vs rs p.
+Proof. intros H p. rewrite level_is. exact (set_sound _ cert vs rs H p). Qed.
+Section Objective.
+  Variables (a b c : Q) (S : Q * Q -> Prop) (vs rs : list (Q * Q)) (E : forall p, S p <-> set_of vs rs p).
+  Let cost (p : Q * Q) := fst p * a + snd p * b.
+  Theorem lowest_value v : check_lowest cost vs rs (v - c) = true -> lowest S (fun p => cost p + c) v.
+  Proof.
+    intros H. apply (lowest_of cost a b (cost_is_linear a b) S vs rs E) in H. destruct H as [L (p & Hp & A)].
+    split; [intros q Hq; specialize (L q Hq); lra | exists p; split; [exact Hp | rewrite A; ring]].
+  Qed.
+  Theorem highest_value v : check_highest cost vs rs (v - c) = true -> highest S (fun p => cost p + c) v.
+  Proof.
+    intros H. apply (highest_of cost a b (cost_is_linear a b) S vs rs E) in H. destruct H as [L (p & Hp & A)].
+    split; [intros q Hq; specialize (L q Hq); lra | exists p; split; [exact Hp | rewrite A; ring]].
+  Qed.
+  Theorem no_lowest_value : check_no_lowest cost vs rs = true -> no_lowest S (fun p => cost p + c).
+  Proof.
+    intros H m. apply (no_lowest_of cost a b (cost_is_linear a b) S vs rs E) in H.
+    destruct (H (m - c)) as (p & Hp & A). exists p. split; [exact Hp | lra].
+  Qed.
+  Theorem no_highest_value : check_no_highest cost vs rs = true -> no_highest S (fun p => cost p + c).
+  Proof.
+    intros H m. apply (no_highest_of cost a b (cost_is_linear a b) S vs rs E) in H.
+    destruct (H (m - c)) as (p & Hp & A). exists p. split; [exact Hp | lra].
+  Qed.
+End Objective.

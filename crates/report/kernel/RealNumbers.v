@@ -96,3 +96,18 @@ Theorem emptyR forms numbers : check_empty forms numbers = true -> forall p, ~ f
 Proof. exact (empty_sound _ _ _ _ _ _ _ _ _ _ _ reals forms numbers). Qed.
 Theorem set_soundR forms cert vs rs : check forms cert vs rs = true -> forall p, feasible_r forms p <-> set_ofR vs rs p.
 Proof. destruct rs; [apply boundedR | apply unboundedR]. Qed.
+
+(* All points at which the objective of a linear program has one value. *)
+Lemma level_isR forms a b c v p :
+  feasible_r forms p /\ fst p * Q2R a + snd p * Q2R b + Q2R c = Q2R v <-> feasible_r (forms ++ [level a b c v]) p.
+Proof.
+  assert (D : Q2R (v - c) = Q2R v - Q2R c) by apply Q2R_minus. unfold feasible_r, feasible. split.
+  - intros [F E] h H. apply in_app_or in H. destruct H as [H | [<- | []]]; [now apply F |].
+    apply betweenR_is. cbn [at_leastR at_mostR]. rewrite D. split; lra.
+  - intros F. split; [intros h H; apply F, in_or_app; now left |].
+    assert (L : meets_r (level a b c v) p) by (apply F, in_or_app; right; now left).
+    apply betweenR_is in L. cbn [at_leastR at_mostR] in L. rewrite D in L. lra.
+Qed.
+Theorem attainedR forms a b c v cert vs rs : check (forms ++ [level a b c v]) cert vs rs = true ->
+  forall p, feasible_r forms p /\ fst p * Q2R a + snd p * Q2R b + Q2R c = Q2R v <-> set_ofR vs rs p.
+Proof. intros H p. rewrite level_isR. exact (set_soundR _ cert vs rs H p). Qed.

@@ -104,7 +104,7 @@ pub use generators::ActiveNames;
 pub use guarantee::guarantee_document;
 pub use judge::{judge_document, judge_json};
 #[cfg(feature = "files")]
-pub use kernel::{THEORY, Theory, kernel_fit, kernel_half_planes};
+pub use kernel::{THEORY, Theory, kernel_fit, kernel_half_planes, kernel_program};
 pub use linearity::{linearity_csv, linearity_document, linearity_json};
 #[cfg(feature = "files")]
 pub use linearity::{linearity_proof, linearity_question};

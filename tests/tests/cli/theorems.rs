@@ -14,6 +14,10 @@ fn directory() -> TempDir {
         ("a.csv", DATA.as_bytes()),
         ("planes.csv", b"a1,a2,b\n-1,0,0\n0,-1,0\n2,3,6\n"),
         ("points.ext", b"V-representation\nbegin\n2 3 rational\n1 1 0\n1 0 1\nend\n"),
+        ("best.lp", b"max\nobj: 3 x + 2 y + 1\nst\n c1: x + y <= 4\n c2: 6 x + 4 y <= 21\nend\n"),
+        ("none.lp", b"min\nobj: x\nst\n c1: x + y <= 1\n c2: x >= 2\nend\n"),
+        ("ever.lp", b"min\nobj: x - y\nst\n c1: x - y <= 4\nend\n"),
+        ("three.lp", b"min\nobj: x - y\nst\n c1: x - y + z >= 4\nbounds\n z = 1\nend\n"),
         ("mine.v", b"Definition one := 1.\n"),
     ])
 }
@@ -57,6 +61,31 @@ fn the_theorem_is_about_what_was_asked() {
             0,
             &["<-> hull_and_cone vertices rays p)", "Rows of the data: 4."],
         ),
+        (
+            "check a.csv --x x --y y --eps 0.2 --claim-pui 13/15,17/15,2/3,4/3",
+            0,
+            &[INSIDE, "is_range feasible fst (13 # 15) (17 # 15) /\\ is_range feasible snd (2 # 3) (4 # 3)."],
+        ),
+        (
+            "check a.csv --x x --y y --eps 0.2 --claim-pui 0.8,1.2,0,1",
+            4,
+            &["is_range feasible snd (2 # 3) (4 # 3)."],
+        ),
+        (
+            "judge best.lp",
+            0,
+            &[
+                "at_most (fst p * a r + snd p * b r) (most r)",
+                "theta1 is the first column (x), theta2 the second one (y). *)\n",
+                "\"1,1,,4\n6,4,,21\n1,0,0,\n0,1,0,\n\"",
+                "Definition objective (p : Q * Q) : Q := fst p * (3 # 1) + snd p * (2 # 1) + (1 # 1).",
+                "Theorem the_optimum : highest feasible objective (23 # 2)\n  \
+                 /\\ (forall p, feasible p /\\ objective p == (23 # 2) <-> hull optimal_points p).",
+                "\"2.5,1.5\n3.5,0.0\n\"",
+            ],
+        ),
+        ("judge none.lp", 3, &["Theorem nothing_is_feasible : forall p, ~ feasible p."]),
+        ("judge ever.lp", 0, &["Theorem no_optimum : no_lowest feasible objective."]),
         ("polygon planes.csv", 0, &["fst p * a r + snd p * b r <= c r", "<-> hull vertices p)"]),
     ] {
         let directory = directory();
@@ -88,8 +117,8 @@ fn readings_from_standard_input_have_a_theorem() {
 
 #[test]
 fn other_answers_have_no_theorem() {
-    const NONE: &str = "'--proof a.v': there are theorems for Coq about the set of one fit and about polygons, and none about this \
-                        answer; a file that ends in .json gets the proof for 'boundfit verify'";
+    const NONE: &str = "'--proof a.v': there are theorems for Coq about the set of one fit, the ends that 'check' judges, polygons \
+                        and linear programs, and none about this answer; a file that ends in .json gets the proof for 'boundfit verify'";
     let directory = directory();
     for command in ["status", "outliers", "range", "predict --at 1"] {
         refused(directory.path(), &format!("{command} a.csv --x x --y y --eps 1 --proof a.v"), NONE);
@@ -100,6 +129,26 @@ fn other_answers_have_no_theorem() {
         directory.path(),
         "polygon planes.csv --proof a.json",
         "the proof of a set of half-planes is a theorem for Coq: give '--proof' a file that ends in .v",
+    );
+    refused(
+        directory.path(),
+        "judge best.lp --proof a.json",
+        "the proof of a linear program is a theorem for Coq: give '--proof' a file that ends in .v",
+    );
+    refused(
+        directory.path(),
+        "check a.csv --x x --y y --eps 1 --proof a.json",
+        "the proof of the four ends is a theorem for Coq: give '--proof' a file that ends in .v",
+    );
+    refused(
+        directory.path(),
+        "judge three.lp --proof a.v",
+        "'--proof' is about linear programs in two columns, and three.lp has three: there is no theorem about its answer",
+    );
+    refused(
+        directory.path(),
+        "judge best.lp --proof a.v --output a.v",
+        "'--proof' and '--output' name the same file",
     );
     refused(
         directory.path(),

@@ -5,8 +5,10 @@ use std::collections::BTreeMap;
 use boundfit_estimation::{Fit, Problem, fit};
 use boundfit_exact::Reading;
 use boundfit_geometry::Polyhedron;
-use boundfit_report::{Theory, kernel_fit, kernel_half_planes};
+use boundfit_judge::{Answer, SolveError};
+use boundfit_report::{Theory, kernel_fit, kernel_half_planes, kernel_program};
 use boundfit_tests::generate::{rational_system, seeded, system, tangents};
+use boundfit_tests::models::{model, truth};
 use boundfit_tests::proofs::{bounded, generated, questions};
 
 use crate::coq::{compiled, modules, run, theory};
@@ -67,6 +69,27 @@ fn generated_half_planes_are_theorems() {
     }
     assert_eq!(kinds.len(), 10, "{kinds:?}");
     all_are_accepted("half_planes", &theorems);
+}
+
+#[test]
+fn generated_linear_programs_are_theorems() -> Result<(), SolveError> {
+    let mut rng = seeded(3104);
+    let mut statuses = BTreeMap::<_, usize>::new();
+    let mut theorems = Vec::new();
+    while theorems.len() < 120 {
+        let model = model(&mut rng);
+        let theorem = kernel_program(&model, &Answer::of(&model)?, None, Theory::Installed);
+        assert_eq!(theorem.is_some(), model.columns.len() == 2, "{model:?}");
+        let Some(theorem) = theorem else { continue };
+        let truth = truth(&model);
+        // The optimal points: none, one, an edge, a ray, a line, or a set with an area.
+        let shape = (truth.status, truth.vertices.len().min(3), truth.rays.len(), truth.lines.len());
+        *statuses.entry(shape).or_default() += 1;
+        theorems.push(theorem);
+    }
+    assert!(statuses.len() >= 8, "{statuses:?}");
+    all_are_accepted("programs", &theorems);
+    Ok(())
 }
 
 /// A fit whose set is not empty.

@@ -37,11 +37,47 @@ pub fn compiled(name: &str, text: &str) -> Result<String, String> {
     run(theory(), "coqc", &["-q", "-R", ".", "Boundfit", &format!("{name}.v")])
 }
 
-/// Theorems in one file, each in a module of its own, without what the kernel prints of their assumptions.
+/// The lines before the rows of theorems that require the theory.
+const PRELUDE: &str = "From Boundfit Require Import Reader Checker Convex Sound Rationals RealNumbers.\n\
+                       From Coq Require Import ZArith QArith Qabs Reals Qreals List.\n\
+                       Import ListNotations.\nOpen Scope Q_scope.\n";
+
+/// A theorem from its rows on, without what the kernel prints of its assumptions. Imports are made once for many theorems.
+pub fn body(theorem: &str) -> String {
+    assert!(theorem.contains(PRELUDE), "{theorem}");
+    let rows = theorem.find("(* Rows: ").unwrap();
+    let lines = theorem[rows..].lines().filter(|line| !line.starts_with("Print Assumptions"));
+    lines.flat_map(|line| [line, "\n"]).collect()
+}
+
+/// Theorems in one file, each in a module of its own.
 pub fn modules<'a>(theorems: impl IntoIterator<Item = &'a String>) -> String {
-    let module = |(index, text): (usize, &String)| {
-        let own = text.lines().filter(|line| !line.starts_with("Print Assumptions"));
-        format!("Module M{index}.\n{}\nEnd M{index}.\n", own.collect::<Vec<_>>().join("\n"))
-    };
-    theorems.into_iter().enumerate().map(module).collect()
+    let module = |(index, text): (usize, &String)| format!("Module M{index}.\n{}End M{index}.\n", body(text));
+    PRELUDE.to_owned() + &theorems.into_iter().enumerate().map(module).collect::<String>()
+}
+
+/// Returns true for each file body all of whose theorems Coq's toplevel accepts, one after the other in one run. A file that is
+/// refused leaves nothing behind.
+pub fn accepted(name: &str, bodies: &[&str]) -> Vec<bool> {
+    let mut text = format!("{PRELUDE}Set Silent.\n");
+    for (index, body) in bodies.iter().enumerate() {
+        let names = body.lines().filter_map(|line| line.strip_prefix("Theorem ")?.split_once(' '));
+        let names: Vec<&str> = names.map(|(name, _)| name).collect();
+        // It is there only if all theorems are.
+        text += &format!(
+            "Definition start{index} := tt.\n{body}\n\
+             Definition accepted{index} : unit := (fun _ => tt) ({}).\nCheck accepted{index}.\nAbort All.\nReset start{index}.\n",
+            names.join(", ")
+        );
+    }
+    let file = theory().join(format!("{name}.txt"));
+    fs::write(&file, &text).unwrap();
+    let input = fs::File::open(&file).unwrap();
+    let output = Command::new("coqtop")
+        .args(["-q", "-R", ".", "Boundfit"])
+        .current_dir(theory())
+        .stdin(input)
+        .output();
+    let printed = String::from_utf8_lossy(&output.unwrap().stdout).into_owned();
+    (0..bodies.len()).map(|index| printed.contains(&format!("accepted{index}\n     : unit"))).collect()
 }

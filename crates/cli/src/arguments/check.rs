@@ -1,5 +1,6 @@
 //! The arguments of `boundfit check`.
 
+use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
@@ -66,6 +67,12 @@ pub(crate) struct CheckArguments {
     /// theta1 and theta2
     #[arg(long, requires = "directions")]
     pub(crate) scaled: bool,
+    /// Write a theorem for the kernel of Coq to this file, which ends in .v: the four ends, and the set that has them
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    pub(crate) proof_library: bool,
     #[command(flatten)]
     pub(crate) tolerance: ToleranceArguments,
     /// Seconds that a solver may spend on one program

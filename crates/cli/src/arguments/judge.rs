@@ -44,6 +44,13 @@ pub(crate) struct JudgeArguments {
     /// .tex
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) plot: Option<String>,
+    /// Write a theorem for the kernel of Coq to this file, which ends in .v: the feasible set, the optimum and all points
+    /// that attain it. The program must have two columns
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    pub(crate) proof_library: bool,
     #[command(flatten)]
     pub(crate) picture: PictureArguments,
     #[command(flatten)]

@@ -8,10 +8,13 @@ use boundfit_check::{
     Answer, AskedDirections, CheckOptions, ClaimLimits, ClaimText, check, is_solution_name, parse_claim_pui,
     read_claims, source_names,
 };
-use boundfit_exact::Foreign;
+use boundfit_estimation::{Problem, fit};
+use boundfit_exact::{Foreign, Reading};
 use boundfit_lp::Verdict;
-use boundfit_report::{check_document, check_json};
+use boundfit_report::{Theory, check_document, check_json};
 
+use super::fit::theorem as fit_theorem;
+use super::proof_file;
 use crate::CommandResult;
 use crate::arguments::{CheckArguments, Format, Switch};
 use crate::exit::{Exit, Failure};
@@ -25,13 +28,20 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     let format = arguments.output.format()?;
     let claims = claim_files(&arguments.claims)?;
     let inputs = claims.iter().map(String::as_str).chain([arguments.data.path()]);
-    let guard = arguments.output.file.replace.guard(inputs);
-    let output = arguments.output.file.output.as_deref();
+    let mut guard = arguments.output.file.replace.guard(inputs);
+    let (output, proof) = (arguments.output.file.output.as_deref(), arguments.proof.as_deref());
+    let theory = match proof_file::theory(proof, arguments.proof_library)? {
+        None if proof.is_some() => return Err(Failure::Usage(ONLY_THEOREMS.to_owned())),
+        theory => theory,
+    };
+    proof_file::check_place(proof, output)?;
     guard.check(output)?;
-    let data = arguments.data.words().open()?;
-    let boundfit_report::Origin { file, reading, .. } = data.origin;
+    guard.check(proof)?;
+    let data = arguments.data.open();
+    let boundfit_report::Origin { file, reading, .. } = data.origin();
     let options = options(arguments, claims)?;
-    let problem = if options.all_rows { data.problem()? } else { data.supporting_problem()? };
+    let has_all = options.all_rows || theory.is_some();
+    let problem = if has_all { data.problem()? } else { data.supporting_problem()? };
     let limits = &arguments.data.table.limits;
     refuse_long_problem(arguments.data.file_name(), &problem, times::CHECK, limits)?;
     let check = while_working("solving", || check(&problem, reading, &options));
@@ -43,8 +53,24 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
             check_document(&check, measurements, arguments.data.file_name(), reading, &style).to_text()
         }
     };
-    output::write(&report, output, &guard)?;
+    let theorem = theory.map(|theory| theorem(arguments, &problem, (reading, theory))).transpose()?;
+    let theorem = theorem.as_deref().map(|text| (text.as_bytes(), proof));
+    let parts: Vec<_> = theorem.into_iter().chain([(report.as_bytes(), output)]).collect();
+    output::write_together(&parts, &mut guard)?;
     Ok(if check.worst(reading).is_some_and(Verdict::is_refutation) { Exit::Refuted } else { Exit::Answer })
+}
+
+const ONLY_THEOREMS: &str =
+    "the proof of the four ends is a theorem for Coq: give '--proof' a file that ends in .v";
+
+/// The theorem about the set, which states its four ends.
+fn theorem(
+    arguments: &CheckArguments,
+    problem: &Problem,
+    (reading, theory): (Reading, Theory),
+) -> Result<String, Failure> {
+    let found = while_working("fitting", || fit(problem));
+    fit_theorem(problem, &found, (reading, theory), arguments.data.file_name())
 }
 
 fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<CheckOptions, Failure> {

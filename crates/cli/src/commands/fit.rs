@@ -50,7 +50,7 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
 }
 
 /// The theorem about a fit.
-fn theorem(
+pub(super) fn theorem(
     problem: &Problem,
     fit: &Fit,
     (reading, theory): (Reading, Theory),

@@ -7,12 +7,12 @@ use boundfit_formats::WholeFile;
 use boundfit_judge::{Answer, Plane};
 use boundfit_lp::{ExchangeFormat, Model, ModelLimits, model_text, read_model};
 use boundfit_report::{
-    JudgeJson, h_representation, judge_document, judge_json, solutions_document, solutions_json,
-    solutions_junit, solutions_sarif, v_representation,
+    JudgeJson, Theory, h_representation, judge_document, judge_json, kernel_program, solutions_document,
+    solutions_json, solutions_junit, solutions_sarif, v_representation,
 };
 
 use super::pictures::picture_format;
-use super::solutions;
+use super::{proof_file, solutions};
 use crate::CommandResult;
 use crate::arguments::{JudgeArguments, JudgeFormat, LimitArguments, PictureArguments};
 use crate::exit::{Exit, Failure};
@@ -24,6 +24,11 @@ use crate::work::{refuse_long, refuse_long_text, times};
 /// Reads the model, solves it and writes the report.
 pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     check_usage_of_files(arguments)?;
+    let proof = arguments.proof.as_deref();
+    let theory = match proof_file::theory(proof, arguments.proof_library)? {
+        None if proof.is_some() => return Err(Failure::Usage(ONLY_THEOREMS.to_owned())),
+        theory => theory,
+    };
     arguments.picture.check("--plot", arguments.plot.is_some())?;
     let plot = arguments.plot.as_deref().map(|file| picture_format("--plot <FILE>", file)).transpose()?;
     plot.map_or(Ok(()), |format| arguments.picture.check_format(format))?;
@@ -34,8 +39,10 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     let output = arguments.output.file.output.as_deref();
     guard.check(output)?;
     guard.check(arguments.plot.as_deref())?;
+    guard.check(proof)?;
     let file = read(arguments)?;
     let model = model_of(&file, &arguments.limits)?;
+    theory.map_or(Ok(()), |_| refuse_other_columns(&model, &file))?;
     let fail = |error| Failure::data(format_args!("{}: {error}", file.name));
     refuse_long(file.name.borrowed(), &model.work(), times::POLYGON, &arguments.limits)?;
     let plane = Plane::new(&model).map_err(fail)?;
@@ -64,7 +71,9 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     let picture =
         plot.map(|format| picture(&model, &plane, &file.name, (format, &arguments.picture))).transpose()?;
     let picture = picture.as_deref().map(|picture| (picture, arguments.plot.as_deref()));
-    let parts: Vec<_> = picture.into_iter().chain([(report.as_bytes(), output)]).collect();
+    let theorem = theory.map(|theory| theorem(&model, &answer, theory, &file)).transpose()?;
+    let theorem = theorem.as_deref().map(|text| (text.as_bytes(), proof));
+    let parts: Vec<_> = theorem.into_iter().chain(picture).chain([(report.as_bytes(), output)]).collect();
     output::write_together(&parts, &mut guard)?;
     Ok(match answer {
         _ if solutions::is_refuted(&judged) => Exit::Refuted,
@@ -72,6 +81,27 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
         Answer::Infeasible { .. } if judged.is_empty() => Exit::Empty,
         _ => Exit::Answer,
     })
+}
+
+const ONLY_THEOREMS: &str =
+    "the proof of a linear program is a theorem for Coq: give '--proof' a file that ends in .v";
+
+/// Refuses to prove programs that are not in the plane as they stand in the file.
+fn refuse_other_columns(model: &Model, file: &WholeFile) -> Result<(), Failure> {
+    match model.columns.len() {
+        2 => Ok(()),
+        count => Err(Failure::Usage(format!(
+            "'--proof' is about linear programs in two columns, and {} has {}: there is no theorem about its answer",
+            file.name,
+            in_words(count)
+        ))),
+    }
+}
+
+/// The theorem about the answer.
+fn theorem(model: &Model, answer: &Answer, theory: Theory, file: &WholeFile) -> Result<String, Failure> {
+    kernel_program(model, answer, Some(&file.sha256), theory)
+        .ok_or_else(|| Failure::data(format_args!("{}: this answer has no certificate", file.name)))
 }
 
 /// Refuses formats that have a place for findings alone where none are asked for.
@@ -89,10 +119,11 @@ fn check_usage_of_format(arguments: &JudgeArguments, format: JudgeFormat) -> Res
     }
 }
 
-/// Refuses files that would not be each for itself: of the report, of the picture.
+/// Refuses files that would not be each for itself: of the report, of the picture, of the theorem.
 fn check_usage_of_files(arguments: &JudgeArguments) -> Result<(), Failure> {
     let report = Some(arguments.output.file.output.as_deref().unwrap_or("-"));
-    files_apart(&[("--output", report), ("--plot", arguments.plot.as_deref())])
+    let proof = arguments.proof.as_deref();
+    files_apart(&[("--output", report), ("--plot", arguments.plot.as_deref()), ("--proof", proof)])
 }
 
 /// Refuses options that would write to one file, the report first.

@@ -30,8 +30,8 @@ pub(super) fn theory(proof: Option<&str>, is_installed: bool) -> Result<Option<T
 pub(super) fn refuse_theorem(proof: Option<&str>) -> Result<(), Failure> {
     match proof {
         Some(file) if is_theorem(proof) => Err(Failure::Usage(format!(
-            "'--proof {}': there are theorems for Coq about the set of one fit and about polygons, and none about this answer; \
-             a file that ends in .json gets the proof for 'boundfit verify'",
+            "'--proof {}': there are theorems for Coq about the set of one fit, the ends that 'check' \
+             judges, polygons and linear programs, and none about this answer; a file that ends in .json gets the proof for 'boundfit verify'",
             Foreign::of(file)
         ))),
         _ => Ok(()),

@@ -6,7 +6,7 @@ use boundfit_geometry::{
     System, UnboundedPolygonRegion, Vertex,
 };
 
-use super::numbers::pieces;
+use super::numbers::{column, pieces};
 use crate::proof_json::corners;
 
 /// A set that is not empty.
@@ -45,6 +45,29 @@ impl Evidence {
             Region::Line(own) => whole_line(polyhedron.system(), own, number),
             Region::Plane => plane(),
         }
+    }
+
+    /// The definitions of vertices, rays and certificate by these names.
+    pub(super) fn definitions(&self, [vertices, rays, certificate]: [&str; 3]) -> String {
+        let ray_list: Vec<String> =
+            self.rays.iter().map(|own| format!("({}, {})", own.dx(), own.dy())).collect();
+        format!(
+            "Definition {vertices} : list (Q * Q) := map point (read {}).\n\
+             Definition {rays} : list (Q * Q) := [{}].\n\
+             Definition {certificate} : certificate := {}.\n",
+            pieces(vertex_rows(&self.vertices)),
+            ray_list.join("; "),
+            self.certificate
+        )
+    }
+
+    /// A point is in the set, over the rational and over the real numbers, where vertices and rays have these names.
+    pub(super) fn hull(&self, [vertices, rays]: [&str; 2]) -> [String; 2] {
+        let own = |real: &str| match self.rays.is_empty() {
+            true => format!("hull{real} {vertices} p"),
+            false => format!("hull_and_cone{real} {vertices} {rays} p"),
+        };
+        ["", "R"].map(own)
     }
 
     fn bounded<'a>(vertices: impl IntoIterator<Item = &'a Vertex>, certificate: String) -> Self {
@@ -132,8 +155,26 @@ fn plane() -> Option<Evidence> {
     })
 }
 
-/// Returns at most three half-planes of an empty set that contradict each other, by angle; `None` if the set is not
-/// empty.
+/// Beyond so many vertices, both coordinates of each have one denominator: they are longer to read, and shorter to compute with.
+const MANY_VERTICES: usize = 100;
+
+/// The vertices as rows of text.
+fn vertex_rows(vertices: &[[Rational; 2]]) -> Vec<String> {
+    if vertices.len() > MANY_VERTICES {
+        let row = |[x, y]: &[Rational; 2]| {
+            let ([x, y], w) = Rational::over_common_denominator([x, y]);
+            format!("{x}/{w},{y}/{w}")
+        };
+        return vertices.iter().map(row).collect();
+    }
+    let coordinate = |index: usize| {
+        let values: Vec<_> = vertices.iter().map(|own| own.get(index).cloned()).collect();
+        column(&values)
+    };
+    coordinate(0).into_iter().zip(coordinate(1)).map(|(x, y)| format!("{x},{y}")).collect()
+}
+
+/// Of an empty set at most three half-planes that contradict each other, by angle; `None` if it is not empty.
 pub(super) fn contradiction(polyhedron: &Polyhedron, number: Number) -> Option<String> {
     let multipliers = polyhedron.region().certificate()?.multipliers();
     let mut indices: Vec<usize> = multipliers.iter().map(|own| own.index).collect();

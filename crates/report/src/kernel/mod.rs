@@ -2,37 +2,19 @@
 
 mod evidence;
 mod numbers;
+mod program;
 mod rows;
-
-use std::fmt::Write;
+mod theorem;
 
 use boundfit_estimation::{Fit, Problem};
-use boundfit_exact::{Interval, Rational, Reading};
+use boundfit_exact::Reading;
 use boundfit_geometry::{Polyhedron, System};
 
 use crate::proof_question::ProofQuestion;
-use evidence::{Evidence, Number, contradiction};
-use numbers::{column, literal, pieces};
+pub use program::kernel_program;
 use rows::Statement;
-
-/// The files of the theory, in the order in which each needs those before it.
-pub const THEORY: [(&str, &str); 6] = [
-    ("Reader", include_str!("../../kernel/Reader.v")),
-    ("Checker", include_str!("../../kernel/Checker.v")),
-    ("Convex", include_str!("../../kernel/Convex.v")),
-    ("Sound", include_str!("../../kernel/Sound.v")),
-    ("Rationals", include_str!("../../kernel/Rationals.v")),
-    ("RealNumbers", include_str!("../../kernel/RealNumbers.v")),
-];
-
-/// The place from which a theorem takes its theory.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Theory {
-    /// The file holds it, so that it needs nothing but Coq.
-    Included,
-    /// The theory is installed as `Boundfit`.
-    Installed,
-}
+use theorem::{Head, Set, theorem};
+pub use theorem::{THEORY, Theory};
 
 /// The theorem about a fit. `None` when some of its readings are not in memory. Exact; its size is linear in the readings and
 /// vertices.
@@ -41,10 +23,14 @@ pub fn kernel_fit(problem: &Problem, fit: &Fit, reading: Reading, theory: Theory
     let polyhedron = fit.fps.polyhedron();
     let ranges = fit.pui_intervals();
     let number = |index: usize| numbers.get(&fit.fps.name(index)).copied();
-    let sha256 = problem.measurements.sha256();
-    let rows = problem.measurements.fitted_rows();
-    let question = ProofQuestion::new(problem, reading);
-    theorem(&statement, polyhedron, ranges, &number, &head(sha256, rows, question), theory)
+    let set = Set { polyhedron, ranges, number: &number };
+    let head = Head {
+        sha256: problem.measurements.sha256(),
+        rows: problem.measurements.fitted_rows(),
+        question: ProofQuestion::new(problem, reading),
+        ..Head::default()
+    };
+    theorem(&statement, &set, head, theory)
 }
 
 /// The theorem about a set of half-planes. `None` never happens for the set of these half-planes.
@@ -55,188 +41,6 @@ pub fn kernel_half_planes(
     theory: Theory,
 ) -> Option<String> {
     let statement = Statement::of_half_planes(system);
-    theorem(
-        &statement,
-        polyhedron,
-        polyhedron.bounding_box(),
-        &|index| Some(index + 1),
-        &head(sha256, &[], None),
-        theory,
-    )
-}
-
-/// The first lines: what is proved, how to check it, and what is outside.
-fn head(sha256: Option<&str>, rows: &[[usize; 2]], question: Option<ProofQuestion>) -> String {
-    let mut text = String::from(
-        "(* What is proved: the last theorems of this file. Their statements need the definitions of rows, feasible and\n   \
-         vertices below, and those of read, hull and is_range in the theory.\n   \
-         How to check: coqc FILE (Coq 8.16). It ends by printing what the theorem over the rational numbers assumes:\n   \
-         nothing. The one over the real numbers assumes the axioms of Coq's real numbers.\n   \
-         What is outside: that the rows are those of the data.\n   \
-         'boundfit verify FILE DATA' compares both where the question stands here.\n",
-    );
-    if let Some(sha256) = sha256 {
-        let _ = writeln!(text, "   The data have the SHA-256 {sha256}.");
-    }
-    if !rows.is_empty() && rows.len() <= 20 {
-        let range =
-            |&[from, to]: &[usize; 2]| if from == to { from.to_string() } else { format!("{from}..{to}") };
-        let _ =
-            writeln!(text, "   Rows of the data: {}.", rows.iter().map(range).collect::<Vec<_>>().join(","));
-    }
-    if let Some(question) = question {
-        let _ = writeln!(text, "   The question: {}", question.to_line("boundfit/theorem/1"));
-    }
-    text + "*)\n"
-}
-
-fn theorem(
-    statement: &Statement,
-    polyhedron: &Polyhedron,
-    ranges: Option<[Interval; 2]>,
-    number: Number,
-    head: &str,
-    theory: Theory,
-) -> Option<String> {
-    let mut text = format!("{head}{}\n{}\n", imports(theory), statement.text());
-    let _ = write!(
-        text,
-        "Theorem the_rows : Z.of_nat (length rows) = {}%Z.\nProof. vm_compute. reflexivity. Qed.\n\n",
-        statement.count
-    );
-    match contradiction(polyhedron, number) {
-        Some(numbers) => {
-            let _ = write!(
-                text,
-                "Definition evidence : list Z := {numbers}.\n\
-                 Lemma checked : check_empty forms evidence = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n\n\
-                 Theorem nothing_is_feasible : forall p, ~ feasible p.\n\
-                 Proof. intros p H. apply (empty forms evidence checked p), feasible_forms, H. Qed.\n\n\
-                 Theorem no_real_is_feasible : forall p, ~ feasibleR p.\n\
-                 Proof. intros p H. apply (emptyR forms evidence checked p), feasible_formsR, H. Qed.\n\n\
-                 Print Assumptions nothing_is_feasible.\n"
-            );
-        }
-        None => text.push_str(&the_set(&Evidence::new(polyhedron, number)?, &ranges?)),
-    }
-    Some(text)
-}
-
-/// The theory, or where it is.
-fn imports(theory: Theory) -> String {
-    let names: Vec<&str> = THEORY.iter().map(|(name, _)| *name).collect();
-    let theory = match theory {
-        Theory::Installed => format!("From Boundfit Require Import {}.\n", names.join(" ")),
-        Theory::Included => included(),
-    };
-    format!(
-        "\n{theory}From Coq Require Import ZArith QArith Qabs Reals Qreals List.\nImport ListNotations.\nOpen Scope Q_scope.\n"
-    )
-}
-
-/// The files of the theory as modules of one file, which imports what they import in the same order.
-fn included() -> String {
-    const FROM_COQ: &str = "From Coq Require Import ";
-    const FROM_THEORY: &str = "From Boundfit Require Import ";
-    let lines = || THEORY.iter().flat_map(|(_, text)| text.lines());
-    let mut libraries: Vec<&str> = lines()
-        .filter_map(|line| line.strip_prefix(FROM_COQ)?.strip_suffix('.'))
-        .flat_map(str::split_whitespace)
-        .collect();
-    libraries.sort_unstable();
-    libraries.dedup();
-    let mut text = format!("From Coq Require {}.\n\n", libraries.join(" "));
-    for (name, own) in THEORY {
-        let _ = writeln!(text, "Module {name}.");
-        for line in own.lines() {
-            match line.strip_prefix(FROM_COQ).or_else(|| line.strip_prefix(FROM_THEORY)) {
-                Some(imported) => _ = writeln!(text, "Import {imported}"),
-                None => _ = writeln!(text, "{line}"),
-            }
-        }
-        let _ = writeln!(text, "End {name}.\nImport {name}.\n");
-    }
-    text
-}
-
-/// The theorem about a set that is not empty.
-fn the_set(evidence: &Evidence, ranges: &[Interval; 2]) -> String {
-    let Evidence { vertices, rays, certificate } = evidence;
-    let rows = vertex_rows(vertices);
-    let ray_list: Vec<String> = rays.iter().map(|ray| format!("({}, {})", ray.dx(), ray.dy())).collect();
-    let [lemmas, names, says] = ends(ranges);
-    let (hull, real_hull) = match rays.is_empty() {
-        true => ("hull vertices p", "hullR vertices p"),
-        false => ("hull_and_cone vertices rays p", "hull_and_coneR vertices rays p"),
-    };
-    format!(
-        "Definition vertices : list (Q * Q) := map point (read {}).\n\
-         Definition rays : list (Q * Q) := [{}].\n\
-         Definition evidence : certificate := {certificate}.\n\
-         Lemma checked : check forms evidence vertices rays = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n\
-         Lemma same_set (p : Q * Q) : feasible p <-> set_of vertices rays p.\n\
-         Proof. rewrite feasible_forms. exact (set_sound forms evidence vertices rays checked p). Qed.\n{lemmas}\n\
-         Theorem the_set : (forall p, feasible p <-> {hull}) /\\ (forall v, In v vertices -> feasible v)\n  /\\ {says}.\n\
-         Proof.\n  split; [exact same_set |]. split; [intros v H; apply same_set; exact (vertex_in vertices rays v H) |].\n  \
-         exact {names}.\nQed.\n\n\
-         Theorem the_real_set : forall p, feasibleR p <-> {real_hull}.\n\
-         Proof. intros p. rewrite feasible_formsR. exact (set_soundR forms evidence vertices rays checked p). Qed.\n\n\
-         Print Assumptions the_set.\n",
-        pieces(rows),
-        ray_list.join("; "),
-    )
-}
-
-/// The number of vertices above which both coordinates of each have one denominator: longer to read, and shorter to
-/// compute with.
-const MANY_VERTICES: usize = 100;
-
-/// The vertices as rows of text.
-fn vertex_rows(vertices: &[[Rational; 2]]) -> Vec<String> {
-    if vertices.len() > MANY_VERTICES {
-        let row = |[x, y]: &[Rational; 2]| {
-            let ([x, y], w) = Rational::over_common_denominator([x, y]);
-            format!("{x}/{w},{y}/{w}")
-        };
-        return vertices.iter().map(row).collect();
-    }
-    let coordinate = |index: usize| {
-        let values: Vec<_> = vertices.iter().map(|own| own.get(index).cloned()).collect();
-        column(&values)
-    };
-    coordinate(0).into_iter().zip(coordinate(1)).map(|(x, y)| format!("{x},{y}")).collect()
-}
-
-/// Lemmas about the four ends, their names in a proof, and what they say.
-fn ends(ranges: &[Interval; 2]) -> [String; 3] {
-    let mut lemmas = String::new();
-    let mut ranged = Vec::new();
-    for (form, range) in ["fst", "snd"].into_iter().zip(ranges) {
-        let mut end = |which: &str, bound: Option<Rational>| {
-            let bound = bound.map(|bound| literal(&bound));
-            let (name, value) = match &bound {
-                Some(value) => (which.to_owned(), value.clone()),
-                None => (format!("no_{which}"), String::new()),
-            };
-            let space = if value.is_empty() { "" } else { " " };
-            let coefficients = if form == "fst" { "1 0" } else { "0 1" };
-            let _ = write!(
-                lemmas,
-                "Lemma {form}_{name} : {name} feasible {form}{space}{value}.\n\
-                 Proof. apply ({name}_of {form} {coefficients} {form}_is_linear feasible vertices rays same_set). \
-                 vm_cast_no_check (eq_refl true). Qed.\n"
-            );
-            (format!("{form}_{name}"), format!("{name} feasible {form}{space}{value}"), bound)
-        };
-        let (low, high) =
-            (end("lowest", range.lower().value().cloned()), end("highest", range.upper().value().cloned()));
-        ranged.push(match (low.2, high.2) {
-            (Some(from), Some(to)) => {
-                (format!("(conj {} {})", low.0, high.0), format!("is_range feasible {form} {from} {to}"))
-            }
-            _ => (format!("(conj {} {})", low.0, high.0), format!("({} /\\ {})", low.1, high.1)),
-        });
-    }
-    let (names, says): (Vec<String>, Vec<String>) = ranged.into_iter().unzip();
-    [lemmas, format!("(conj {})", names.join(" ")), says.join(" /\\ ")]
+    let set = Set { polyhedron, ranges: polyhedron.bounding_box(), number: &|index| Some(index + 1) };
+    theorem(&statement, &set, Head { sha256, ..Head::default() }, theory)
 }

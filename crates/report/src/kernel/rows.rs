@@ -3,10 +3,30 @@
 use std::collections::HashMap;
 
 use boundfit_estimation::{BoundName, Bounds, Condition, Measurement, Measurements, Model, Problem};
-use boundfit_exact::Rational;
+use boundfit_exact::{Foreign, Rational};
 use boundfit_geometry::{Inequality, System};
+use boundfit_lp as lp;
 
 use super::numbers::{column, literal, pieces};
+
+/// A row `lower ≤ a·θ1 + b·θ2 ≤ upper` of a program, or the bounds of one of its columns.
+pub(super) struct ProgramRow<'a> {
+    pub(super) form: [Rational; 2],
+    pub(super) bounds: &'a lp::Bounds,
+}
+
+impl ProgramRow<'_> {
+    /// Adds a half-plane for each bound, the lower one first, as the checker numbers them.
+    pub(super) fn push_to(&self, system: &mut System) {
+        let [a, b] = &self.form;
+        if let Some(lower) = &self.bounds.lower {
+            system.push(Inequality::new(-a, -b, -lower));
+        }
+        if let Some(upper) = &self.bounds.upper {
+            system.push(Inequality::new(a.clone(), b.clone(), upper.clone()));
+        }
+    }
+}
 
 /// Rows in text with the columns that a statement names, and what the statement says of each.
 pub(super) struct Statement {
@@ -77,6 +97,39 @@ impl Statement {
             says: both("fst p * a r + snd p * b r <= c r"),
             form: "Form (a r) (b r) None (Some (c r))",
             lemma: ["at_most_is (a r) (b r) (c r)", "at_mostR_is (a r) (b r) (c r)"],
+            conditions: None,
+        }
+    }
+
+    /// The rows of a linear program, and the bounds of its two columns as the last two rows.
+    pub(super) fn of_program(rows: &[ProgramRow], names: [&Foreign; 2]) -> Self {
+        let part = |part: &dyn Fn(&ProgramRow) -> Option<Rational>| {
+            let values: Vec<_> = rows.iter().map(part).collect();
+            column(&values)
+        };
+        let columns = [
+            part(&|own| Some(own.form[0].clone())),
+            part(&|own| Some(own.form[1].clone())),
+            part(&|own| own.bounds.lower.clone()),
+            part(&|own| own.bounds.upper.clone()),
+        ];
+        let [theta1, theta2] = names.map(in_comment);
+        Statement {
+            rows: joined(&columns),
+            count: rows.len(),
+            about: format!(
+                "the rows of the program, then the bounds of its two columns: a, b, and a lower and an upper bound of\n   \
+                 a*theta1 + b*theta2 as far as there are any. theta1 is the first column{theta1}, theta2 the second one{theta2}"
+            ),
+            columns: format!("{}{}", columns_of(&["a", "b"]), bounds_from(2)),
+            says: [
+                "at_least (least r) (fst p * a r + snd p * b r) /\\ at_most (fst p * a r + snd p * b r) (most r)".to_owned(),
+                "at_leastR (least r) (fst p * Q2R (a r) + snd p * Q2R (b r))%R /\\ \
+                 at_mostR (fst p * Q2R (a r) + snd p * Q2R (b r))%R (most r)"
+                    .to_owned(),
+            ],
+            form: "Form (a r) (b r) (least r) (most r)",
+            lemma: ["between_is (a r) (b r) (least r) (most r)", "betweenR_is (a r) (b r) (least r) (most r)"],
             conditions: None,
         }
     }
@@ -225,12 +278,7 @@ fn readings_between(
         rows: joined(&columns),
         count: rows.len(),
         about: format!("{}, and a lower and an upper bound as far as there are any", names.join(", ")),
-        columns: format!(
-            "{}Definition least (r : row) : option Q := entry {first} r.\n\
-             Definition most (r : row) : option Q := entry {} r.\n",
-            columns_of(names),
-            first + 1
-        ),
+        columns: format!("{}{}", columns_of(names), bounds_from(first)),
         says: [
             format!("at_least (least r) ({rational}) /\\ at_most ({rational}) (most r)"),
             format!("at_leastR (least r) ({real})%R /\\ at_mostR ({real})%R (most r)"),
@@ -262,6 +310,24 @@ fn columns_of(names: &[&str]) -> String {
     let own =
         |(index, name): (usize, &&str)| format!("Definition {name} (r : row) : Q := number {index} r.\n");
     names.iter().enumerate().map(own).collect()
+}
+
+/// The definitions of a lower and an upper bound, which stand from a column on.
+fn bounds_from(first: usize) -> String {
+    format!(
+        "Definition least (r : row) : option Q := entry {first} r.\n\
+         Definition most (r : row) : option Q := entry {} r.\n",
+        first + 1
+    )
+}
+
+/// A name after a comma, if it is plain: nothing in it ends a comment of Coq.
+fn in_comment(name: &Foreign) -> String {
+    let is_plain = |own: char| own.is_ascii_alphanumeric() || matches!(own, '_' | '.' | '-' | '[' | ']');
+    match !name.is_empty() && name.raw().len() <= 40 && name.raw().chars().all(is_plain) {
+        true => format!(" ({})", name.raw()),
+        false => String::new(),
+    }
 }
 
 fn joined(columns: &[Vec<String>]) -> String {

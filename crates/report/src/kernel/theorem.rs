@@ -1,0 +1,201 @@
+//! The file of a theorem: its head, the theory, and the statement about a set.
+
+use std::fmt::Write;
+
+use boundfit_exact::{Interval, Rational};
+use boundfit_geometry::Polyhedron;
+
+use super::evidence::{Evidence, Number, contradiction};
+use super::numbers::literal;
+use super::rows::Statement;
+use crate::proof_question::ProofQuestion;
+
+/// The files of the theory, in the order in which each needs those before it.
+pub const THEORY: [(&str, &str); 6] = [
+    ("Reader", include_str!("../../kernel/Reader.v")),
+    ("Checker", include_str!("../../kernel/Checker.v")),
+    ("Convex", include_str!("../../kernel/Convex.v")),
+    ("Sound", include_str!("../../kernel/Sound.v")),
+    ("Rationals", include_str!("../../kernel/Rationals.v")),
+    ("RealNumbers", include_str!("../../kernel/RealNumbers.v")),
+];
+
+/// Where a theorem has its theory from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Theory {
+    /// The file holds it, so that it needs nothing but Coq.
+    Included,
+    /// It is installed as `Boundfit`.
+    Installed,
+}
+
+/// A set with the ranges of its parameters.
+pub(super) struct Set<'a> {
+    pub(super) polyhedron: &'a Polyhedron,
+    pub(super) ranges: Option<[Interval; 2]>,
+    pub(super) number: Number<'a>,
+}
+
+/// The facts in the first lines.
+#[derive(Default)]
+pub(super) struct Head<'a> {
+    /// The subject of the last theorems where it is more than a set.
+    pub(super) subject: Option<&'static str>,
+    pub(super) sha256: Option<&'a str>,
+    /// Rows of the data.
+    pub(super) rows: &'a [[usize; 2]],
+    pub(super) question: Option<ProofQuestion>,
+}
+
+impl Head<'_> {
+    /// The first lines: what is proved, how to check it, and what is outside.
+    fn text(self) -> String {
+        let Head { subject, sha256, rows, question } = self;
+        let mut text = String::from(
+            "(* What is proved: the last theorems of this file. Their statements need the definitions of rows, feasible and\n   \
+             vertices below, and those of read, hull and is_range in the theory.\n   \
+             How to check: coqc FILE (Coq 8.16). It ends by printing what the theorem over the rational numbers assumes:\n   \
+             nothing. The one over the real numbers assumes the axioms of Coq's real numbers.\n   \
+             What is outside: that the rows are those of the data.\n   \
+             'boundfit verify FILE DATA' compares both where the question stands here.\n",
+        );
+        if let Some(subject) = subject {
+            let _ = writeln!(text, "   The theorems are about {subject}.");
+        }
+        if let Some(sha256) = sha256 {
+            let _ = writeln!(text, "   The data have the SHA-256 {sha256}.");
+        }
+        if !rows.is_empty() && rows.len() <= 20 {
+            let range = |&[from, to]: &[usize; 2]| {
+                if from == to { from.to_string() } else { format!("{from}..{to}") }
+            };
+            let _ = writeln!(
+                text,
+                "   Rows of the data: {}.",
+                rows.iter().map(range).collect::<Vec<_>>().join(",")
+            );
+        }
+        if let Some(question) = question {
+            let _ = writeln!(text, "   The question: {}", question.to_line("boundfit/theorem/1"));
+        }
+        text + "*)\n"
+    }
+}
+
+/// The file about a set. `None` when a half-plane has no number.
+pub(super) fn theorem(statement: &Statement, set: &Set, head: Head, theory: Theory) -> Option<String> {
+    let mut text = format!("{}{}\n{}\n", head.text(), imports(theory), statement.text());
+    let _ = write!(
+        text,
+        "Theorem the_rows : Z.of_nat (length rows) = {}%Z.\nProof. vm_compute. reflexivity. Qed.\n\n",
+        statement.count
+    );
+    match contradiction(set.polyhedron, set.number) {
+        Some(numbers) => {
+            let _ = write!(
+                text,
+                "Definition evidence : list Z := {numbers}.\n\
+                 Lemma checked : check_empty forms evidence = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n\n\
+                 Theorem nothing_is_feasible : forall p, ~ feasible p.\n\
+                 Proof. intros p H. apply (empty forms evidence checked p), feasible_forms, H. Qed.\n\n\
+                 Theorem no_real_is_feasible : forall p, ~ feasibleR p.\n\
+                 Proof. intros p H. apply (emptyR forms evidence checked p), feasible_formsR, H. Qed.\n\n\
+                 Print Assumptions nothing_is_feasible.\n"
+            );
+        }
+        None => {
+            text.push_str(&the_set(&Evidence::new(set.polyhedron, set.number)?, set.ranges.as_ref()?));
+        }
+    }
+    Some(text)
+}
+
+/// The theory, or where it is.
+fn imports(theory: Theory) -> String {
+    let names: Vec<&str> = THEORY.iter().map(|(name, _)| *name).collect();
+    let theory = match theory {
+        Theory::Installed => format!("From Boundfit Require Import {}.\n", names.join(" ")),
+        Theory::Included => included(),
+    };
+    format!(
+        "\n{theory}From Coq Require Import ZArith QArith Qabs Reals Qreals List.\nImport ListNotations.\nOpen Scope Q_scope.\n"
+    )
+}
+
+/// The files of the theory as modules of one file, which imports what they import in the same order.
+fn included() -> String {
+    const FROM_COQ: &str = "From Coq Require Import ";
+    const FROM_THEORY: &str = "From Boundfit Require Import ";
+    let lines = || THEORY.iter().flat_map(|(_, text)| text.lines());
+    let mut libraries: Vec<&str> = lines()
+        .filter_map(|line| line.strip_prefix(FROM_COQ)?.strip_suffix('.'))
+        .flat_map(str::split_whitespace)
+        .collect();
+    libraries.sort_unstable();
+    libraries.dedup();
+    let mut text = format!("From Coq Require {}.\n\n", libraries.join(" "));
+    for (name, own) in THEORY {
+        let _ = writeln!(text, "Module {name}.");
+        for line in own.lines() {
+            match line.strip_prefix(FROM_COQ).or_else(|| line.strip_prefix(FROM_THEORY)) {
+                Some(imported) => _ = writeln!(text, "Import {imported}"),
+                None => _ = writeln!(text, "{line}"),
+            }
+        }
+        let _ = writeln!(text, "End {name}.\nImport {name}.\n");
+    }
+    text
+}
+
+/// The theorem about a set that is not empty.
+fn the_set(evidence: &Evidence, ranges: &[Interval; 2]) -> String {
+    let [lemmas, names, says] = ends(ranges);
+    let [hull, real_hull] = evidence.hull(["vertices", "rays"]);
+    format!(
+        "{}\
+         Lemma checked : check forms evidence vertices rays = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n\
+         Lemma same_set (p : Q * Q) : feasible p <-> set_of vertices rays p.\n\
+         Proof. rewrite feasible_forms. exact (set_sound forms evidence vertices rays checked p). Qed.\n{lemmas}\n\
+         Theorem the_set : (forall p, feasible p <-> {hull}) /\\ (forall v, In v vertices -> feasible v)\n  /\\ {says}.\n\
+         Proof.\n  split; [exact same_set |]. split; [intros v H; apply same_set; exact (vertex_in vertices rays v H) |].\n  \
+         exact {names}.\nQed.\n\n\
+         Theorem the_real_set : forall p, feasibleR p <-> {real_hull}.\n\
+         Proof. intros p. rewrite feasible_formsR. exact (set_soundR forms evidence vertices rays checked p). Qed.\n\n\
+         Print Assumptions the_set.\n",
+        evidence.definitions(["vertices", "rays", "evidence"]),
+    )
+}
+
+/// Lemmas about the four ends, their names in a proof, and what they say.
+fn ends(ranges: &[Interval; 2]) -> [String; 3] {
+    let mut lemmas = String::new();
+    let mut ranged = Vec::new();
+    for (form, range) in ["fst", "snd"].into_iter().zip(ranges) {
+        let mut end = |which: &str, bound: Option<Rational>| {
+            let bound = bound.map(|bound| literal(&bound));
+            let (name, value) = match &bound {
+                Some(value) => (which.to_owned(), value.clone()),
+                None => (format!("no_{which}"), String::new()),
+            };
+            let space = if value.is_empty() { "" } else { " " };
+            let coefficients = if form == "fst" { "1 0" } else { "0 1" };
+            let _ = write!(
+                lemmas,
+                "Lemma {form}_{name} : {name} feasible {form}{space}{value}.\n\
+                 Proof. apply ({name}_of {form} {coefficients} {form}_is_linear feasible vertices rays same_set). \
+                 vm_cast_no_check (eq_refl true). Qed.\n"
+            );
+            (format!("{form}_{name}"), format!("{name} feasible {form}{space}{value}"), bound)
+        };
+        let (low, high) =
+            (end("lowest", range.lower().value().cloned()), end("highest", range.upper().value().cloned()));
+        ranged.push(match (low.2, high.2) {
+            (Some(from), Some(to)) => {
+                (format!("(conj {} {})", low.0, high.0), format!("is_range feasible {form} {from} {to}"))
+            }
+            _ => (format!("(conj {} {})", low.0, high.0), format!("({} /\\ {})", low.1, high.1)),
+        });
+    }
+    let (names, says): (Vec<String>, Vec<String>) = ranged.into_iter().unzip();
+    [lemmas, format!("(conj {})", names.join(" ")), says.join(" /\\ ")]
+}
