@@ -37,8 +37,8 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     proof_file::check_place(proof, output)?;
     guard.check(output)?;
     guard.check(proof)?;
-    let data = arguments.data.open();
-    let boundfit_report::Origin { file, reading, .. } = data.origin();
+    let data = arguments.data.words().open()?;
+    let boundfit_report::Origin { file, reading, .. } = data.origin;
     let options = options(arguments, claims)?;
     let has_all = options.all_rows || theory.is_some();
     let problem = if has_all { data.problem()? } else { data.supporting_problem()? };

@@ -155,7 +155,7 @@ fn plane() -> Option<Evidence> {
     })
 }
 
-/// Beyond so many vertices, both coordinates of each have one denominator: they are longer to read, and shorter to compute with.
+/// The number of vertices beyond which both coordinates of each have one denominator: they are longer to read, and shorter to compute with.
 const MANY_VERTICES: usize = 100;
 
 /// The vertices as rows of text.
@@ -174,7 +174,7 @@ fn vertex_rows(vertices: &[[Rational; 2]]) -> Vec<String> {
     coordinate(0).into_iter().zip(coordinate(1)).map(|(x, y)| format!("{x},{y}")).collect()
 }
 
-/// Of an empty set at most three half-planes that contradict each other, by angle; `None` if it is not empty.
+/// Lists at most three half-planes of an empty set that contradict each other, by angle; `None` if it is not empty.
 pub(super) fn contradiction(polyhedron: &Polyhedron, number: Number) -> Option<String> {
     let multipliers = polyhedron.region().certificate()?.multipliers();
     let mut indices: Vec<usize> = multipliers.iter().map(|own| own.index).collect();

@@ -20,12 +20,12 @@ pub const THEORY: [(&str, &str); 6] = [
     ("RealNumbers", include_str!("../../kernel/RealNumbers.v")),
 ];
 
-/// Where a theorem has its theory from.
+/// The place that a theorem has its theory from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Theory {
     /// The file holds it, so that it needs nothing but Coq.
     Included,
-    /// It is installed as `Boundfit`.
+    /// Coq has it installed as `Boundfit`.
     Installed,
 }
 
