@@ -46,12 +46,12 @@
 //!
 //! ```
 //! # #[cfg(feature = "nalgebra")] {
-//! use boundfit::nalgebra::{DMatrix, dvector};
+//! use boundfit::nalgebra::{DMatrix, DVector};
 //! use boundfit::{Observations, exact_points, rounded_points};
 //!
 //! // y = theta1*phi1 + theta2*phi2 + e with |e| ≤ 1/4.
 //! let phi = DMatrix::from_row_slice(3, 2, &[1.0, 0.0, 0.0, 1.0, 1.0, 1.0]);
-//! let fit = Observations::from_matrix(&phi, &dvector![2.0, 3.0, 5.0])?.error_bound(0.25)?.fit();
+//! let fit = Observations::from_matrix(&phi, &DVector::from_vec(vec![2.0, 3.0, 5.0]))?.error_bound(0.25)?.fit();
 //! let points = exact_points(&fit.vertices());
 //! assert_eq!(points[0].x.to_string(), "7/4");
 //! assert_eq!(rounded_points(&fit.vertices())[0].x, 1.75);

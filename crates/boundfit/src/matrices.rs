@@ -16,10 +16,10 @@ impl Observations {
     ///
     /// ```
     /// use boundfit::Observations;
-    /// use boundfit::nalgebra::{DMatrix, dvector};
+    /// use boundfit::nalgebra::{DMatrix, DVector};
     ///
-    /// let y = dvector![0.0, 1.5, 2.0];
-    /// let line = Observations::from_matrix(&dvector![0.0, 1.0, 2.0], &y)?.error_bound(0.5)?.fit();
+    /// let y = DVector::from_vec(vec![0.0, 1.5, 2.0]);
+    /// let line = Observations::from_matrix(&DVector::from_vec(vec![0.0, 1.0, 2.0]), &y)?.error_bound(0.5)?.fit();
     /// // The same line: its second regressor is 1.
     /// let phi = DMatrix::from_row_slice(3, 2, &[0.0, 1.0, 1.0, 1.0, 2.0, 1.0]);
     /// let regressors = Observations::from_matrix(&phi, &y)?.error_bound(0.5)?.fit();
