@@ -34,6 +34,7 @@ pub(super) const TIKZ: Program = command("tikz.sty", "kpsewhich tikz.sty", &["te
 pub(super) const PYTHON: Program = command("python3", "command -v python3", &["python3"]);
 pub(super) const VENV: Program =
     command("python3's venv", "python3 -c 'import ensurepip'", &["python3", "python3-venv"]);
+pub(super) const VALGRIND: Program = command("valgrind", "command -v valgrind", &["valgrind"]);
 pub(super) const CHROMIUM: Program = command("chromium", "command -v chromium", &["chromium"]);
 pub(super) const NODE: Program = command("npm", "command -v node && command -v npm", &["nodejs", "npm"]);
 pub(super) const CMAKE: Program = command("cmake", "command -v cmake", &["cmake"]);

@@ -2,7 +2,7 @@
 
 use super::programs::{
     CBC, CDD, CHROMIUM, CMAKE, COQ, CXX, GLPK, LATEX, LIBCLANG, LRS, NODE, OCTAVE, PYTHON, Program, TIKZ,
-    VENV,
+    VALGRIND, VENV,
 };
 
 /// A step of continuous integration.
@@ -98,6 +98,16 @@ echo \"$size bytes\"
 [ \"$size\" -le 24000000 ] || { echo 'more than 24 MB' >&2; exit 1; }
 first=$(grep '^cargo ' README.md | sed -n 1p)
 diff <(eval \"$first\" | grep -v '^LP solver') <(eval \"$built/release/boundfit ${first#* -- }\" | grep -v '^LP solver')",
+        ..PLAIN
+    },
+    Step {
+        name: "growth",
+        holds: "no command costs more per row where there are more rows, nor 5 % more than xtask/growth.txt says",
+        changes: "everything that reads input or computes",
+        needs: &[VALGRIND],
+        script: "\
+cargo build --release --locked
+cargo xtask growth",
         ..PLAIN
     },
     Step {
