@@ -113,7 +113,7 @@ test("the live region says what changed, in the language of the page", async () 
   await page.locator("#leave-out").selectOption("34");
   assert.match(await status(), /^Messung 34 ist ausgeschaltet\. Die Menge ist jetzt ein Polygon mit/);
   await page.locator("#layer-pui-box").check();
-  assert.equal(await status(), "1 Ebene eingeblendet.");
+  assert.equal(await status(), "1 Einblendung sichtbar.");
   assert.deepEqual(complaints, []);
   await close();
 });
