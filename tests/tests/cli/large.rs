@@ -175,8 +175,15 @@ fn a_file_cut_within_a_row_is_refused_with_its_line() {
 fn of_a_file_that_grows_the_readings_that_were_there_are_fitted() {
     let directory = tempfile::tempdir().unwrap();
     let file = directory.path().join("growing.csv");
-    let text = many_readings(400_000);
-    let lines: Vec<&str> = text.split_inclusive('\n').collect();
+    // A file grows by pages while it is written: rows of 16 bytes end where pages do, so that no half of one is ever seen.
+    let row = |k: u32| {
+        let x = f64::from(k * 7919 % 1_000_000) / 1000.0;
+        format!("{x:08.3},{:06.2}\n", x / 2.0 + f64::from(k % 13) / 2.0)
+    };
+    let head = ["x,y\n".to_owned(), "0000.50,001\n".to_owned()];
+    let lines: Vec<String> = head.into_iter().chain((1..400_000).map(row)).collect();
+    assert_eq!(lines[0].len() + lines[1].len(), 16);
+    assert!(lines[2..].iter().all(|line| line.len() == 16));
     let (start, rest) = lines.split_at(200_001);
     fs::write(&file, start.concat()).unwrap();
     let stop = Arc::new(AtomicBool::new(false));
