@@ -62,7 +62,7 @@ impl Asked {
         self.options.table.sizes.work
     }
 
-    /// Returns the options for reading the table if every reading is held in so many bytes.
+    /// Returns the options for reading the table where a reading that is held takes `row_cost` bytes.
     pub(crate) fn held(&self, row_cost: usize, shows: Shows) -> ScanOptions {
         let own = self.options.clone();
         let (hash, list_rows) = (own.hash && shows >= Shows::Hash, own.list_rows && shows == Shows::Rows);

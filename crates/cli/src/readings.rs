@@ -78,7 +78,7 @@ fn with_progress(options: ScanOptions, source: &Source) -> ScanOptions {
 }
 
 impl<'a> Data<'a> {
-    /// The data, of which the command holds every reading in so many bytes, with all that it makes of it.
+    /// Sets how many bytes the command holds for each reading, with all that it makes of the reading.
     pub(crate) fn holding(mut self, row_cost: usize) -> Self {
         self.asked.options.table.row_cost = row_cost;
         self

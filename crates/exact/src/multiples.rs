@@ -2,7 +2,7 @@
 
 use crate::{Count, Integer, Rational};
 
-/// How many times each number contains the largest number that all are multiples of: 1.5e300 and 2e300 contain 5e299 three and four
+/// Counts how many times each number contains the largest number that all are multiples of: 1.5e300 and 2e300 contain 5e299 three and four
 /// times. `None` where a count goes beyond the integers of a [`Count`] of 62 bits. What such counts decide the numbers decide: which
 /// is larger, and on which side of a line a point lies.
 ///
@@ -16,35 +16,27 @@ pub fn multiples<'a>(numbers: impl Iterator<Item = &'a Rational> + Clone) -> Opt
         if grows {
             largest = number.abs();
         }
-        if let Some((_, Remainder::Some)) = counted(number, &unit) {
-            unit = common_unit(number, &unit);
-        } else if unit.is_zero() {
-            unit = number.abs();
-        } else if !grows {
-            continue;
+        match counted(number, &unit) {
+            None => unit = number.abs(),
+            Some((_, rest)) if !rest.is_zero() => unit = common_unit(number, &unit),
+            Some(_) if !grows => continue,
+            Some(_) => {}
         }
         count(&largest, &unit)?;
     }
     numbers.map(|number| if unit.is_zero() { Some(0) } else { count(number, &unit) }).collect()
 }
 
-/// Whether a division leaves something.
-enum Remainder {
-    None,
-    Some,
-}
-
-/// How often a unit goes into a number, rounded down, and whether something is left; `None` of the unit 0.
-fn counted(number: &Rational, unit: &Rational) -> Option<(Integer, Remainder)> {
+/// Divides a number by a unit. Returns the quotient, rounded down, and a remainder on some scale; `None` for the unit 0.
+fn counted(number: &Rational, unit: &Rational) -> Option<(Integer, Integer)> {
     if unit.is_zero() {
         return None;
     }
     let [own, of_unit] = [number, unit].map(Rational::denominator);
-    let (quotient, rest) = match own == of_unit {
+    Some(match own == of_unit {
         true => number.numerator().div_rem_floor(&unit.numerator()),
         false => (number.numerator() * of_unit).div_rem_floor(&(unit.numerator() * own)),
-    };
-    Some((quotient, if rest.is_zero() { Remainder::None } else { Remainder::Some }))
+    })
 }
 
 /// The count of a number that is a multiple.

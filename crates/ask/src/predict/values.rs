@@ -150,7 +150,7 @@ impl Values {
         }
     }
 
-    /// Returns the work of arithmetic on the values, beside numbers of so many bits.
+    /// Returns the work of arithmetic on the values and on other numbers with the given bits.
     pub(super) fn work(&self, bits: u64) -> Work {
         let mut work = Work::default();
         for part in &self.parts {

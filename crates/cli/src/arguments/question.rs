@@ -215,7 +215,7 @@ fn normal((numbers, is_equation): &Terms) -> Terms {
     (numbers.each_ref().map(|number| scaled(number).unwrap_or_default()), *is_equation)
 }
 
-/// Returns whether exactly these of so many rows are named.
+/// Returns whether a set has exactly the rows, from 1 to `total`, that a proof is about.
 fn have_rows(about: &About, rows: &RowSet, total: u64) -> bool {
     let mut asked = (1..=total).filter(|row| usize::try_from(*row).is_ok_and(|row| rows.contains(row)));
     let range = |pair: &[u64]| match *pair {

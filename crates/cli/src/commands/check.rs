@@ -30,10 +30,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     let inputs = claims.iter().map(String::as_str).chain([arguments.data.path()]);
     let mut guard = arguments.output.file.replace.guard(inputs);
     let (output, proof) = (arguments.output.file.output.as_deref(), arguments.proof.as_deref());
-    let theory = match proof_file::theory(proof, arguments.proof_library)? {
-        None if proof.is_some() => return Err(Failure::Usage(ONLY_THEOREMS.to_owned())),
-        theory => theory,
-    };
+    let theory = proof_file::only_theory(proof, arguments.proof_library, "the four ends")?;
     proof_file::check_place(proof, output)?;
     guard.check(output)?;
     guard.check(proof)?;
@@ -59,9 +56,6 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     output::write_together(&parts, &mut guard)?;
     Ok(if check.worst(reading).is_some_and(Verdict::is_refutation) { Exit::Refuted } else { Exit::Answer })
 }
-
-const ONLY_THEOREMS: &str =
-    "the proof of the four ends is a theorem for Coq: give '--proof' a file that ends in .v";
 
 /// The theorem about the set, which states its four ends.
 fn theorem(

@@ -25,10 +25,7 @@ use crate::work::{refuse_long, refuse_long_text, times};
 pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     check_usage_of_files(arguments)?;
     let proof = arguments.proof.as_deref();
-    let theory = match proof_file::theory(proof, arguments.proof_library)? {
-        None if proof.is_some() => return Err(Failure::Usage(ONLY_THEOREMS.to_owned())),
-        theory => theory,
-    };
+    let theory = proof_file::only_theory(proof, arguments.proof_library, "a linear program")?;
     arguments.picture.check("--plot", arguments.plot.is_some())?;
     let plot = arguments.plot.as_deref().map(|file| picture_format("--plot <FILE>", file)).transpose()?;
     plot.map_or(Ok(()), |format| arguments.picture.check_format(format))?;
@@ -82,9 +79,6 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
         _ => Exit::Answer,
     })
 }
-
-const ONLY_THEOREMS: &str =
-    "the proof of a linear program is a theorem for Coq: give '--proof' a file that ends in .v";
 
 /// Refuses to prove programs that are not in the plane as they stand in the file.
 fn refuse_other_columns(model: &Model, file: &WholeFile) -> Result<(), Failure> {

@@ -30,10 +30,7 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
         ("--plot", arguments.plot.as_deref()),
         ("--proof", proof),
     ])?;
-    let theory = match proof_file::theory(proof, arguments.proof_library)? {
-        None if proof.is_some() => return Err(Failure::Usage(ONLY_THEOREMS.to_owned())),
-        theory => theory,
-    };
+    let theory = proof_file::only_theory(proof, arguments.proof_library, "a set of half-planes")?;
     arguments.picture.check("--plot", arguments.plot.is_some())?;
     let plot = arguments.plot.as_deref().map(|file| picture_format("--plot <FILE>", file)).transpose()?;
     plot.map_or(Ok(()), |format| arguments.picture.check_format(format))?;
@@ -85,9 +82,6 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     output::write_together(&parts, &mut guard)?;
     Ok(if polyhedron.region().is_empty() { Exit::Empty } else { Exit::Answer })
 }
-
-const ONLY_THEOREMS: &str =
-    "the proof of a set of half-planes is a theorem for Coq: give '--proof' a file that ends in .v";
 
 /// The theorem about a set of half-planes.
 fn theorem(

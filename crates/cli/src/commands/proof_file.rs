@@ -26,6 +26,23 @@ pub(super) fn theory(proof: Option<&str>, is_installed: bool) -> Result<Option<T
     }
 }
 
+/// Returns what [`theory`] does, where a theorem is the only proof of what is asked.
+///
+/// # Errors
+/// When another kind of proof is asked for.
+pub(super) fn only_theory(
+    proof: Option<&str>,
+    is_installed: bool,
+    proved: &str,
+) -> Result<Option<Theory>, Failure> {
+    match theory(proof, is_installed)? {
+        None if proof.is_some() => Err(Failure::Usage(format!(
+            "the proof of {proved} is a theorem for Coq: give '--proof' a file that ends in .v"
+        ))),
+        theory => Ok(theory),
+    }
+}
+
 /// Refuses a theorem about an answer that has none.
 pub(super) fn refuse_theorem(proof: Option<&str>) -> Result<(), Failure> {
     match proof {

@@ -22,6 +22,12 @@ pub(super) struct Evidence {
 /// Numbers of half-planes by their places in the system.
 pub(super) type Number<'a> = &'a dyn Fn(usize) -> Option<usize>;
 
+/// The numbers of half-planes that have them by their places, from 1.
+#[expect(clippy::unnecessary_wraps, reason = "other theorems have half-planes without numbers")]
+pub(super) fn by_place(index: usize) -> Option<usize> {
+    Some(index + 1)
+}
+
 impl Evidence {
     /// `None` for an empty set, or when a half-plane has no number.
     pub(super) fn new(polyhedron: &Polyhedron, number: Number) -> Option<Self> {

@@ -41,6 +41,6 @@ pub fn kernel_half_planes(
     theory: Theory,
 ) -> Option<String> {
     let statement = Statement::of_half_planes(system);
-    let set = Set { polyhedron, ranges: polyhedron.bounding_box(), number: &|index| Some(index + 1) };
+    let set = Set { polyhedron, ranges: polyhedron.bounding_box(), number: &evidence::by_place };
     theorem(&statement, &set, Head { sha256, ..Head::default() }, theory)
 }

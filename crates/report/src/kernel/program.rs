@@ -5,7 +5,7 @@ use boundfit_geometry::{Polyhedron, System};
 use boundfit_judge::Answer;
 use boundfit_lp::{Bounds, Model, ObjectiveSense};
 
-use super::evidence::Evidence;
+use super::evidence::{Evidence, by_place};
 use super::numbers::literal;
 use super::rows::{ProgramRow, Statement};
 use super::theorem::{Head, Set, Theory, theorem};
@@ -36,7 +36,7 @@ pub fn kernel_program(
     rows.iter().for_each(|row| row.push_to(&mut system));
     let polyhedron = Polyhedron::intersect(system.clone());
     let statement = Statement::of_program(&rows, [&first.name, &second.name]);
-    let set = Set { polyhedron: &polyhedron, ranges: polyhedron.bounding_box(), number: &numbered };
+    let set = Set { polyhedron: &polyhedron, ranges: polyhedron.bounding_box(), number: &by_place };
     let head = Head {
         subject: Some(
             "a linear program in two columns: its feasible set, its optimum, and all points that attain it.\n   \
@@ -56,12 +56,6 @@ pub fn kernel_program(
         Answer::Unbounded { .. } => text + &objective.has_no_end(),
         Answer::Optimal { value, .. } => text + &objective.is_attained(value, system)?,
     })
-}
-
-/// Half-planes have their numbers by their places.
-#[expect(clippy::unnecessary_wraps, reason = "other theorems have half-planes without numbers")]
-fn numbered(index: usize) -> Option<usize> {
-    Some(index + 1)
 }
 
 struct Objective<'a> {
@@ -109,7 +103,7 @@ impl Objective<'_> {
         let bound = Some(value - self.constant);
         let bounds = Bounds { lower: bound.clone(), upper: bound };
         ProgramRow { form: self.costs.map(Clone::clone), bounds: &bounds }.push_to(&mut system);
-        let evidence = Evidence::new(&Polyhedron::intersect(system), &numbered)?;
+        let evidence = Evidence::new(&Polyhedron::intersect(system), &by_place)?;
         let [hull, real_hull] = evidence.hull(["optimal_points", "optimal_rays"]);
         let attained = format!("{a} {b} {c} {optimum}");
         Some(format!(
