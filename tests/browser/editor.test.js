@@ -345,7 +345,7 @@ test("a link restores readings and question exactly; a damaged one says so", asy
   await page.locator("#step-slider").fill("4");
   // The address waits until the page is still.
   await page.waitForTimeout(1000);
-  assert.match(page.url(), /#readings-1\.[\w-]+&tab=clip&order=1&step=4&layers=pui-box$/);
+  assert.match(page.url(), /#ask=fit&x=Vz&y=z&eps=1\/1500&where=\[%22theta1\+%3E%3D\+0%22\]&.*&table=[\w-]+&page\.file=transducer\.csv&page\.tab=clip&page\.order=1&page\.step=4&page\.layers=pui-box$/);
   await page.waitForFunction(() => document.querySelector("#link").value === location.href);
   const [address, shown, state] = [page.url(), await vertices(page), await cells(page)];
   const other = await page.context().newPage();
@@ -361,14 +361,14 @@ test("a link restores readings and question exactly; a damaged one says so", asy
   assert.deepEqual([await other.locator("#clip-order").inputValue(), await other.locator("#step-slider").inputValue()], ["1", "4"]);
   assert.ok(await other.locator("#layer-pui-box").isChecked());
   await other.evaluate(() => {
-    location.hash = "#readings-1.AAAA";
+    location.hash = "#ask=fit&table=AAAA";
   });
   await other.locator("#edit-notice:not([hidden])").waitFor();
   assert.match(await other.locator("#edit-notice").textContent(), /cannot be read/);
   await other.evaluate(() => {
-    location.hash = "#readings-7.AAAA";
+    location.hash = "#readings-1.AAAA";
   });
-  await other.waitForFunction(() => /newer version/.test(document.querySelector("#edit-notice").textContent));
+  await other.waitForFunction(() => /older version/.test(document.querySelector("#edit-notice").textContent));
   assert.deepEqual(await vertices(other), shown);
   assert.deepEqual(complaints, []);
   await close();
@@ -379,18 +379,18 @@ test("a link says what is looked at, and what has no meaning here is passed over
   await page.locator("#tab-epsilon").click();
   await page.locator("#epsilon-next").click();
   const stop = await page.locator("#epsilon-slider").inputValue();
-  await page.waitForFunction(() => location.hash.startsWith("#tab=epsilon&stop="));
+  await page.waitForFunction(() => location.hash.startsWith("#page.tab=epsilon&page.stop="));
   await page.locator("#tab-explore").click();
   await page.waitForFunction(() => location.hash === "");
   const follow = (hash) => page.evaluate((own) => { location.hash = own; }, hash);
   const shown = () => page.evaluate(() => document.body.dataset.mode);
-  await follow(`#tab=epsilon&stop=${stop}`);
+  await follow(`#page.tab=epsilon&page.stop=${stop}`);
   await page.waitForFunction(() => document.body.dataset.mode === "epsilon");
   assert.equal(await page.locator("#epsilon-slider").inputValue(), stop);
-  await follow("#tab=leave-one-out&without=20 99999 21 x");
+  await follow("#page.tab=leave-one-out&page.without=20 99999 21 x");
   await page.waitForFunction(() => document.body.dataset.mode === "leave-one-out");
   assert.equal(await page.locator("#readings input:not(:checked)").count(), 2);
-  await follow("#tab=nowhere&order=9&step=1e9&stop=-1&layers=<b>&residual=maybe");
+  await follow("#page.tab=nowhere&page.order=9&page.step=1e9&page.stop=-1&page.layers=<b>&page.residual=maybe");
   await page.waitForFunction(() => document.body.dataset.mode === "explore");
   assert.equal(await shown(), "explore");
   assert.deepEqual(complaints, []);
@@ -519,14 +519,14 @@ test("readings that are too many for an address: the page says so", async () => 
     let seed = 1;
     const next = () => (seed = (seed * 48271) % 2147483647);
     sheet.rows = Array.from({ length: 290 }, () => ({ cells: [0, 0].map(() => Array.from({ length: 6 }, next).join("").replace(".", "")), isFitted: true }));
-    sheet.question.eps = "1e60";
+    sheet.request.eps = "1e60";
     boundfit.editor.edit(sheet);
     await boundfit.editor.settled();
   });
   await page.waitForTimeout(1500);
   await page.locator("#export summary").click();
   assert.match(await page.locator("#link-note").textContent(), /too many readings for a link/);
-  assert.ok(!page.url().includes("#readings"));
+  assert.ok(!page.url().includes("#"));
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -648,15 +648,19 @@ test("undo shows the kind of bounds that there was, whatever was chosen by hand"
 test("half-planes and readings each have the address while they are shown", async () => {
   const { page, complaints, close } = await opened(LINE);
   await typed(page, 0, 1, "4.01");
-  await page.waitForURL(/#readings-1\./);
+  await page.waitForURL(/#ask=fit&/);
   const address = page.url();
+  assert.match(address, /&table=x,y%0A2,4\.01%0A[\d.,%A]+&page\.file=/, "a short table is readable");
   await page.locator('[data-view-choice="half-planes"]').click();
   await page.waitForURL(/#view=half-planes/);
-  await page.evaluate(() => boundfit.editor.edit({ ...boundfit.editor.sheet(), question: { eps: "1/4" } }));
+  await page.evaluate(() => {
+    const sheet = boundfit.editor.sheet();
+    boundfit.editor.edit({ ...sheet, request: { ...sheet.request, eps: "1/4" } });
+  });
   await page.waitForFunction((before) => document.querySelector("#link").value !== before, address);
   assert.match(page.url(), /#view=half-planes/);
   await page.locator('[data-view-choice="readings"]').click();
-  await page.waitForURL(/#readings-1\./);
+  await page.waitForURL(/#ask=fit&/);
   assert.equal(await page.locator("#link").inputValue(), page.url());
   await page.locator('[data-view-choice="half-planes"]').click();
   await page.waitForURL(/#view=half-planes/);
@@ -673,14 +677,27 @@ test("half-planes and readings each have the address while they are shown", asyn
 
 test("an address that anyone has written stops nothing", async () => {
   const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
-  for (const question of [{ eps: "1", where: "theta1 >= 0" }, { eps: ["1"] }, { eps: { a: 1 } }, { eps: "1", where: [1] }]) {
-    const words = JSON.stringify([[["x", "x"], ["y", "y"]], "1\t2", "1", question]);
-    await page.evaluate(() => document.querySelector("#edit-notice").replaceChildren());
+  const table = "x,y\n1,2\n";
+  const packed = deflateRawSync(table.repeat(1e6)).toString("base64url");
+  for (const [own, words] of [
+    ["eps=1&where=theta1", /where: .*expected/],
+    ['eps=["1"]', /eps: .*number as text/],
+    ['eps={"a":1}', /eps: .*number as text/],
+    ["eps=1&where=[[]]", /where: .*number as text/],
+    ["eps=1&eps=2", /cut or changed/],
+    [`eps=1&table=${packed}`, /cut or changed/],
+    ["eps=1&__proto__=2", /__proto__: there is no such key/],
+    ["eps=1&page.file=%00", null],
+  ]) {
+    const text = own.includes("table=") ? "" : `&table=${encodeURIComponent(table)}`;
     await page.evaluate((hash) => {
       location.hash = hash;
-    }, `#readings-1.${deflateRawSync(words).toString("base64url")}`);
-    await page.waitForFunction(() => /cannot be read/.test(document.querySelector("#edit-notice").textContent));
+    }, `#ask=fit&x=x&y=y&${own}${text}`);
+    await settled(page);
+    assert.match(await page.locator("#edit-notice").textContent(), words ?? /^$/, own);
   }
+  await page.locator("#edit-back").click();
+  await settled(page);
   await page.locator("#edit-example").click();
   await assertAsTheProgram(page);
   assert.deepEqual(complaints, []);
@@ -719,7 +736,7 @@ test("a column is the one that was chosen, also where another one has its number
   await page.locator("#paste-use").click();
   await page.locator("#import-y").selectOption("3");
   await page.locator("#import-apply").click();
-  await page.waitForFunction(() => boundfit.editor.sheet().columns[1].name === "2");
+  await page.waitForFunction(() => boundfit.editor.sheet().columns[1] === "2");
   await settled(page);
   assert.deepEqual(await cells(page), ["0", "1", "1", "2", "2", "3.1"]);
   await assertAsTheProgram(page);
@@ -731,9 +748,9 @@ test("columns with names of any kind: the command asks the program for the same"
   const { page, complaints, close } = await opened(SPECIAL.tooTight);
   for (const names of [["a,b", "-y"], ["2", "1"], ["#x", "y;z"], ["<b>x</b>", "\\frac"]]) {
     await page.evaluate(([x, y]) => {
-      const { columns, rows } = boundfit.editor.sheet();
-      const named = [x, y].map((name, k) => ({ ...columns[k], name }));
-      boundfit.editor.edit({ columns: named, rows, question: { eps: "0.7" } });
+      const asked = (name) => (/^\d+$/.test(name) ? `"${name}"` : name);
+      const request = { ask: "fit", x: asked(x), y: asked(y), eps: "0.7" };
+      boundfit.editor.edit({ ...boundfit.editor.sheet(), columns: [x, y], request });
     }, names);
     await assertAsTheProgram(page);
     assert.deepEqual(await page.evaluate(() => boundfit.editor.problem()), null);

@@ -57,20 +57,22 @@ const START = {
 /** Another sheet: one edit as a reader makes it. */
 function edited(sheet, { whole, one, number }) {
   const next = structuredClone(sheet);
-  const { rows, columns, question } = next;
+  const { rows, columns, request } = next;
   const at = whole(rows.length);
-  const column = (role) => columns.findIndex((own) => own.role === role);
-  const cellFor = (role) => (role === "eps" ? one(["0.5", "0", "1/4", "3"]) : number());
+  const keys = ["x", "y", "eps_column", "lower", "upper"];
+  const roles = columns.map((name) => keys.find((key) => [request[key]].flat().includes(name)));
+  const column = (role) => roles.indexOf(role);
+  const cellFor = (role) => (role === "eps_column" ? one(["0.5", "0", "1/4", "3"]) : number());
   const edits = [
-    () => { const k = whole(columns.length); rows[at].cells[k] = cellFor(columns[k].role); },
-    () => { const k = whole(columns.length); rows[at].cells[k] = cellFor(columns[k].role); },
-    () => rows.push({ cells: columns.map(({ role }) => cellFor(role)), isFitted: true }),
+    () => { const k = whole(columns.length); rows[at].cells[k] = cellFor(roles[k]); },
+    () => { const k = whole(columns.length); rows[at].cells[k] = cellFor(roles[k]); },
+    () => rows.push({ cells: roles.map(cellFor), isFitted: true }),
     () => rows.push(structuredClone(rows[at])),
     () => { if (rows.length > 1) rows.splice(at, 1); },
     () => { rows[at].isFitted = !rows[at].isFitted || rows.filter((row) => row.isFitted).length === 1; },
-    () => { if (question.eps !== undefined) question.eps = one(BOUNDS); },
-    () => { const where = one(CONDITIONS); if (where) question.where = where; else delete question.where; },
-    () => { if (column("x") === 0 && columns[1]?.role !== "x") { if (question.through_origin) delete question.through_origin; else question.through_origin = true; } },
+    () => { if (request.eps !== undefined) request.eps = one(BOUNDS); },
+    () => { const where = one(CONDITIONS); if (where) request.where = where; else delete request.where; },
+    () => { if (column("x") === 0 && roles[1] !== "x") { if (request.through_origin) delete request.through_origin; else request.through_origin = true; } },
     // All at one place: vertical strips.
     () => { if (whole(3) === 0) rows.forEach((row) => { row.cells[0] = rows[at].cells[0]; }); },
     // One reading alone.
@@ -111,9 +113,9 @@ for (const [name, options] of Object.entries(START)) {
         if (problem !== null) {
           boundfit.editor.undo();
           await boundfit.editor.settled();
-          return { problem, csv: boundfit.editor.csvOf(own), options: null };
+          return { problem, csv: boundfit.editor.csvOf(own) };
         }
-        const [csv, asked] = [boundfit.editor.csv(), boundfit.editor.options()];
+        const [csv, asked] = [boundfit.editor.csv(), boundfit.editor.request()];
         const report = await boundfit.engine.ask("run", csv, { ...asked, file });
         const vertices = [...document.querySelectorAll("#parameter-plane [data-vertex]")].map(({ dataset }) => [dataset.theta1, dataset.theta2].join());
         return { problem, csv, command: boundfit.editor.command(), report, vertices, kind: document.querySelector("#parameter-plane").dataset.kind };

@@ -57,10 +57,15 @@ export const DATA = {
 
 /** What the program prints for arguments; an empty set (status 3) and a refuted claim (status 4) are answers. BOUNDFIT names one that is built. */
 export function boundfit(...words) {
+  return boundfitOf(undefined, ...words);
+}
+
+/** The same with something on standard input. */
+export function boundfitOf(input, ...words) {
   const built = process.env.BOUNDFIT;
   const command = built ? words : ["run", "--quiet", "--release", "--package", "boundfit-cli", "--", ...words];
   try {
-    return execFileSync(built ?? "cargo", command, { cwd: root, encoding: "utf8", maxBuffer: 1 << 26 });
+    return execFileSync(built ?? "cargo", command, { cwd: root, encoding: "utf8", maxBuffer: 1 << 26, input });
   } catch (failure) {
     if ([3, 4].includes(failure.status)) return failure.stdout;
     throw failure;

@@ -25,7 +25,7 @@ after(() => browser?.close());
 const settled = (page) => page.locator('#editor[data-busy="false"]').waitFor();
 const cells = (page) => page.locator("[data-cell]").evaluateAll((inputs) => inputs.map(({ value }) => value));
 const kind = (page) => page.locator("#parameter-plane").getAttribute("data-kind");
-const question = (page) => page.evaluate(() => boundfit.editor.sheet().question);
+const request = (page) => page.evaluate(() => boundfit.editor.sheet().request);
 const noCells = (page) => page.waitForFunction(() => boundfit.editor.sheet().rows.every(({ cells }) => cells.every((cell) => cell === "")));
 
 async function filled(page, id, text) {
@@ -64,7 +64,7 @@ test("half a unit of the last digit is the same in every order of gestures, and 
       const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
       if (isFirst) await filled(page, "#eps", "written");
       await bring(page, TABLE);
-      await page.waitForFunction(() => boundfit.editor.sheet().columns[0].name === "U");
+      await page.waitForFunction(() => boundfit.editor.sheet().columns[0] === "U");
       await settled(page);
       if (!isFirst) await filled(page, "#eps", "written");
       assert.deepEqual(await cells(page), CELLS, way);
@@ -100,7 +100,7 @@ test("a lesson of the program has the cells of its file, and one rule about them
     if (asked !== "written") {
       const other = await page.context().newPage();
       await other.goto(page.url());
-      await other.waitForFunction(() => boundfit.editor?.sheet().question.eps === "written");
+      await other.waitForFunction(() => boundfit.editor?.sheet().request.eps === "written");
       await settled(other);
       await other.locator("#edit-toggle").click();
       assert.deepEqual(await cells(other), CELLS);
@@ -137,11 +137,11 @@ test("bounds and conditions are typed with the decimal mark that the page shows"
   await settled(page);
   assert.equal((await cells(page))[1], "0,1");
   await filled(page, "#eps", "9,5");
-  assert.deepEqual([(await question(page)).eps, await page.locator("#eps").inputValue()], ["9.5", "9,5"]);
+  assert.deepEqual([(await request(page)).eps, await page.locator("#eps").inputValue()], ["9.5", "9,5"]);
   await filled(page, "#eps", "+0,5/-,25*|y|");
-  assert.equal((await question(page)).eps, "+0.5/-.25*|y|");
+  assert.equal((await request(page)).eps, "+0.5/-.25*|y|");
   await filled(page, "#where", "theta1 <= 5,5; theta2 >= -0,5");
-  assert.deepEqual((await question(page)).where, ["theta1 <= 5.5", "theta2 >= -0.5"]);
+  assert.deepEqual((await request(page)).where, ["theta1 <= 5.5", "theta2 >= -0.5"]);
   assert.equal(await page.locator("#where").inputValue(), "theta1 <= 5,5; theta2 >= -0,5");
   assert.equal(await page.locator("#sheet-problem").count(), 0);
   assert.match(await page.locator("#eps-hint").textContent(), /0,5e-3/);
@@ -150,7 +150,7 @@ test("bounds and conditions are typed with the decimal mark that the page shows"
   await filled(page, "#eps", "1,2,3");
   assert.match(await page.locator("#eps-hint").textContent(), /^„1,2,3“: /);
   await filled(page, "#eps", "1,234");
-  assert.equal((await question(page)).eps, "1.234");
+  assert.equal((await request(page)).eps, "1.234");
   await page.locator("#language").selectOption("en");
   await page.waitForFunction(() => document.querySelector("#eps").value === "1,234", null, { timeout: 2000 });
   assert.match(await page.locator("#eps-hint").textContent(), /0,5e-3/, "the cells have commas");
@@ -208,7 +208,7 @@ test("a column of numbers that is left over is asked about, however the table co
   await page.locator("#import-cancel").click();
   // Names of samples are no numbers.
   await WAYS.box(page, "sample\tU\tI\nfirst\t1\t2\nlast\t2\t4,1\n");
-  await page.waitForFunction(() => boundfit.editor.sheet().columns.map(({ name }) => name).join() === "U,I");
+  await page.waitForFunction(() => boundfit.editor.sheet().columns.join() === "U,I");
   await close();
 });
 

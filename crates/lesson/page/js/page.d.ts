@@ -344,10 +344,39 @@ type TextPart = string | TextPlace | { tag: string; attributes: Attributes; part
 /** An element of the page by its id: whichever kind it is, these are the properties that the script uses. */
 type PageElement = HTMLInputElement;
 
-/** A column of a sheet, and what it is for. */
-interface SheetColumn {
-  name: string;
-  role: "x" | "y" | "eps" | "lower" | "upper";
+/** A number or formula of a request: read as the table's numbers are, or exactly what it says. */
+type Given = string | { exact: string };
+
+/** What is asked of the readings, by the keys of every surface: `ask::Readings` beside the question `fit`. */
+interface FitRequest {
+  ask: "fit";
+  x: string | string[];
+  y?: string;
+  eps?: Given;
+  eps_column?: string;
+  lower?: string;
+  upper?: string;
+  where?: Given[];
+  through_origin?: boolean;
+  x_origin?: Given;
+  reading?: string;
+  limits?: Record<string, number>;
+  /** First and last of the rows that are left out. */
+  without?: number[][];
+  header?: string;
+  delimiter?: string;
+  decimal?: string;
+  comment?: string;
+}
+
+/** The key of a request that names a column. */
+type Role = "x" | "y" | "eps_column" | "lower" | "upper";
+
+/** What an address says: a request for the engine to judge, the readings as text unless they are the page's own, and the words of the page. */
+interface Link {
+  request: Record<string, any>;
+  table: string | null;
+  page: Record<string, string>;
 }
 
 interface SheetRow {
@@ -357,10 +386,13 @@ interface SheetRow {
 
 /** Readings as text, and what is asked of them; never changed. */
 interface Sheet {
-  columns: SheetColumn[];
+  /** The names of the columns. */
+  columns: string[];
   rows: SheetRow[];
-  /** The question but for columns and rows, with the keys of docs/wasm.md. */
-  question: Record<string, any>;
+  /** The request but for what follows from the cells: rows that are left out, and the dialect. */
+  request: FitRequest;
+  /** What the page says besides: the keys of a lesson in docs/wasm.md. */
+  page: Record<string, any>;
 }
 
 /** What the engine refused, and where: a row with a column, a key of the question, or nothing of these. */
@@ -460,6 +492,8 @@ interface Workbench {
   taken: string;
   /** The address with the readings; null for readings that are too many for one. */
   link: string | null;
+  /** The link that is being followed. */
+  following: Promise<void> | null;
   /** The number of a reading that is to have the focus when it is there. */
   focusOn: number | null;
   draw: () => void;
@@ -477,6 +511,6 @@ interface Editor {
   csvOf: (sheet: Sheet) => string;
   /** The readings shown as delimited text, and the command that fits them. */
   csv: () => string;
-  command: () => string;
-  options: () => Record<string, any>;
+  command: () => string | null;
+  request: () => FitRequest;
 }

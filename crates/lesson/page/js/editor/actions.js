@@ -8,7 +8,7 @@ import { typedIn } from "./marks.js";
 import { movedSheet, newCells } from "./moving.js";
 import { refusalOf, sentenceOfTable } from "./refusals.js";
 import { notesOf } from "./table-notes.js";
-import { isSameSheet, usedRows, withCell, withFitted, withQuestion, withoutRowAt } from "./sheet.js";
+import { isSameSheet, usedRows, withCell, withFitted, withRequest, withoutRowAt } from "./sheet.js";
 import { cellText, withMark } from "../model/table.js";
 import { hasDecimalComma, numberText, t } from "../texts.js";
 
@@ -107,7 +107,7 @@ export function takeExample({ session, own }) {
   /** @type {DecimalMark} */
   const mark = hasDecimalComma() ? "comma" : "point";
   const rows = EXAMPLE_CELLS.map((cells) => ({ cells: cells.map((cell) => withMark(cell, mark)), isFitted: true }));
-  session.edit(withQuestion({ ...own, rows }, { eps: EXAMPLE_BOUND }), t("edit.did.example"));
+  session.edit(withRequest({ ...own, rows }, { eps: EXAMPLE_BOUND }), t("edit.did.example"));
 }
 
 /**
@@ -123,7 +123,7 @@ export function commitCell(bench, input) {
   if (before.rows[at]?.cells[k] === typed) return bench.draw();
   const { sheet, text: value } = typedIn(before, typed);
   const next = withCell(sheet, at, k, value);
-  bench.session.edit(next, t("edit.did.cell", { column: sheet.columns[k].name, row: numberAt(next, at), value }));
+  bench.session.edit(next, t("edit.did.cell", { column: sheet.columns[k], row: numberAt(next, at), value }));
 }
 
 /**

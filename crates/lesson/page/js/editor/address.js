@@ -1,9 +1,10 @@
 // @ts-check
 // The address of the page: it follows the readings and what is looked at, and is followed.
 
-import { sheetOfWords, wordsOfSheet } from "./fragment.js";
+import { fragmentOf, linkOf } from "./fragment.js";
 import { isOtherLook, lookOf, stateOfLook } from "./look.js";
-import { isSameSheet } from "./sheet.js";
+import { refusalOf, refusedWords, sentenceOf } from "./refusals.js";
+import { csvOf, isSameSheet, lessonOptions, pageOf, requestOf, sheetOf } from "./sheet.js";
 import { t } from "../texts.js";
 
 /** An address is not changed more often: browsers refuse that. */
@@ -28,13 +29,16 @@ export async function writeAddress(bench) {
   addressTimer = null;
   const { session, store, own } = bench;
   const sheet = session.right();
-  const readings = isSameSheet(sheet, own) ? "" : await wordsOfSheet(sheet);
+  const look = lookOf(store.lesson(), store.get());
+  const link = isSameSheet(sheet, own)
+    ? { request: {}, table: null, page: look }
+    : { request: requestOf(sheet), table: csvOf(sheet), page: { ...sheet.page, ...look } };
+  const words = await fragmentOf(link);
   if (sheet !== session.right()) return;
   // What is looked at means nothing without the readings.
-  const words = readings === null ? [] : [readings, lookOf(store.lesson(), store.get())].filter((part) => part !== "");
-  const fragment = words.length > 0 ? `#${words.join("&")}` : "";
+  const fragment = words ? `#${words}` : "";
   const { href, pathname, search } = location;
-  bench.link = readings === null ? null : href.split("#")[0] + fragment;
+  bench.link = words === null ? null : href.split("#")[0] + fragment;
   if (!isElsewhere()) history.replaceState(null, "", fragment || `${pathname}${search}`);
   bench.draw();
 }
@@ -52,19 +56,62 @@ export function connectAddress(bench) {
   bench.store.subscribe((state, before) => {
     if (isOtherLook(state, before)) writeAddressSoon(bench);
   });
-  addEventListener("hashchange", () => readAddress(bench));
-  readAddress(bench);
+  addEventListener("hashchange", () => followAddress(bench));
+  followAddress(bench);
 }
 
 /** @param {Workbench} bench */
-async function readAddress(bench) {
-  const { session, store } = bench;
+function followAddress(bench) {
   const words = location.hash.slice(1);
   if (words === "" || words.startsWith("view=")) return;
-  const found = await sheetOfWords(words.split("&")[0]);
-  if (found instanceof Error) bench.notice = t(found.message === "version" ? "edit.link-version" : "edit.link-damaged");
-  else if (found !== null && !isSameSheet(found, session.right())) session.edit(found, t("edit.did.link"));
-  await session.settled();
-  if (!(found instanceof Error)) store.change(stateOfLook(words, store.lesson()));
+  bench.notice = "";
+  const following = readAddress(bench, words).catch((error) => {
+    bench.notice = sentenceOf(refusalOf(error));
+  }).finally(() => {
+    if (bench.following === following) bench.following = null;
+    bench.draw();
+  });
+  bench.following = following;
   bench.draw();
+}
+
+/**
+ * @param {Workbench} bench
+ * @param {string} words
+ */
+async function readAddress(bench, words) {
+  // Links are followed in their order.
+  await bench.following;
+  const { session, store } = bench;
+  const link = await linkOf(words);
+  if (link instanceof Error) {
+    bench.notice = t(`edit.link-${link.message}`);
+    return;
+  }
+  const sheet = await sheetOfLink(bench, link);
+  if (sheet instanceof Error) {
+    bench.notice = t("edit.link-refused", { problem: refusedWords(refusalOf(sheet)) });
+    return;
+  }
+  if (sheet !== null && !isSameSheet(sheet, session.right())) session.edit(sheet, t("edit.did.link"));
+  await session.settled();
+  store.change(stateOfLook(link.page, store.lesson()));
+}
+
+/**
+ * The sheet that a link asks for, as the engine reads it: about the page's own readings where it has none. Null for a link that is not
+ * about readings, an Error where the engine refuses it.
+ * @param {Workbench} bench
+ * @param {Link} link
+ * @returns {Promise<Sheet | Error | null>}
+ */
+async function sheetOfLink({ engine, own }, { request, table, page }) {
+  if (Object.keys(request).length === 0 && table === null) return null;
+  const words = { ...(table === null ? own.page : {}), ...pageOf(page) };
+  try {
+    const data = JSON.parse(await engine.ask("lesson", table ?? csvOf(own), lessonOptions(request, words)));
+    return sheetOf(data, request);
+  } catch (error) {
+    return error instanceof Error ? error : new Error(`${error}`);
+  }
 }

@@ -2,7 +2,7 @@
 // What can be taken away from the page: the readings, the report, the pictures.
 
 import { download, takePicture } from "../picture.js";
-import { csvOf, optionsOf } from "./sheet.js";
+import { csvOf, requestOf } from "./sheet.js";
 
 export const FILE_NAME = "readings.csv";
 const REPORTS = ["text", "latex", "json"];
@@ -10,15 +10,6 @@ const REPORTS = ["text", "latex", "json"];
 export const EXPORTS = ["csv", ...REPORTS, "data-svg", "data-png", "parameter-svg", "parameter-png"];
 /** @type {Record<string, string>} */
 const ENDINGS = { text: "txt", latex: "tex", json: "json" };
-
-/**
- * What the report is asked for: the page's title and units are not part of it.
- * @param {Sheet} sheet
- */
-export function reportOptions(sheet) {
-  const { title, x_unit, y_unit, max_readings, file, ...options } = optionsOf(sheet);
-  return { ...options, file: FILE_NAME };
-}
 
 /**
  * Hands over what a button names.
@@ -29,7 +20,7 @@ export function reportOptions(sheet) {
 export async function takeAway(engine, sheet, kind) {
   if (kind === "csv") return download(FILE_NAME, new Blob([csvOf(sheet)], { type: "text/csv" }));
   if (REPORTS.includes(kind)) {
-    const report = await engine.ask("run", csvOf(sheet), { ...reportOptions(sheet), format: kind });
+    const report = await engine.ask("run", csvOf(sheet), { ...requestOf(sheet), file: FILE_NAME, format: kind });
     return download(["report", ENDINGS[kind]].join("."), new Blob([report], { type: "text/plain" }));
   }
   const [plane, type] = kind.split("-");

@@ -1,15 +1,18 @@
 // @ts-check
-// A sheet as a part of the page's address: packed JSON, in the letters that an address takes. It begins with the version.
+// The fragment of the page's address: the request, each key with its value, as every surface takes it; then `table`, the readings as
+// text; then what only the page has, under keys that begin with `page.`.
+//
+// A value that is no text is JSON, and so is a text that would look like it: #ask=fit&x=V&y=z&eps=1/2&where=["theta1+>=+0"]
 
-import { distinct, questionOf } from "./sheet.js";
-
-const NAME = "readings-";
-const VERSION = `${NAME}1.`;
 /** Many a program cuts addresses that are longer. */
 const LONGEST = 8000;
+/** A table that is no longer than this stays readable. */
+const READABLE = 300;
 const LONGEST_UNPACKED = 1_000_000;
-const MOST_SHEET_ROWS = 2000;
-const ROLES = ["x", "y", "eps", "lower", "upper"];
+const PAGE = "page.";
+/** How links of older versions begin, which had keys of their own. */
+const OLDER = /^(?:readings-|(?:tab|layers|residual|straighten)=)/;
+const LOOKS_LIKE_JSON = /^(?:[[{"]|(?:true|false)$)/;
 
 /**
  * @param {Uint8Array} bytes
@@ -30,67 +33,75 @@ async function through(bytes, packing) {
 }
 
 /**
- * The words that stand for a sheet; null for one that is too long for an address.
- * @param {Sheet} sheet
+ * A table in the letters that an address takes; null for one that is too long.
+ * @param {string} table
  */
-export async function wordsOfSheet({ columns, rows, question: asked }) {
-  const compact = [
-    columns.map(({ name, role }) => [name, role]),
-    rows.map(({ cells }) => cells.join("\t")).join("\n"),
-    rows.map(({ isFitted }) => (isFitted ? "1" : "0")).join(""),
-    asked,
-  ];
-  const packed = await through(new TextEncoder().encode(JSON.stringify(compact)), new CompressionStream("deflate-raw"));
-  if (packed.length > LONGEST) return null;
-  const text = btoa(String.fromCharCode(...packed)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
-  return VERSION.length + text.length > LONGEST ? null : VERSION + text;
+async function packed(table) {
+  const bytes = await through(new TextEncoder().encode(table), new CompressionStream("deflate-raw"));
+  return bytes.length > LONGEST ? null : btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-/**
- * The sheet that words stand for; null for words of another kind, an Error for damaged ones.
- * @param {string} words
- * @returns {Promise<Sheet | Error | null>}
- */
-export async function sheetOfWords(words) {
-  if (!words.startsWith(NAME)) return null;
-  if (!words.startsWith(VERSION)) return new Error("version");
+/** @param {string} letters */
+async function unpacked(letters) {
+  const bytes = Uint8Array.from(atob(letters.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
+  return new TextDecoder().decode(await through(bytes, new DecompressionStream("deflate-raw")));
+}
+
+/** @param {string} text */
+function valueOf(text) {
+  if (!LOOKS_LIKE_JSON.test(text)) return text;
   try {
-    const letters = words.slice(VERSION.length).replaceAll("-", "+").replaceAll("_", "/");
-    const packed = Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
-    const text = new TextDecoder().decode(await through(packed, new DecompressionStream("deflate-raw")));
-    return checked(JSON.parse(text));
+    return JSON.parse(text);
   } catch {
-    return new Error("damaged");
+    return text;
   }
 }
 
 /** @param {unknown} value */
-const isListOfTexts = (value) => Array.isArray(value) && value.every((own) => typeof own === "string");
+const wordOf = (value) => (typeof value === "string" && !LOOKS_LIKE_JSON.test(value) ? value : JSON.stringify(value));
 
 /**
- * What anyone may have written into an address, as a sheet.
- * @param {any} compact
- * @returns {Sheet}
+ * Words as a web form, in which commas, slashes, colons and brackets stay readable.
+ * @param {[string, string][]} words
  */
-function checked([names, cells, fitted, asked]) {
-  /** @param {boolean} holds */
-  const demand = (holds) => {
-    if (!holds) throw new TypeError("sheet");
-  };
-  demand(Array.isArray(names) && names.length > 0 && names.length <= 6 && typeof cells === "string" && typeof fitted === "string");
-  const columns = names.map((/** @type {any} */ own) => {
-    demand(Array.isArray(own) && typeof own[0] === "string" && ROLES.includes(own[1]));
-    return { name: own[0], role: own[1] };
-  });
-  const lines = fitted.length === 0 ? [] : cells.split("\n");
-  demand(lines.length === fitted.length && lines.length <= MOST_SHEET_ROWS);
-  demand(typeof asked === "object" && asked !== null && !Array.isArray(asked));
-  const rows = lines.map((/** @type {string} */ line, /** @type {number} */ k) => {
-    const own = line.split("\t");
-    demand(own.length === columns.length);
-    return { cells: own, isFitted: fitted[k] === "1" };
-  });
-  const question = questionOf(asked);
-  demand(Object.entries(question).every(([key, value]) => (key === "where" ? isListOfTexts(value) : ["string", "number", "boolean"].includes(typeof value))));
-  return { columns: distinct(columns), rows, question };
+const joined = (words) => `${new URLSearchParams(words)}`.replace(/%(?:2[89CF]|3A|5[BD])/g, decodeURIComponent);
+
+/**
+ * The fragment of a link; null for readings that are too many for an address.
+ * @param {Link} link
+ */
+export async function fragmentOf({ request, table, page }) {
+  /** @type {[string, string][]} */
+  const words = Object.entries(request).map(([key, value]) => [key, wordOf(value)]);
+  if (table !== null) {
+    const short = await packed(table);
+    if (short === null) return null;
+    words.push(["table", joined([["", table]]).length <= Math.max(READABLE, short.length) ? table : short]);
+    if (joined(words).length > LONGEST) return null;
+  }
+  return joined([...words, ...Object.entries(page).map(([key, value]) => /** @type {[string, string]} */ ([PAGE + key, `${value}`]))]);
+}
+
+/**
+ * What a fragment says, for the engine to judge; an Error for one of an older version, or one that was cut or changed.
+ * @param {string} fragment
+ * @returns {Promise<Link | Error>}
+ */
+export async function linkOf(fragment) {
+  if (OLDER.test(fragment)) return new Error("old");
+  const words = [...new URLSearchParams(fragment)];
+  if (new Set(words.map(([key]) => key)).size < words.length) return new Error("damaged");
+  const { table, ...said } = Object.fromEntries(words);
+  /** @param {boolean} isOfPage */
+  const part = (isOfPage) => Object.entries(said).filter(([key]) => key.startsWith(PAGE) === isOfPage);
+  try {
+    return {
+      request: Object.fromEntries(part(false).map(([key, text]) => [key, valueOf(text)])),
+      // What is packed is one line.
+      table: table === undefined ? null : table.includes("\n") ? table : await unpacked(table),
+      page: Object.fromEntries(part(true).map(([key, text]) => [key.slice(PAGE.length), text])),
+    };
+  } catch {
+    return new Error("damaged");
+  }
 }

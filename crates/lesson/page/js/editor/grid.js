@@ -4,7 +4,7 @@
 import { element } from "../dom.js";
 import { t } from "../texts.js";
 import { sentenceOf } from "./refusals.js";
-import { usedRows } from "./sheet.js";
+import { rolesOf, usedRows } from "./sheet.js";
 
 /** @typedef {Workbench["typing"]} Typing */
 
@@ -12,9 +12,10 @@ const LONGEST_HEAD = 14;
 
 /**
  * The names of the columns as heads: what they are for where the name does not say it.
- * @param {SheetColumn} column
+ * @param {string} name
+ * @param {Role} role
  */
-function head({ name, role }) {
+function head(name, role) {
   return role === "x" || role === "y" ? name : `${name} (${t(`edit.role.${role}`)})`;
 }
 
@@ -26,7 +27,8 @@ function head({ name, role }) {
  */
 export function grid(sheet, problem, typing, chosen) {
   const numbers = new Map(usedRows(sheet).map((at, k) => [at, k + 1]));
-  const heads = [t("edit.row"), ...sheet.columns.map(head), t("edit.fitted")].map((name) =>
+  const roles = rolesOf(sheet);
+  const heads = [t("edit.row"), ...sheet.columns.map((name, k) => head(name, roles[k])), t("edit.fitted")].map((name) =>
     element("th", { scope: "col", class: name.length > LONGEST_HEAD ? "long" : null }, name),
   );
   heads.push(element("th", { scope: "col" }, element("span", { class: "unseen" }, t("edit.delete"))));
@@ -66,11 +68,11 @@ function rowOf({ columns, rows }, at, number, problem, typing, chosen) {
 }
 
 /**
- * @param {SheetColumn} column
+ * @param {string} name
  * @param {string} text
  * @param {{ at: number, k: number, row: string, problem: Problem | null, typing: Typing }} where
  */
-function cellOf({ name }, text, { at, k, row, problem, typing }) {
+function cellOf(name, text, { at, k, row, problem, typing }) {
   const place = `${at} ${k}`;
   const value = typing?.place === place ? typing.text : text;
   return element(

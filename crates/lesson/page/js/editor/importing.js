@@ -5,7 +5,7 @@
 import { element } from "../dom.js";
 import { t } from "../texts.js";
 import { sentenceOfTable } from "./refusals.js";
-import { byName, sheetOf } from "./sheet.js";
+import { byName, rolesOf, sheetOf } from "./sheet.js";
 import { notesOf } from "./table-notes.js";
 
 /** What a column can be for, in the order of the form. */
@@ -44,11 +44,12 @@ export function guessed(columns, numeric, sheet) {
   const number = (/** @type {number} */ k) => `${k + 1}`;
   /** @type {Record<string, string>} */
   const choice = {};
-  const isKnown = sheet !== null && sheet.columns.every(({ name }) => columns.filter((own) => own.trim() === name).length === 1);
-  for (const { name, role } of isKnown ? sheet.columns : []) {
-    const key = role === "eps" ? "eps_column" : role === "x" && "x" in choice ? "v" : role;
-    choice[key] = number(columns.findIndex((own) => own.trim() === name));
-  }
+  const isKnown = sheet !== null && sheet.columns.every((name) => columns.filter((own) => own.trim() === name).length === 1);
+  const roles = isKnown ? rolesOf(sheet) : [];
+  roles.forEach((role, k) => {
+    const key = role === "x" && "x" in choice ? "v" : role;
+    choice[key] = number(columns.findIndex((own) => own.trim() === sheet?.columns[k]));
+  });
   const left = columns.map((_, k) => k).filter((k) => !Object.values(choice).includes(number(k)));
   const hasBounds = BOUNDS.some((key) => key in choice);
   const isNumeric = (/** @type {number} */ k) => numeric === null || numeric[k];
@@ -91,9 +92,9 @@ function selector({ columns, hasHeader }, number) {
 export async function imported(engine, from, sheet) {
   const { table, file, columns, choice, how, skip } = from;
   const [x, v, y, eps_column, lower, upper] = PURPOSES.map((purpose) => selector(from, choice[purpose]));
-  const { where, through_origin, x_origin, reading, eps } = sheet.question;
+  const { where, through_origin, x_origin, reading, eps } = sheet.request;
   // Another column has another origin.
-  const isSameX = columns[Number(choice.x) - 1]?.trim() === sheet.columns.find(({ role }) => role === "x")?.name;
+  const isSameX = columns[Number(choice.x) - 1]?.trim() === sheet.columns[0];
   const isOwn = [eps_column, lower, upper].some(Boolean);
   const bounds = { ...(eps_column ? { eps_column } : {}), ...(lower ? { lower } : {}), ...(upper ? { upper } : {}) };
   const options = {
@@ -110,7 +111,7 @@ export async function imported(engine, from, sheet) {
   };
   /** @type {LessonData} */
   const data = JSON.parse(await engine.ask("lesson", table, options));
-  return { sheet: sheetOf(data), notes: data.fit.input.table };
+  return { sheet: sheetOf(data, options), notes: data.fit.input.table };
 }
 
 /**

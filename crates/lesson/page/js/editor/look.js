@@ -1,5 +1,5 @@
 // @ts-check
-// What of a lesson is looked at, as words in the page's address: the tab with where it stands, layers, and how the pictures are drawn.
+// What of a lesson is looked at, as words of the page in its address: the tab with where it stands, layers, and how the pictures are drawn.
 // What the reader has not changed has no word.
 
 import { initialState } from "../state.js";
@@ -23,39 +23,39 @@ export function isOtherLook(state, before) {
 /**
  * @param {Lesson} lesson
  * @param {State} state
+ * @returns {Record<string, string>}
  */
 export function lookOf(lesson, state) {
   const { mode, order, step, stop, without, layers } = state;
   const start = initialState(lesson);
-  const words = new URLSearchParams();
-  if (mode !== start.mode) words.set("tab", mode);
-  if (mode === "clip") words.set("order", `${order}`);
-  if (mode === "clip") words.set("step", `${step}`);
-  if (mode === "epsilon") words.set("stop", `${stop}`);
-  if (without.length > 0) words.set("without", without.join(" "));
-  if (layers.size > 0) words.set("layers", [...layers].join(" "));
-  for (const part of /** @type {const} */ (["residual", "straighten"])) if (state[part] !== start[part]) words.set(part, state[part] ? "yes" : "no");
-  return words.toString();
+  /** @type {Record<string, string>} */
+  const words = {};
+  if (mode !== start.mode) words.tab = mode;
+  if (mode === "clip") Object.assign(words, { order: `${order}`, step: `${step}` });
+  if (mode === "epsilon") words.stop = `${stop}`;
+  if (without.length > 0) words.without = without.join(" ");
+  if (layers.size > 0) words.layers = [...layers].join(" ");
+  for (const part of /** @type {const} */ (["residual", "straighten"])) if (state[part] !== start[part]) words[part] = state[part] ? "yes" : "no";
+  return words;
 }
 
 /**
  * What words in an address change in the state of this lesson; anyone may have written them, and what has no meaning here is passed over.
- * @param {string} text
+ * @param {Record<string, string>} words
  * @param {Lesson} lesson
  * @returns {Partial<State>}
  */
-export function stateOfLook(text, lesson) {
-  const words = new URLSearchParams(text);
+export function stateOfLook(words, lesson) {
   const start = initialState(lesson);
   /** @param {string} word @param {number} most */
   const whole = (word, most) => {
-    const said = words.get(word) ?? "";
+    const said = words[word] ?? "";
     return /^\d{1,6}$/.test(said) && Number(said) <= most ? Number(said) : null;
   };
-  const mode = TABS.find((own) => own === words.get("tab")) ?? start.mode;
+  const mode = TABS.find((own) => own === words.tab) ?? start.mode;
   const order = whole("order", lesson.data.orders.length - 1) ?? start.order;
-  const rows = (words.get("without") ?? "").split(" ").map(Number).filter((row) => lesson.rowIndex.has(row));
-  const layers = (words.get("layers") ?? "").split(" ").filter((layer) => /^[a-z-]{1,30}$/.test(layer)).slice(0, MOST_LAYERS);
+  const rows = (words.without ?? "").split(" ").map(Number).filter((row) => lesson.rowIndex.has(row));
+  const layers = (words.layers ?? "").split(" ").filter((layer) => /^[a-z-]{1,30}$/.test(layer)).slice(0, MOST_LAYERS);
   return {
     mode: mode === "epsilon" && lesson.stops.length === 0 ? start.mode : mode,
     order,
@@ -63,7 +63,7 @@ export function stateOfLook(text, lesson) {
     stop: whole("stop", lesson.stops.length - 1) ?? start.stop,
     without: mode === "leave-one-out" ? [...new Set(rows)].sort((p, q) => p - q) : [],
     layers: new Set(layers),
-    residual: words.has("residual") ? words.get("residual") === "yes" && lesson.reference !== null : start.residual,
-    straighten: words.has("straighten") ? words.get("straighten") === "yes" : start.straighten,
+    residual: words.residual === undefined ? start.residual : words.residual === "yes" && lesson.reference !== null,
+    straighten: words.straighten === undefined ? start.straighten : words.straighten === "yes",
   };
 }

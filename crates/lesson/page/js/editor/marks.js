@@ -30,7 +30,7 @@ const hasPlainComma = (sheet) => cellsIn(sheet).some((cell) => markIn(cell) === 
  * @returns {DecimalMark}
  */
 export function markOf(sheet) {
-  if (sheet.question.decimal === "comma") return "comma";
+  if (sheet.request.decimal === "comma") return "comma";
   return hasPlainComma(sheet) && !cellsIn(sheet).some((cell) => markIn(cell) === ".") ? "comma" : "point";
 }
 
@@ -58,7 +58,7 @@ export function withDecimalMark(cell, mark, sheet) {
 export function typedIn(sheet, text) {
   if (markIn(text) !== "," || !hasDecimalComma()) return { sheet, text };
   const hasPoint = cellsIn(sheet).some((cell) => markIn(cell) === ".");
-  if (!hasPoint) return { sheet: { ...sheet, question: { ...sheet.question, decimal: "comma" } }, text };
+  if (!hasPoint) return { sheet: { ...sheet, request: { ...sheet.request, decimal: "comma" } }, text };
   return { sheet, text: markOf(sheet) === "point" && THOUSANDS.test(text.trim()) ? text.replace(",", ".") : text };
 }
 

@@ -2,6 +2,7 @@
 // A reading at another place, as cells.
 
 import { cellIn } from "./marks.js";
+import { rolesOf } from "./sheet.js";
 import { boundAt, readingOfRow } from "../model/lesson.js";
 import { HALF, ONE, Rational, ZERO } from "../model/rational.js";
 
@@ -9,9 +10,9 @@ import { HALF, ONE, Rational, ZERO } from "../model/rational.js";
  * The cells of a reading without numbers yet, but for a bound like that of the one before.
  * @param {Sheet} sheet
  */
-export function newCells({ columns, rows }) {
-  const last = rows[rows.length - 1];
-  return columns.map(({ role }, k) => (role === "eps" ? (last?.cells[k] ?? "") : ""));
+export function newCells(sheet) {
+  const last = sheet.rows[sheet.rows.length - 1];
+  return rolesOf(sheet).map((role, k) => (role === "eps_column" ? (last?.cells[k] ?? "") : ""));
 }
 
 /**
@@ -34,11 +35,11 @@ export function movedSheet(sheet, at, x, y, lesson, number) {
     const half = halfWidth(lesson);
     return end === "lower" ? y.minus(half) : y.plus(half);
   };
-  const cells = sheet.columns.map(({ role }, k) => {
+  const cells = rolesOf(sheet).map((role, k) => {
     const cell = sheet.rows[at].cells[k];
     if (role === "x") return x === null ? cell : cellIn(sheet, x.plus(origin), cell);
     if (role === "y") return cellIn(sheet, y, cell);
-    if (role === "eps") return cell;
+    if (role === "eps_column") return cell;
     const end = bound(role);
     return end === null ? "" : cellIn(sheet, end, cell);
   });

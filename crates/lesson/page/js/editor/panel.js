@@ -14,12 +14,12 @@ import { readingEdits } from "./actions.js";
 import { connectAddress, writeAddress, writeAddressSoon } from "./address.js";
 import { connectControls } from "./controls.js";
 import { connectDragging, drawnAt } from "./drag.js";
-import { EXPORTS, FILE_NAME, reportOptions } from "./export.js";
+import { EXPORTS, FILE_NAME } from "./export.js";
 import { grid, problemNote } from "./grid.js";
 import { importForm } from "./importing.js";
 import { questionForm } from "./question-form.js";
 import { createSession } from "./session.js";
-import { commandOf, csvOf, isSameSheet, sheetOf, usedRows, withQuestion } from "./sheet.js";
+import { commandOf, csvOf, isSameSheet, requestOf, sheetOf, usedRows, withRequest } from "./sheet.js";
 import { kindText } from "../model/format.js";
 import { readLesson } from "../model/lesson.js";
 import { t } from "../texts.js";
@@ -41,7 +41,7 @@ export function connectEditor(engine, store, current) {
   const own = isBlank ? withRoom(sheetOf(data)) : sheetOf(data);
   const bench = /** @type {Workbench} */ ({
     engine, store, current, own, isBlank,
-    isOpen: isBlank, isSlow: false, typing: null, pending: null, notice: "", taken: "", link: location.href, focusOn: null,
+    isOpen: isBlank, isSlow: false, typing: null, pending: null, notice: "", taken: "", link: location.href, following: null, focusOn: null,
   });
   bench.draw = () => drawEditor(bench);
   bench.session = createSession(engine, own, data, {
@@ -67,13 +67,16 @@ function forOthers(bench) {
     address: () => writeAddress(bench),
     sheet: session.sheet,
     problem: session.problem,
-    settled: session.settled,
+    settled: async () => {
+      await bench.following;
+      await session.settled();
+    },
     edit: (sheet) => session.edit(sheet, ""),
     undo: () => session.undo(""),
     csvOf,
     csv: () => csvOf(session.right()),
     command: () => commandOf(session.right(), FILE_NAME),
-    options: () => reportOptions(session.right()),
+    request: () => requestOf(session.right()),
   };
 }
 
@@ -84,7 +87,7 @@ function forOthers(bench) {
  */
 function withRoom(sheet) {
   const rows = Array.from({ length: FIRST_ROWS }, () => ({ cells: sheet.columns.map(() => ""), isFitted: true }));
-  return withQuestion({ ...sheet, rows }, { eps: "2*min" });
+  return withRequest({ ...sheet, rows }, { eps: "2*min" });
 }
 
 /**
@@ -124,7 +127,7 @@ function drawEditor(bench) {
   // A reading that the engine refused is not waited for.
   if (problem !== null) bench.focusOn = null;
   const editor = byId("editor");
-  editor.dataset.busy = `${session.isBusy()}`;
+  editor.dataset.busy = `${session.isBusy() || bench.following !== null}`;
   watchTime(bench, sheet);
   /** @type {HTMLElement} */ (byId("readings").parentElement).hidden = isOpen;
   drawTools(bench);
@@ -209,12 +212,13 @@ function openParts({ session, store, typing, isBlank }) {
 /** @param {Workbench} bench */
 function exportParts({ link, session, isBlank, store }) {
   const isEmpty = isBlank && store.lesson().readings.length === 0;
+  const command = commandOf(session.right(), FILE_NAME);
   return element(
     "details",
     { id: "export", hidden: isEmpty },
     element("summary", {}, t("edit.export")),
     element("p", { class: "buttons" }, EXPORTS.map((kind) => element("button", { type: "button", "data-export": kind }, t(`edit.export.${kind}`)))),
-    element("p", {}, t("edit.command"), " ", element("code", { id: "command" }, commandOf(session.right(), FILE_NAME))),
+    element("p", { hidden: command === null }, t("edit.command"), " ", element("code", { id: "command" }, command ?? "")),
     element(
       "p",
       {},

@@ -4,7 +4,7 @@
 import { element } from "../dom.js";
 import { problemNote } from "./grid.js";
 import { cellIn, showsComma, typedFormula } from "./marks.js";
-import { withBounds, withQuestion } from "./sheet.js";
+import { textOf, withBounds, withRequest } from "./sheet.js";
 import { boundAt } from "../model/lesson.js";
 import { ONE } from "../model/rational.js";
 import { formulaText, t } from "../texts.js";
@@ -17,9 +17,9 @@ const NUMBER_IN_HINT = "0.5e-3";
 const CONDITION_IN_HINT = "theta1 >= 0.5";
 
 /** @param {Sheet} sheet */
-function kindOfBounds({ columns }) {
-  if (columns.some(({ role }) => role === "eps")) return "column";
-  return columns.some(({ role }) => role === "lower" || role === "upper") ? "interval" : "eps";
+function kindOfBounds({ request: { eps_column, lower, upper } }) {
+  if (eps_column !== undefined) return "column";
+  return lower ?? upper ? "interval" : "eps";
 }
 
 /**
@@ -29,7 +29,7 @@ function kindOfBounds({ columns }) {
  */
 export function questionForm(sheet, problem, typing) {
   const kind = kindOfBounds(sheet);
-  const { eps, where, through_origin } = sheet.question;
+  const { eps, where, through_origin } = sheet.request;
   const comma = showsComma(sheet);
   const [number, condition] = [NUMBER_IN_HINT, CONDITION_IN_HINT].map((text) => formulaText(text, comma));
   /** @param {string} id @param {string} text @param {string} width */
@@ -63,9 +63,9 @@ export function questionForm(sheet, problem, typing) {
       " ",
       element("select", { id: "bounds-kind" }, KINDS_OF_BOUNDS.map((own) => element("option", { value: own, selected: own === kind }, t(`edit.bounds.${own}`)))),
     ),
-    kind === "eps" ? field("eps", `${eps ?? ""}`, "14") : null,
-    field("where", (where ?? []).join("; "), "26"),
-    sheet.columns.filter(({ role }) => role === "x").length === 1
+    kind === "eps" ? field("eps", textOf(eps), "14") : null,
+    field("where", (where ?? []).map(textOf).join("; "), "26"),
+    typeof sheet.request.x === "string"
       ? element("label", {}, element("input", { type: "checkbox", id: "through-origin", checked: through_origin === true }), t("edit.through-origin"))
       : null,
   );
@@ -80,12 +80,12 @@ export function questionForm(sheet, problem, typing) {
 export function askedBy(input, sheet, lesson) {
   const { id, value, checked } = input;
   const words = typedFormula(value.trim(), showsComma(sheet));
-  if (id === "eps") return words === sheet.question.eps ? null : withQuestion(sheet, { eps: words });
+  if (id === "eps") return words === sheet.request.eps ? null : withRequest(sheet, { eps: words });
   if (id === "where") {
     const conditions = words.split(";").map((own) => own.trim()).filter((own) => own !== "");
-    return withQuestion(sheet, { where: conditions.length === 0 ? undefined : conditions });
+    return withRequest(sheet, { where: conditions.length === 0 ? undefined : conditions });
   }
-  if (id === "through-origin") return withQuestion(sheet, { through_origin: checked ? true : undefined });
+  if (id === "through-origin") return withRequest(sheet, { through_origin: checked ? true : undefined });
   if (id !== "bounds-kind") return null;
   const kind = KINDS_OF_BOUNDS.find((own) => own === value) ?? "eps";
   /** @param {Rational | null} end */

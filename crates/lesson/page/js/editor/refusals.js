@@ -26,7 +26,7 @@ export const sentenceOf = (refusal) => capital(refusedWords(refusal));
  * What is wrong; English where the page has no words of its own for it.
  * @param {Refusal} refusal
  */
-function refusedWords({ kind, words, text, position, values = {} }) {
+export function refusedWords({ kind, words, text, position, values = {} }) {
   const said = isText(`problem.${kind}`) ? t(`problem.${kind}`, values) : words;
   const placed = position === undefined ? said : t("problem-at.character", { problem: said, position });
   return text === undefined || text === "" ? placed : t("problem-at.text", { problem: placed, text });

@@ -1,66 +1,96 @@
 // @ts-check
-// The readings as text that can be changed, and what is asked of them. A sheet is never changed: every edit is another one, and the
+// The readings as text that can be changed, and the request about them. A sheet is never changed: every edit is another one, and the
 // engine makes a lesson of each.
 
 import { markOf, withDecimalMark } from "./marks.js";
 import { cellsOf, rowRanges, tableText } from "../model/table.js";
 
-/** Keys of the question that name columns or rows: the sheet has these in another form. */
-const ABOUT_COLUMNS = ["x", "y", "eps_column", "lower", "upper", "rows", "row_numbers", "without", "where_row"];
-/** What describes a file that the sheet is no longer, or a report. */
-const ABOUT_FILES = ["header", "delimiter", "thousands", "comment", "skip_lines", "units_row", "missing", "format", "digits", "rounding", "exact", "no_eui"];
+/** The keys of the request that name columns, in the order of the columns. */
+const COLUMN_KEYS = /** @type {const} */ (["x", "y", "eps_column", "lower", "upper"]);
+const BOUND_COLUMNS = /** @type {const} */ (["eps_column", "lower", "upper"]);
+/** The keys that readers give in texts of their own. */
+const TEXT_KEYS = ["eps", "where", "through_origin", "x_origin", "reading", "limits"];
+/** What the page says besides, by the keys of docs/wasm.md. */
+const PAGE_KEYS = ["file", "title", "x_unit", "y_unit", "max_readings"];
+/** What a request means that does not say it. */
+const DEFAULTS = new Map(Object.entries({ reading: "decimal", through_origin: false, decimal: "point" }));
+
+/**
+ * Those of some keys that say something.
+ * @param {Record<string, any>} all
+ * @param {readonly string[]} keys
+ */
+const picked = (all, keys) => Object.fromEntries(keys.flatMap((key) => ([undefined, null, DEFAULTS.get(key)].includes(all[key]) ? [] : [[key, all[key]]])));
 
 /**
  * The sheet from which the engine makes this lesson again.
  * @param {LessonData} data
+ * @param {Record<string, any>} said the request that it was made of, whose texts are kept as they are
  * @returns {Sheet}
  */
-export function sheetOf(data) {
-  const { asked, columns } = data;
-  const regressors = typeof asked.x === "string" ? 1 : 2;
-  /** @type {SheetColumn["role"][]} */
-  const roles = Array(regressors).fill("x");
-  if (asked.y !== undefined) roles.push("y");
-  if (asked.eps_column !== undefined) roles.push("eps");
-  if (asked.lower !== undefined) roles.push("lower");
-  if (asked.upper !== undefined) roles.push("upper");
-  const bounds = roles.map((role) => !["x", "y"].includes(role));
+export function sheetOf(data, said = {}) {
+  const { asked } = data;
+  const own = COLUMN_KEYS.filter((key) => asked[key] !== undefined);
+  const columns = distinct(data.columns);
+  const names = columns.map(byName);
+  const x = names.splice(0, typeof asked.x === "string" ? 1 : 2);
+  const isBound = [...x.map(() => false), ...own.slice(1).map((key) => key !== "y")];
   /** @param {FittedReadingData} reading @param {boolean} isFitted */
   const row = (reading, isFitted) => {
     // The bounds of a reading that is not fitted are in the document only if their cells are.
-    const cells = cellsOf(asked, reading).map((cell, k) => (isFitted || !bounds[k] ? cell : (reading.cells?.[k] ?? "")));
+    const cells = cellsOf(asked, reading).map((cell, k) => (isFitted || !isBound[k] ? cell : (reading.cells?.[k] ?? "")));
     return { number: reading.row, cells, isFitted };
   };
   const rows = [...data.readings.map((own) => row(own, true)), ...data.others.map((own) => row(own, false))];
+  /** @type {FitRequest} */
+  const request = { ask: "fit", x: x.length === 1 ? x[0] : x };
+  own.slice(1).forEach((key, k) => Object.assign(request, { [key]: names[k] }));
+  // That the cells have decimal commas is kept: so 1,234 is no thousands.
+  Object.assign(request, picked({ ...asked, ...picked(said, TEXT_KEYS) }, [...TEXT_KEYS, "decimal"]));
   return {
-    columns: distinct(roles.map((role, k) => ({ name: columns[k], role }))),
+    columns,
     rows: rows.sort((p, q) => p.number - q.number).map(({ cells, isFitted }) => ({ cells, isFitted })),
-    question: questionOf(asked),
+    request: asked.eps === undefined ? withoutKeys(request, ["eps"]) : request,
+    page: picked(asked, PAGE_KEYS),
   };
 }
 
 /**
- * What of a question is not about columns, rows or the form of a file. That the cells have decimal commas is kept: so 1,234 is no
- * thousands.
- * @param {Record<string, any>} asked
+ * What the page says besides, of the words of a link.
+ * @param {Record<string, string>} words
  */
-export function questionOf(asked) {
-  const isKept = (/** @type {string} */ key) => (key === "decimal" ? asked.decimal === "comma" : ![...ABOUT_COLUMNS, ...ABOUT_FILES].includes(key));
-  return Object.fromEntries(Object.entries(asked).filter(([key]) => isKept(key)));
+export function pageOf(words) {
+  const { max_readings: most, ...texts } = picked(words, PAGE_KEYS);
+  return most === undefined ? texts : { ...texts, max_readings: Number(most) };
+}
+
+/**
+ * @param {FitRequest} request
+ * @param {readonly string[]} keys
+ */
+const withoutKeys = (request, keys) => /** @type {FitRequest} */ (Object.fromEntries(Object.entries(request).filter(([key]) => !keys.includes(key))));
+
+/**
+ * The key of the request that names each column.
+ * @param {Sheet} sheet
+ */
+export function rolesOf({ columns, request }) {
+  const roles = new Map(COLUMN_KEYS.flatMap((key) => [request[key] ?? []].flat().map((name) => [name, key])));
+  return columns.map((name) => roles.get(byName(name)) ?? "x");
 }
 
 /**
  * Columns are told apart by their names.
- * @param {SheetColumn[]} columns
+ * @param {string[]} columns
  */
-export function distinct(columns) {
+function distinct(columns) {
   /** @type {Set<string>} */
   const taken = new Set();
-  return columns.map(({ name, role }, k) => {
+  return columns.map((name, k) => {
     let free = name.trim() === "" ? `column ${k + 1}` : name.trim();
     while (taken.has(free)) free += "'";
     taken.add(free);
-    return { name: free, role };
+    return free;
   });
 }
 
@@ -68,13 +98,14 @@ export function distinct(columns) {
  * The rows that are readings, by index; the k-th of them is reading k + 1. A row in which numbers are still missing is none yet.
  * @param {Sheet} sheet
  */
-export function usedRows({ columns, rows }) {
-  return rows.flatMap(({ cells, isFitted }, k) => {
+export function usedRows(sheet) {
+  const roles = rolesOf(sheet);
+  return sheet.rows.flatMap(({ cells, isFitted }, k) => {
     const isThere = cells.map((cell) => cell.trim() !== "");
     /** @param {string} role */
-    const filled = (role) => columns.flatMap((column, at) => (column.role === role ? [isThere[at]] : []));
+    const filled = (role) => roles.flatMap((own, at) => (own === role ? [isThere[at]] : []));
     const ends = [...filled("lower"), ...filled("upper")];
-    const hasBound = !isFitted || (filled("eps").every(Boolean) && (ends.length === 0 || ends.some(Boolean)));
+    const hasBound = !isFitted || (filled("eps_column").every(Boolean) && (ends.length === 0 || ends.some(Boolean)));
     return hasBound && filled("x").every(Boolean) && filled("y").every(Boolean) ? [k] : [];
   });
 }
@@ -86,7 +117,7 @@ export function usedRows({ columns, rows }) {
 export function csvOf(sheet) {
   const mark = markOf(sheet);
   const rows = usedRows(sheet).map((k) => sheet.rows[k].cells.map((cell) => withDecimalMark(cell, mark, sheet)));
-  return tableText(sheet.columns.map(({ name }) => name), rows, mark);
+  return tableText(sheet.columns, rows, mark);
 }
 
 /**
@@ -96,52 +127,63 @@ export function csvOf(sheet) {
 export const byName = (name) => (/^\d+$/.test(name) ? `"${name}"` : name);
 
 /**
- * What is asked of the text, as docs/wasm.md has it.
+ * The request about the text of {@link csvOf}, the same for the engine, a report and a link: which rows are left out and how the text
+ * is written follows from the cells.
  * @param {Sheet} sheet
- * @returns {Record<string, any>}
+ * @returns {FitRequest}
  */
-export function optionsOf(sheet) {
-  const { columns, rows, question: asked } = sheet;
-  const named = (/** @type {SheetColumn["role"]} */ role) => columns.filter((column) => column.role === role).map(({ name }) => byName(name));
-  const x = named("x");
-  const without = usedRows(sheet).flatMap((at, k) => (rows[at].isFitted ? [] : [k + 1]));
+export function requestOf(sheet) {
+  const without = usedRows(sheet).flatMap((at, k) => (sheet.rows[at].isFitted ? [] : [k + 1]));
+  const left = without.length > 0 ? { without: rowRanges(without) } : {};
   const text = markOf(sheet) === "comma" ? { delimiter: "semicolon", decimal: "comma" } : { delimiter: "comma", decimal: "point" };
-  /** @type {Record<string, any>} */
-  const options = { ...asked, x: x.length === 1 ? x[0] : x, header: "yes", ...text, comment: "none" };
-  const [y, eps, lower, upper] = [named("y"), named("eps"), named("lower"), named("upper")].map(([name]) => name);
-  Object.assign(options, y === undefined ? {} : { y }, lower === undefined ? {} : { lower }, upper === undefined ? {} : { upper });
-  if (eps !== undefined) options.eps_column = eps;
-  // Errors have bounds of one kind.
-  if (eps !== undefined || lower !== undefined || upper !== undefined) delete options.eps;
-  if (without.length > 0) options.without = rowRanges(without);
-  return options;
+  return { ...sheet.request, ...left, header: "yes", ...text, comment: "none" };
 }
 
 /**
- * What to type to have the same answer from the program, for the file of {@link csvOf}.
+ * What the engine is given for a lesson: it takes the words of the page too, and has no other question than the fit.
+ * @param {Record<string, any>} request
+ * @param {Record<string, any>} page
+ */
+export function lessonOptions(request, page) {
+  const { ask, ...readings } = request;
+  return { ...page, ...(ask === undefined || ask === "fit" ? readings : request) };
+}
+
+/**
+ * A number or formula of a request as its text.
+ * @param {Given | undefined} given
+ */
+export const textOf = (given) => (typeof given === "object" ? given.exact : `${given ?? ""}`);
+
+/**
+ * What to type to have the same answer from the program, for the file of {@link csvOf}; null where its options cannot say it.
  * @param {Sheet} sheet
  * @param {string} file
  */
 export function commandOf(sheet, file) {
-  const options = optionsOf(sheet);
+  const options = requestOf(sheet);
+  // The program reads a number of an option as it reads those of the table.
+  const isExact = [options.eps, options.x_origin, ...(options.where ?? [])].some((given) => typeof given === "object");
+  if (isExact && options.reading === "binary64") return null;
   const words = ["boundfit", "fit", file];
   /** @param {string} word */
   const quoted = (word) => (/^[\w./:=@%+,-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
   // What the command line would take for two columns, or for another option, is a column by its number.
   const column = (/** @type {string | undefined} */ name) =>
-    name !== undefined && /^-|,/.test(name) ? `${sheet.columns.findIndex((own) => own.name === name) + 1}` : name;
-  if (options.decimal === "comma") words.push("--delimiter", options.delimiter, "--decimal", options.decimal);
-  const regressors = [options.x].flat().map(column).join(",");
+    name !== undefined && /^-|,/.test(name) ? `${sheet.columns.indexOf(name) + 1}` : name;
+  if (options.decimal === "comma") words.push("--delimiter", "semicolon", "--decimal", "comma");
+  const regressors = [options.x].flat().map((name) => column(name)).join(",");
   const [y, eps_column, lower, upper] = [options.y, options.eps_column, options.lower, options.upper].map(column);
-  const names = { x: regressors, y, eps: options.eps, "eps-column": eps_column, lower, upper };
+  const names = { x: regressors, y, eps: options.eps === undefined ? undefined : textOf(options.eps), "eps-column": eps_column, lower, upper };
   for (const [name, value] of Object.entries(names)) if (value !== undefined) words.push(`--${name}`, quoted(value));
   // Where every column is asked for by what may be its number, the first row may be taken for a reading.
-  if (sheet.columns.every(({ name }) => /^\d+$/.test(column(name) ?? ""))) words.push("--header", "yes");
-  for (const condition of options.where ?? []) words.push("--where", quoted(condition));
-  if (options.without) words.push("--without", options.without.map((/** @type {number[]} */ own) => own.join("..")).join(","));
+  if (sheet.columns.every((name) => /^\d+$/.test(column(name) ?? ""))) words.push("--header", "yes");
+  for (const condition of options.where ?? []) words.push("--where", quoted(textOf(condition)));
+  if (options.without) words.push("--without", options.without.map((own) => own.join("..")).join(","));
   if (options.through_origin) words.push("--through-origin");
-  if (options.x_origin !== undefined) words.push(`--x-origin=${quoted(options.x_origin)}`);
+  if (options.x_origin !== undefined) words.push(`--x-origin=${quoted(textOf(options.x_origin))}`);
   if (options.reading !== undefined && options.reading !== "decimal") words.push("--reading", options.reading);
+  for (const [name, most] of Object.entries(options.limits ?? {})) words.push("--limit", `${name}=${most}`);
   return words.join(" ");
 }
 
@@ -194,14 +236,14 @@ export function withFitted(sheet, row, isFitted) {
 }
 
 /**
- * The sheet with another answer to a part of the question; undefined takes it away.
+ * The sheet with another request; undefined takes a key away.
  * @param {Sheet} sheet
- * @param {Record<string, any>} changes
+ * @param {Partial<FitRequest>} changes
  * @returns {Sheet}
  */
-export function withQuestion(sheet, changes) {
-  const asked = Object.entries({ ...sheet.question, ...changes }).filter(([, value]) => value !== undefined);
-  return { ...sheet, question: Object.fromEntries(asked) };
+export function withRequest(sheet, changes) {
+  const request = /** @type {FitRequest} */ ({ ...sheet.request, ...changes });
+  return { ...sheet, request: withoutKeys(request, Object.keys(changes).filter((key) => changes[/** @type {keyof FitRequest} */ (key)] === undefined)) };
 }
 
 /**
@@ -226,18 +268,21 @@ export function problemOf(refusal, sheet) {
  */
 export function withBounds(sheet, kind, known) {
   const numbers = new Map(usedRows(sheet).map((at, k) => [at, k + 1]));
-  const kept = sheet.columns.flatMap(({ role }, k) => (role === "x" || role === "y" ? [k] : []));
-  /** @type {SheetColumn[]} */
-  const added = kind === "eps" ? [] : kind === "column" ? [{ name: "eps", role: "eps" }] : [{ name: "lower", role: "lower" }, { name: "upper", role: "upper" }];
+  const roles = rolesOf(sheet);
+  const kept = roles.flatMap((role, k) => (role === "x" || role === "y" ? [k] : []));
+  /** @type {(typeof BOUND_COLUMNS)[number][]} */
+  const added = kind === "eps" ? [] : kind === "column" ? ["eps_column"] : ["lower", "upper"];
   const rows = sheet.rows.map(({ cells, isFitted }, at) => {
     const own = known.get(numbers.get(at) ?? 0) ?? { width: "", lower: "", upper: "" };
     const bounds = kind === "eps" ? [] : kind === "column" ? [own.width] : [own.lower, own.upper];
     return { cells: [...kept.map((k) => cells[k]), ...bounds], isFitted };
   });
-  const columns = distinct([...kept.map((k) => sheet.columns[k]), ...added]);
+  const columns = distinct([...kept.map((k) => sheet.columns[k]), ...added.map((key) => (key === "eps_column" ? "eps" : key))]);
+  const named = Object.fromEntries(added.map((key, k) => [key, byName(columns[kept.length + k])]));
   // A multiple of the least bound is right for any readings.
-  const eps = kind === "eps" ? (sheet.question.eps ?? [...known.values()][0]?.width ?? "2*min") : undefined;
-  return withQuestion({ ...sheet, columns, rows }, { eps: eps === "" ? "2*min" : eps?.replace(",", ".") });
+  const text = kind === "eps" ? textOf(sheet.request.eps ?? [...known.values()][0]?.width).replace(",", ".") || "2*min" : undefined;
+  const without = withoutKeys(sheet.request, BOUND_COLUMNS);
+  return withRequest({ ...sheet, columns, rows, request: without }, { eps: text, ...named });
 }
 
 /**
@@ -247,6 +292,6 @@ export function withBounds(sheet, kind, known) {
  */
 export function isSameSheet(one, other) {
   /** @param {Sheet} sheet */
-  const words = ({ columns, rows, question }) => JSON.stringify([columns, rows, Object.entries(question).sort()]);
+  const words = ({ columns, rows, request, page }) => JSON.stringify([columns, rows, Object.entries(request).sort(), Object.entries(page).sort()]);
   return one === other || words(one) === words(other);
 }

@@ -1,0 +1,151 @@
+// The fragment of the page's link: a request as every surface takes it. What it says is read here without the page's script.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { inflateRawSync } from "node:zlib";
+
+import { run, start } from "../../crates/lesson/engine/boundfit.mjs";
+import { DATA, boundfit, boundfitOf, launch, openLesson } from "./harness.js";
+
+let browser;
+
+before(async () => {
+  const engine = new URL("../../crates/lesson/engine/boundfit_wasm.wasm.gz", import.meta.url);
+  await start(readFileSync(fileURLToPath(engine)));
+  browser = await launch();
+});
+after(() => browser?.close());
+
+const settled = (page) => page.locator('#editor[data-busy="false"]').waitFor();
+
+/** A fragment as docs/lesson.md has it: request, table, and the page's own words. */
+function parsed(fragment) {
+  const [request, page] = [{}, {}];
+  let table;
+  for (const [key, text] of new URLSearchParams(fragment)) {
+    if (key === "table") table = text.includes("\n") ? text : inflateRawSync(Buffer.from(text, "base64url")).toString();
+    else if (key.startsWith("page.")) page[key.slice(5)] = text;
+    else request[key] = /^([[{"]|true$|false$)/.test(text) ? JSON.parse(text) : text;
+  }
+  return { request, table, page };
+}
+
+/** JSON without what doubles make of least squares, which is the platform's. */
+const withoutDoubles = (json) => json.replace(/\n {4}"binary64": (\{\}|\{\n[^]*?\n {4}\})/, "");
+
+/** What the program writes by the command that the page shows, for the readings on standard input. */
+const programOf = (command, table) => {
+  const words = [...command.matchAll(/'([^']*)'|(\S+)/g)].map(([, quoted, plain]) => quoted ?? plain);
+  return boundfitOf(table, "fit", "-", ...words.slice(3), "--format", "json");
+};
+
+/** Leaves out the first reading that is fitted, and waits for the link. */
+async function linkOfChanged(page) {
+  const before = await page.locator("#link").inputValue();
+  await page.locator("#edit-toggle").click();
+  await page.locator("[data-fitted]:checked").first().uncheck();
+  await settled(page);
+  await page.waitForFunction((own) => ![own, ""].includes(document.querySelector("#link").value), before);
+  return new URL(await page.locator("#link").inputValue());
+}
+
+const list = JSON.parse(readFileSync(new URL("../questions.json", import.meta.url), "utf8"));
+// The program of these tests is built without the readers of Parquet and Arrow.
+const shown = list.about.filter((line) => !line.startsWith("arrow/"));
+
+for (const line of shown) {
+  test(`the link of ${line} is the request, and all surfaces answer it with the same bytes`, async () => {
+    const [file, ...options] = line.split(" ");
+    const { page, complaints, close } = await openLesson(browser, [`fixtures/${file}`, ...options]);
+    const { hash } = await linkOfChanged(page);
+    const { request, table } = parsed(hash.slice(1));
+    assert.deepEqual(request, await page.evaluate(() => boundfit.editor.request()));
+    assert.equal(table, await page.evaluate(() => boundfit.editor.csv()));
+    const answer = run(table, request);
+    assert.equal(await page.evaluate((own) => boundfit.engine.ask("run", ...own), [table, request]), answer);
+    assert.equal(withoutDoubles(answer), withoutDoubles(programOf(await page.evaluate(() => boundfit.editor.command()), table)));
+    // The page shows what it says.
+    const { fps } = JSON.parse(answer);
+    assert.equal(await page.locator("#parameter-plane").getAttribute("data-kind"), fps.kind);
+    assert.deepEqual(complaints, []);
+    await close();
+  });
+}
+
+test("a link that is typed by hand is followed, about the page's own readings or others", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.transducer);
+  const follow = async (hash) => {
+    await page.evaluate((own) => { location.hash = own; }, hash);
+    await page.evaluate(() => boundfit.editor.settled());
+    return page.evaluate(() => [document.querySelector("#edit-notice").textContent, boundfit.editor.request(), boundfit.editor.csv()]);
+  };
+  const [, { eps: first }, readings] = await follow("#");
+  assert.equal(first, "1/2000");
+  const [notice, request, same] = await follow('#ask=fit&x=Vz&y=z&eps=0.7e-3&where=["theta1 <= 1"]&without=1..3&page.tab=clip');
+  assert.deepEqual([notice, same], ["", readings]);
+  const dialect = { header: "yes", delimiter: "comma", decimal: "point", comment: "none" };
+  assert.deepEqual(request, { ask: "fit", x: "Vz", y: "z", eps: "0.7e-3", where: ["theta1 <= 1"], without: [[1, 3]], ...dialect });
+  assert.equal(await page.locator("body").getAttribute("data-mode"), "clip");
+  // Texts that look like JSON, and a table with readable cells.
+  const odd = `ask=fit&x="true"&y=[V]&eps={"exact":"1/3"}&reading=binary64&through_origin=true&table=${encodeURIComponent("true,[V]\n1,2\n2,3.9\n")}`;
+  const [none, own, csv] = await follow(`#${odd}&page.title=Spring`);
+  assert.deepEqual([none, csv], ["", "true,[V]\n1,2\n2,3.9\n"]);
+  assert.deepEqual(own, { ask: "fit", x: "true", y: "[V]", eps: { exact: "1/3" }, through_origin: true, reading: "binary64", ...dialect });
+  assert.match(await page.locator("h1").textContent(), /Spring/);
+  // The program's options have no number that is exact beside doubles.
+  assert.equal(await page.evaluate(() => boundfit.editor.command()), null);
+  assert.equal(run(csv, own), await page.evaluate((words) => boundfit.engine.ask("run", ...words), [csv, own]));
+  await page.waitForFunction(() => document.querySelector("#link").value.includes("&x=%22true%22&y=%22[V]%22&"));
+  const link = parsed(new URL(await page.locator("#link").inputValue()).hash.slice(1));
+  assert.deepEqual([link.request, link.table, link.page.title], [own, csv, "Spring"]);
+  const limited = 'ask=fit&x=Vz&y=z&eps=1&limits={"digits":20000}';
+  const [, , cells] = await follow(`#${limited}`);
+  const command = await page.evaluate(() => boundfit.editor.command());
+  assert.match(command, / --limit digits=20000$/);
+  const asked = await page.evaluate(() => boundfit.editor.request());
+  assert.equal(withoutDoubles(run(cells, asked)), withoutDoubles(programOf(command, cells)));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a link with a wrong key or value says what is wrong, in the language of the page, and changes nothing", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.transducer);
+  const before = await page.evaluate(() => boundfit.editor.request());
+  const FRAMES = {
+    en: /^The address of this page is refused: (.*)\. The page keeps what it shows\.$/,
+    it: /^L’indirizzo di questa pagina è rifiutato: (.*)\. La pagina mantiene ciò che mostra\.$/,
+    de: /^Die Adresse dieser Seite wird abgelehnt: (.*)\. Die Seite behält, was sie zeigt\.$/,
+  };
+  for (const [words, problem] of [
+    ["epsilon=1", /^epsilon: there is no such key \(expected one of .*\beps_column\b/],
+    ["ask=range", /^ask is about a report, and this is a lesson$/],
+    ["ask=fit&x=Vz&y=z&eps=1&x_eps=1", /^x_eps is about a report, and this is a lesson$/],
+    ["ask=fit&x=Vz&y=z&eps=1&eps_column=z", /^the errors have one bound: eps, or eps_column/],
+    ["ask=fit&x=Vz&y=z", /^the bound on the errors is missing/],
+    ["ask=fit&x=Vz&y=z&eps=1&strong=yes", /^strong: invalid type/],
+  ]) {
+    for (const [language, frame] of Object.entries(FRAMES)) {
+      await page.locator("#language").selectOption(language);
+      await page.evaluate((own) => { location.hash = own; }, `#${words}&page.order=${language.length}${language}`);
+      await page.evaluate(() => boundfit.editor.settled());
+      assert.match((await page.locator("#edit-notice").textContent()).match(frame)[1], problem, `${language} ${words}`);
+    }
+  }
+  assert.deepEqual(await page.evaluate(() => boundfit.editor.request()), before);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("links of older versions are refused, and the page says what to do", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.transducer);
+  for (const words of ["readings-1.AAAA", "tab=clip&order=1&step=4", "layers=pui-box"]) {
+    await page.evaluate((own) => { location.hash = own; }, `#${words}`);
+    await page.evaluate(() => boundfit.editor.settled());
+    assert.match(await page.locator("#edit-notice").textContent(), /older version .* export the readings there and open them here\.$/, words);
+  }
+  assert.equal(await page.locator("body").getAttribute("data-mode"), "explore");
+  assert.deepEqual(complaints, []);
+  await close();
+});
