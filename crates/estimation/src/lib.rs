@@ -81,7 +81,7 @@ pub use family::{
 };
 pub use feasibility::least_squares_is_feasible;
 #[cfg(feature = "files")]
-pub use files::{Columns, CountedBatch, CountedRows, EpsilonColumn, Fleet, Question, ReducedTable};
+pub use files::{Columns, CountedBatch, CountedRows, EpsilonColumn, Fleet, Question, ReducedTable, Seen};
 pub use fit::{Fit, fit};
 #[cfg(feature = "float-least-squares")]
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};

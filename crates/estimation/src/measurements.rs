@@ -8,6 +8,8 @@ use boundfit_exact::{Foreign, Rational};
 use boundfit_formats::{TableNotes, TextLayout};
 use boundfit_geometry::Tally;
 
+#[cfg(feature = "files")]
+use crate::files::InColumns;
 use crate::law::{Law, range_of_y};
 use crate::line_form::LineForm;
 use crate::meaning::{ErrorBound, Meaning, Model, MultipleOfLeast};
@@ -68,6 +70,9 @@ pub(crate) struct Origin {
     #[cfg(feature = "files")]
     pub(crate) layout: Option<TextLayout>,
     pub(crate) sha256: Option<String>,
+    /// The readings in their columns, where only some of them are kept as numbers.
+    #[cfg(feature = "files")]
+    pub(crate) in_columns: Option<InColumns>,
 }
 
 /// The readings of a fit.
@@ -206,8 +211,12 @@ impl Measurements {
     /// include both. Exact.
     pub fn range_of_x(&self) -> Option<[Rational; 2]> {
         let x = || self.kept().iter().map(|reading| &reading.regressor[0]);
-        let is_known = self.every().is_some() || (self.are_open() && self.has_hulls());
-        Some([x().min()?.clone(), x().max()?.clone()]).filter(|_| is_known)
+        Some([x().min()?.clone(), x().max()?.clone()]).filter(|_| self.has_every_hull())
+    }
+
+    /// Returns whether the readings in memory are all, or include those on the hulls of a line under one error bound.
+    pub fn has_every_hull(&self) -> bool {
+        self.every().is_some() || (self.are_open() && self.has_hulls())
     }
 
     /// Returns whether a reading in memory has two bounds, whose distance a factor may multiply.
@@ -254,6 +263,23 @@ impl Measurements {
             Readings::All(rows) => Some(rows),
             Readings::Supporting { .. } | Readings::Counted { .. } => None,
         }
+    }
+
+    /// These readings with every one in memory, where now only those that decide are and the others wait in their columns
+    /// ([`Keep::most_of_line`](crate::Keep::most_of_line)). Exact. Cost: linear.
+    pub fn whole(&self) -> Option<Measurements> {
+        #[cfg(feature = "files")]
+        if let Some(columns) = &self.origin.in_columns {
+            let readings = Readings::All(columns.readings(&self.meaning));
+            let origin = Origin { in_columns: None, ..self.origin.clone() };
+            return Some(Measurements {
+                meaning: self.meaning.clone(),
+                readings,
+                others: Vec::new(),
+                origin,
+            });
+        }
+        None
     }
 
     /// Every reading that is fitted, equal ones maybe once, with what these stand for; `None` when only those that support a hull

@@ -11,7 +11,8 @@ use crate::{BoundName, Fit, Fps, Measurements, Minimax, Problem};
 pub fn mending_rows(problem: &Problem, fit: &Fit) -> Option<Vec<usize>> {
     let Problem { measurements, conditions } = problem;
     let contradiction = fit.contradiction(measurements.error_bound())?;
-    let all = measurements.all()?;
+    let whole = measurements.whole();
+    let all = whole.as_ref().unwrap_or(measurements).all()?;
     let mut rows: Vec<usize> = contradiction
         .iter()
         .filter_map(|(name, _)| match name {

@@ -36,6 +36,8 @@ pub use next::{Best, Goal, Next, NextReading};
 pub use outliers::{Growth, NoOutliers, OutlierLimits, Outliers, Piece};
 pub use predict::{FurtherError, NoFurtherError, PossibleEnd, PossibleX, Predictor};
 pub use range::{LinearRange, Order, Run};
+#[cfg(feature = "files")]
+pub use status::Others;
 pub use status::{
     Deciding, Judged, NoRepair, Ranking, Repair, RowStatus, Standing, Status, Statuses, Widened,
 };

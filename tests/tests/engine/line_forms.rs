@@ -258,7 +258,7 @@ fn another_origin_is_the_same_as_shifted_data() {
         // The program asks for the form when it reads, since the second look at x depends on it.
         let form = LineForm { through_origin, ..form };
         let scanned = |most_rows: usize| {
-            let keep = Keep { most_rows, eui: true, most_bytes: None };
+            let keep = Keep { most_rows, ..Keep::default() };
             let columns = columns(&epsilon, form.clone());
             let options = ScanOptions { chunk_bytes: 20, ..ScanOptions::default() };
             let measurements = Measurements::scan(source(&text), &columns, &[], &options, keep).unwrap();

@@ -216,7 +216,7 @@ fn a_scan_gives_the_fit_of_all_readings_for_any_parts_and_threads() {
         for (chunk_bytes, pool) in [1, 7, 4096].into_iter().zip(&pools) {
             // All x in memory; none, and the file read a second time; those of the first rows until they are too many.
             for most_bytes in [None, Some(0), Some(40)] {
-                let keep = Keep { most_rows: 0, eui: true, most_bytes };
+                let keep = Keep { most_rows: 0, most_bytes, ..Keep::default() };
                 let reduced = case.fitted(pool.install(|| case.scanned(&path, chunk_bytes, keep)));
                 let rows = &case.rows;
                 assert_eq!(essence(&reduced, &|row| row), expected, "case {case_number}: {rows:?}");
@@ -255,7 +255,7 @@ fn of_long_tables_too_only_the_rows_that_touch_a_hull_count() {
             fs::write(&path, text(&case.rows)).unwrap();
             let whole = case.whole();
             for (chunk_bytes, most_bytes) in [(1 << 18, None), (5000, Some(0)), (5000, Some(4000))] {
-                let keep = Keep { most_rows: 0, eui: true, most_bytes };
+                let keep = Keep { most_rows: 0, most_bytes, ..Keep::default() };
                 let reduced = case.fitted(case.scanned(&path, chunk_bytes, keep));
                 assert_eq!(
                     essence(&reduced, &|row| row),
@@ -279,7 +279,7 @@ fn the_eui_of_a_stream_beyond_the_memory_allowed_for_it_is_not_known() {
     let case = Case { rows, reading: Reading::Decimal, epsilon: Rational::one(), conditions: Vec::new() };
     let whole = case.whole();
     let streamed = |most_bytes| {
-        let keep = Keep { most_rows: 0, eui: true, most_bytes: Some(most_bytes) };
+        let keep = Keep { most_rows: 0, most_bytes: Some(most_bytes), ..Keep::default() };
         let source = Source::new("stream", std::io::Cursor::new(text(&case.rows).into_bytes()));
         let options = options(Reading::Decimal, 5000);
         let measurements = Measurements::scan(source, &columns(&case.epsilon), &[], &options, keep).unwrap();
@@ -315,7 +315,7 @@ fn a_file_that_changes_between_two_looks_is_refused() {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("table.csv");
     let columns = columns(&Rational::one());
-    let keep = Keep { most_rows: 0, eui: true, most_bytes: Some(0) };
+    let keep = Keep { most_rows: 0, most_bytes: Some(0), ..Keep::default() };
     let rows = TableKind::Noise.rows(&mut rng, 500);
     let first = text(&rows);
     // The same; one x less by 1000; a row less; rows that were not there the first time.

@@ -289,7 +289,7 @@ impl Case {
     }
 
     fn scanned(&self, path: &Path, chunk_bytes: usize, most_bytes: Option<usize>) -> (Problem, Fit) {
-        let keep = Keep { most_rows: 0, eui: true, most_bytes };
+        let keep = Keep { most_rows: 0, most_bytes, ..Keep::default() };
         let options = options(self.reading, chunk_bytes);
         let source = Source::open(path.to_str().unwrap()).unwrap();
         self.fitted(

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use boundfit_estimation::{Columns, EpsilonColumn, Keep, Measurement, Measurements, Problem};
+use boundfit_estimation::{Columns, EpsilonColumn, Keep, Measurement, Measurements, Problem, Seen};
 use boundfit_exact::{DecimalMark, Foreign};
 use boundfit_formats::{Again, InputError, InputErrorKind, RowRange, RowSet, ScanOptions, Source};
 
@@ -56,7 +56,7 @@ impl Judgeable {
                 parts.for_each(|readings| seen(see(&mut readings.iter().cloned())));
                 Ok(())
             }
-            None => self.look(&[], see, seen).map(|_| ()),
+            None => self.look(&[], |part| see(&mut part.readings()), seen).map(|_| ()),
         }
     }
 
@@ -64,7 +64,7 @@ impl Judgeable {
     pub(super) fn look<T: Send>(
         &self,
         without: &[usize],
-        see: impl Fn(&mut dyn Iterator<Item = Measurement>) -> T + Sync + Send,
+        see: impl Fn(&Seen<'_>) -> T + Sync + Send,
         seen: impl FnMut(T),
     ) -> Result<Measurements, Refusal> {
         let changed = || Refusal::Input(InputError::of_file(self.name.raw(), InputErrorKind::Changed));
@@ -88,7 +88,7 @@ impl Judgeable {
     pub(super) fn see_new<T: Send>(
         &self,
         name: &str,
-        see: impl Fn(&mut dyn Iterator<Item = Measurement>) -> T + Sync + Send,
+        see: impl Fn(&Seen<'_>) -> T + Sync + Send,
         seen: impl FnMut(T),
     ) -> Result<(), Refusal> {
         let tables = self.tables()?;
@@ -108,7 +108,7 @@ impl Judgeable {
         &self,
         source: Source,
         options: &ScanOptions,
-        see: impl Fn(&mut dyn Iterator<Item = Measurement>) -> T + Sync + Send,
+        see: impl Fn(&Seen<'_>) -> T + Sync + Send,
         seen: impl FnMut(T),
     ) -> Result<Measurements, InputError> {
         let keep = Keep { eui: false, ..Keep::default() };

@@ -4,9 +4,9 @@ mod looks;
 
 use std::cell::OnceCell;
 
-use boundfit_estimation::{Fit, Keep, Measurement, fit};
+use boundfit_estimation::{Fit, Keep, Measurement, Seen, fit};
 use boundfit_formats::{Source, TableNotes};
-use boundfit_questions::{Deciding, NoRepair, Ranking, Repair, RowStatus, Standing, Statuses, times};
+use boundfit_questions::{Deciding, NoRepair, Others, Ranking, Repair, Standing, Statuses, times};
 use boundfit_report::{NewReadings, StatusCsv, StatusJson, StatusReport, status_document, status_proof};
 use serde::Deserialize;
 
@@ -69,13 +69,10 @@ impl Status {
         }
         let deciding = Deciding::new(&asked.problem, &answer.fit);
         // The others stand to the set of all as to that of the others.
-        let judge = |readings: &mut dyn Iterator<Item = Measurement>| {
+        let set = is_ranked.then(|| Others::around(deciding.set()));
+        let judge = |readings: &Seen<'_>| {
             let mut ranking = Ranking::listing(self.most_listed());
-            let shown = is_ranked.then_some(readings);
-            for reading in shown.into_iter().flatten() {
-                let all = Standing::against(&reading, deciding.set());
-                ranking.add(reading.clone(), alone(&reading, all));
-            }
+            set.iter().for_each(|set| set.rank(readings, &mut ranking));
             ranking
         };
         let rows: Vec<usize> = deciding.rows().collect();
@@ -94,12 +91,10 @@ impl Status {
         statuses: &Statuses,
     ) -> Result<Option<NewReadings<'a>>, Refusal> {
         let Some(name) = &self.new else { return Ok(None) };
-        let judge = |readings: &mut dyn Iterator<Item = Measurement>| {
+        let set = Others::around(statuses.set());
+        let judge = |readings: &Seen<'_>| {
             let mut ranking = Ranking::listing(self.most_listed());
-            for reading in readings {
-                let all = Standing::against(&reading, statuses.set());
-                ranking.add(reading.clone(), alone(&reading, all));
-            }
+            set.rank(readings, &mut ranking);
             ranking
         };
         let mut ranking = Ranking::listing(self.most_listed());
@@ -140,9 +135,8 @@ impl Status {
         let made = |readings: &mut dyn Iterator<Item = Measurement>| {
             readings.map(&row).collect::<Vec<_>>().join(between)
         };
-        let made_new = |readings: &mut dyn Iterator<Item = Measurement>| {
-            readings.map(&new_row).collect::<Vec<_>>().join(between)
-        };
+        let made_new =
+            |readings: &Seen<'_>| readings.readings().map(&new_row).collect::<Vec<_>>().join(between);
         let mut parts = Parts::new(out, between);
         asked.each(made, |part| parts.take(&part))?;
         parts.end()?;
@@ -165,11 +159,6 @@ impl Status {
         }
         if is_json { put(out, StatusJson::TAIL) } else { Ok(()) }
     }
-}
-
-/// The status of a reading that is no part of the set: the set of all is that of the others.
-fn alone(reading: &Measurement, all: Option<Standing>) -> RowStatus {
-    RowStatus { row: reading.row, without: all.clone(), all }
 }
 
 impl Ask for Status {

@@ -13,6 +13,7 @@ use super::columns::Columns;
 use super::fixed::{FixedBounds, FixedPart, FixedSummary};
 use super::kept_columns::{KeptColumns, KeptPart};
 use super::scale::Scale;
+use super::seen::Seen;
 use super::sums::column_totals;
 use crate::line_form::LineForm;
 use crate::meaning::Meaning;
@@ -47,7 +48,7 @@ pub(super) struct FirstLook<'a> {
 
 /// The readings and sums that the first look keeps of all readings.
 pub(super) struct Collected {
-    batches: Vec<Batch>,
+    pub(super) batches: Vec<Batch>,
     pub(super) rows: usize,
     /// The first row without bounds.
     pub(super) unbounded: Option<usize>,
@@ -132,7 +133,7 @@ impl<'a> FirstLook<'a> {
     pub(super) fn take<T: Send>(
         &self,
         source: Source,
-        see: impl Fn(&mut dyn Iterator<Item = Measurement>) -> T + Sync + Send,
+        see: impl Fn(&Seen<'_>) -> T + Sync + Send,
         mut seen: impl FnMut(T),
     ) -> Result<(Collected, Scanned), InputError> {
         let mut all = Collected::new(self.most_bytes());
@@ -140,8 +141,7 @@ impl<'a> FirstLook<'a> {
         let as_it_is = Columns { form: LineForm::default(), ..self.columns.clone() }.meaning(&[]);
         let digest = |batch: Batch| {
             let rows = self.reductions.as_ref().map(|own| KeptRows::of_batch(&as_it_is, &batch, own));
-            let reading = |k| self.bounds.meaning.of_columns(&batch.columns, k, batch.rows.get(k));
-            let shown = see(&mut (0..batch.rows.len()).map(reading));
+            let shown = see(&Seen { meaning: self.bounds.meaning, batch: &batch });
             (shown, Digest { kept_rows: rows, ..Digest::new(batch, self) })
         };
         let scanned = scan(source, &self.selectors, &self.options, digest, |(shown, digest)| {

@@ -7,6 +7,7 @@ mod first_look;
 mod fixed;
 mod fleet;
 mod halves;
+mod in_columns;
 mod kept_columns;
 mod looks;
 mod meaning;
@@ -18,6 +19,7 @@ mod reduce;
 mod rounded;
 mod scale;
 mod scan;
+mod seen;
 mod series;
 mod stated;
 mod sums;
@@ -29,8 +31,10 @@ use boundfit_formats::{ColumnSelector, InputError, ScanOptions, Source, TableOpt
 pub use columns::{Columns, EpsilonColumn};
 pub use counted::{CountedBatch, CountedRows};
 pub use fleet::Fleet;
+pub(crate) use in_columns::InColumns;
 pub use question::Question;
 pub use reduce::ReducedTable;
+pub use seen::Seen;
 
 use crate::measurement::Measurement;
 use crate::measurements::{Measurements, Origin, Readings};
@@ -99,6 +103,7 @@ impl Measurements {
             cells,
             layout: table.layout,
             sha256: Some(table.sha256),
+            in_columns: None,
         };
         Ok((Measurements { meaning, readings: Readings::All(rows), others, origin }, further))
     }

@@ -6,8 +6,10 @@ use boundfit_formats::{InputError, Reductions, RowNumbers, ScanOptions, Scanned,
 use super::columns::Columns;
 use super::first_look::{Collected, FirstLook};
 use super::fixed::{FixedBounds, FixedSummary};
+use super::in_columns::InColumns;
 use super::looks::Looks;
 use super::outline::Outline;
+use super::seen::Seen;
 use super::stated::{Stated, asked_by_fit, counts_of, refuse_late};
 use crate::condition::Condition;
 use crate::line_form::LineForm;
@@ -38,7 +40,7 @@ impl Measurements {
         options: &ScanOptions,
         keep: Keep,
     ) -> Result<Self, InputError> {
-        let nothing = |_: &mut dyn Iterator<Item = Measurement>| ();
+        let nothing = |_: &Seen<'_>| ();
         Measurements::scan_and_see(source, columns, conditions, options, keep, nothing, |()| ())
     }
 
@@ -54,7 +56,7 @@ impl Measurements {
         conditions: &[Condition],
         options: &ScanOptions,
         keep: Keep,
-        see: impl Fn(&mut dyn Iterator<Item = Measurement>) -> T + Sync + Send,
+        see: impl Fn(&Seen<'_>) -> T + Sync + Send,
         seen: impl FnMut(T),
     ) -> Result<Self, InputError> {
         let unnamed = columns.meaning(&[]);
@@ -70,16 +72,22 @@ impl Measurements {
             return Ok(own);
         }
         columns.refuse_unbounded(&look.name, all.unbounded)?;
-        let readings = if all.rows <= look.most_rows {
+        let is_summarised = meaning.is_open() && all.rows > keep.most_of_line;
+        let mut in_columns = None;
+        let readings = if all.rows <= look.most_rows && !is_summarised {
             let mut rows = all.readings(&meaning);
             meaning.settle(&mut rows);
             Readings::All(rows)
         } else if meaning.is_open() {
+            let mut all = all;
+            in_columns = InColumns::new(std::mem::take(&mut all.batches));
             readings_of_line(&look, all, &mut meaning, &scanned)?
         } else {
             readings_under_fixed_bounds(&look, all, &meaning, conditions, &scanned)?
         };
-        Ok(measurements(meaning, selection, scanned, readings))
+        let mut own = measurements(meaning, selection, scanned, readings);
+        own.origin.in_columns = in_columns;
+        Ok(own)
     }
 }
 

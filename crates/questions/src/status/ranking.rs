@@ -22,12 +22,14 @@ pub struct Judged {
 ///
 /// Readings are ranked by the gravest status against the set of the others, then by the least clearance, then by row.
 /// Rankings of parts merge in any order.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Ranking {
     most: usize,
     listed: Vec<Judged>,
     /// The last reading that may still be listed: readings after it need not be kept.
     last: Option<Judged>,
+    /// A reading of the set that is inner by a larger margin comes after the last.
+    beyond: f64,
     counts: BTreeMap<Option<Status>, usize>,
     counts_of_all: BTreeMap<Option<Status>, usize>,
     /// The first rows that are on the boundary of the set of all, ascending.
@@ -41,6 +43,7 @@ impl Ranking {
             most,
             listed: Vec::new(),
             last: None,
+            beyond: f64::INFINITY,
             counts: BTreeMap::new(),
             counts_of_all: BTreeMap::new(),
             boundary: Vec::new(),
@@ -62,6 +65,19 @@ impl Ranking {
         self.shorten(2);
     }
 
+    /// Adds a reading that decides nothing, of which is known that its margin exceeds this one, at least 0, unless it
+    /// may be listed. Returns whether it did.
+    pub fn add_clear(&mut self, margin: f64) -> bool {
+        // Comparisons with what is not a number are false.
+        let is_added = margin >= 0.0 && margin > self.beyond;
+        if is_added {
+            for counts in [&mut self.counts, &mut self.counts_of_all] {
+                *counts.entry(Some(Status::Inner)).or_default() += 1;
+            }
+        }
+        is_added
+    }
+
     /// Adds what was ranked apart.
     pub fn merge(&mut self, other: Ranking) {
         for (own, others) in
@@ -81,6 +97,7 @@ impl Ranking {
             self.listed.sort_by(order);
             self.listed.truncate(self.most);
             self.last = self.listed.last().cloned();
+            self.beyond = self.last.as_ref().map_or(f64::INFINITY, inner_beyond);
         }
         if self.boundary.len() > most {
             self.boundary.sort_unstable();
@@ -118,6 +135,17 @@ impl Ranking {
     /// set is empty.
     pub fn count_of_all(&self, status: Option<Status>) -> usize {
         self.counts_of_all.get(&status).copied().unwrap_or_default()
+    }
+}
+
+/// A margin beyond which readings that are inner come after this one.
+fn inner_beyond(last: &Judged) -> f64 {
+    /// More than what a number may lose when it is rounded to the nearest double.
+    const UPWARDS: f64 = 1.0 + 4.0 * f64::EPSILON;
+    match &last.status.without {
+        None => f64::INFINITY,
+        Some(standing) if standing.status > Status::Inner => 0.0,
+        Some(standing) => standing.margin().map_or(0.0, |margin| margin.to_f64() * UPWARDS),
     }
 }
 
