@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use boundfit_estimation::{Keep, Measurements, Problem, Question};
+use boundfit_estimation::{EpsilonColumn, Keep, Measurements, Problem, Question};
 use boundfit_exact::{Rational, Work};
 use boundfit_formats::{ColumnSelector, ScanOptions, Source, TableOptions};
 use boundfit_questions::{Agreement, XBounds, XErrorProblem, times};
@@ -159,8 +159,15 @@ impl Asked {
         let columns = &self.question.columns;
         let mut options = self.held(row_cost, shows);
         options.table.keep_others = keep_others;
+        let are_alike = beside.is_empty() && matches!(columns.epsilon, EpsilonColumn::Uniform(_));
         let (measurements, mut further) = match keep_others {
             true => Measurements::read_beside(source, columns, &beside, &options.table)?,
+            // Of very many readings only those on the hulls decide.
+            false if are_alike => {
+                let keep = Keep { eui: false, ..Keep::default() };
+                let options = self.held(Self::ROW_COST, shows);
+                (self.question.measurements(source, &options, keep)?, Vec::new())
+            }
             false => Measurements::read_counted(source, columns, &beside, &options, Keep::MOST_ROWS)?,
         };
         let bounds = match &asked.bounds {

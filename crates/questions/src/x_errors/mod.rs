@@ -64,8 +64,10 @@ pub enum NoXErrors {
     /// The model has two regressors.
     #[error("errors in x are about a line: of two regressors it is not known how their errors go together")]
     TwoRegressors,
-    /// Memory does not hold every reading.
-    #[error("with errors in x every reading has to be in memory")]
+    /// Memory does not hold every reading that may decide.
+    #[error(
+        "with errors in x every reading has to be in memory, or every one on a hull under bounds that all have"
+    )]
     NotAll,
     /// The number of bounds differs from the number of readings.
     #[error("{bounds} bounds for {readings} readings")]
@@ -171,7 +173,8 @@ impl XBounds {
 }
 
 impl XErrorProblem {
-    /// Readings of a line, all in memory, with bounds on the errors of x.
+    /// Readings of a line with bounds on the errors of x. All are in memory, or those on the hulls where all have the same
+    /// bounds: the others decide nothing.
     ///
     /// # Errors
     /// Why there is no such problem.
@@ -179,8 +182,11 @@ impl XErrorProblem {
         if matches!(problem.measurements.model(), Model::TwoRegressors { .. }) {
             return Err(NoXErrors::TwoRegressors);
         }
-        let readings = problem.measurements.every().ok_or(NoXErrors::NotAll)?.0.len();
+        let (measurements, readings) = (&problem.measurements, problem.measurements.kept().len());
         match &bounds {
+            // Bounds that all have move both hulls as they are.
+            XBounds::Uniform(_) if !measurements.has_every_hull() => Err(NoXErrors::NotAll),
+            XBounds::PerRow { .. } if measurements.every().is_none() => Err(NoXErrors::NotAll),
             XBounds::PerRow { bounds, .. } if bounds.len() != readings => {
                 Err(NoXErrors::Count { bounds: bounds.len(), readings })
             }
