@@ -1,7 +1,9 @@
 //! A fit, and what Python asks of it.
 
+use std::sync::OnceLock;
+
 use boundfit::ask::{self, Ask, Fittable, Form, Paper, Refusal};
-use boundfit::engine::estimation::least_squares_is_feasible;
+use boundfit::engine::estimation::{Measurements, least_squares_is_feasible};
 use boundfit::engine::exact::Foreign;
 use boundfit::report::{NextStep, Origin, Style};
 use boundfit::{BoundName, Endpoint, Fit, Interval, Number as _, ParameterBound, Problem, Rational, Reading};
@@ -15,8 +17,10 @@ use crate::questions::in_words;
 /// A problem with its answer.
 #[pyclass(frozen, module = "boundfit._boundfit")]
 pub(crate) struct Fitted {
-    pub(crate) asked: Fittable,
-    pub(crate) answer: ask::Fitted,
+    /// The problem with the readings that decide, and its answer.
+    pub(crate) deciding: Answered,
+    /// The same of every reading, for what names each; made where it is asked for.
+    pub(crate) whole: OnceLock<Option<Answered>>,
     pub(crate) reading: Reading,
     /// What a float means.
     pub(crate) floats: Reading,
@@ -47,13 +51,43 @@ type GivenEnds<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 /// The value of an end, and the half-planes with multipliers that prove it.
 type ProvedEnd<'a> = (Option<Number<'a>>, Vec<(Name, Number<'a>)>);
 
+/// A problem that is asked about, and the answer.
+pub(crate) struct Answered {
+    asked: Fittable,
+    answer: ask::Fitted,
+}
+
+impl Answered {
+    /// Answers what is asked of a problem.
+    pub(crate) fn new(question: &ask::Fit, asked: Fittable) -> Result<Self, Refusal> {
+        let mut answer = question.answer(&asked)?;
+        answer.next_words = Some(next_words);
+        Ok(Answered { asked, answer })
+    }
+}
+
 impl Fitted {
+    /// The problem and the answer with every reading.
+    fn whole(&self) -> &Answered {
+        let made = || Answered::new(&ask::Fit::default(), self.deciding.asked.whole()?).ok();
+        self.whole.get_or_init(made).as_ref().unwrap_or(&self.deciding)
+    }
+
     pub(crate) fn problem(&self) -> &Problem {
-        &self.asked.problem
+        &self.whole().asked.problem
     }
 
     pub(crate) fn fit(&self) -> &Fit {
-        &self.answer.fit
+        &self.whole().answer.fit
+    }
+
+    /// The answer, whose half-planes are those of the readings that decide.
+    fn deciding(&self) -> &Fit {
+        &self.deciding.answer.fit
+    }
+
+    fn measurements(&self) -> &Measurements {
+        &self.deciding.asked.problem.measurements
     }
 
     /// The answer in a form.
@@ -65,7 +99,8 @@ impl Fitted {
         style: Style,
     ) -> Result<String, Refusal> {
         let mut text = Vec::new();
-        question.write(&self.asked, &self.answer, form, &Paper { origin, style }, &mut text)?;
+        let Answered { asked, answer } = self.whole();
+        question.write(asked, answer, form, &Paper { origin, style }, &mut text)?;
         Ok(String::from_utf8_lossy(&text).into_owned())
     }
 
@@ -88,7 +123,7 @@ impl Fitted {
             ParameterBound::Unbounded(_) => (None, Vec::new()),
             ParameterBound::Bounded { value, proof } => {
                 let term = |m: &boundfit::engine::geometry::Multiplier| {
-                    (name_of(self.fit().fps.name(m.index)), m.value.clone())
+                    (name_of(self.deciding().fps.name(m.index)), m.value.clone())
                 };
                 (Some(value.clone()), proof.multipliers.iter().map(term).collect())
             }
@@ -103,18 +138,18 @@ impl Fitted {
     /// How many readings are fitted.
     #[getter]
     fn rows(&self) -> usize {
-        self.problem().measurements.fitted()
+        self.measurements().fitted()
     }
 
     /// How many rows there are, fitted or not.
     #[getter]
     fn rows_total(&self) -> usize {
-        self.problem().measurements.rows_total()
+        self.measurements().rows_total()
     }
 
     #[getter]
     fn kind(&self) -> &'static str {
-        self.fit().fps.polyhedron().region().kind().name()
+        self.deciding().fps.polyhedron().region().kind().name()
     }
 
     #[getter]
@@ -125,40 +160,40 @@ impl Fitted {
     /// The names of the regressors, and of y.
     #[getter]
     fn names(&self) -> (Vec<String>, String) {
-        let model = self.problem().measurements.model();
+        let model = self.measurements().model();
         let regressors = match model {
             boundfit::engine::estimation::Model::Line { x } => vec![x.raw().to_owned()],
             boundfit::engine::estimation::Model::TwoRegressors { regressors } => {
                 regressors.iter().map(|own| own.raw().to_owned()).collect()
             }
         };
-        (regressors, self.problem().measurements.response().raw().to_owned())
+        (regressors, self.measurements().response().raw().to_owned())
     }
 
     fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
-        self.fit().vertices().iter().map(|theta| Ok(pair(theta).into_pyobject(py)?.into_any())).collect()
+        self.deciding().vertices().iter().map(|theta| Ok(pair(theta).into_pyobject(py)?.into_any())).collect()
     }
 
     fn directions<'py>(&self, py: Python<'py>, lines: bool) -> PyResult<Vec<Bound<'py, PyAny>>> {
-        let region = self.fit().fps.polyhedron().region();
+        let region = self.deciding().fps.polyhedron().region();
         let directions = if lines { region.lines() } else { region.rays() };
         let numbers = directions.iter().map(|d| [d.dx(), d.dy()].map(Rational::from));
         numbers.map(|theta| Ok(pair(&theta).into_pyobject(py)?.into_any())).collect()
     }
 
     fn witness<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let witness = self.fit().fps.polyhedron().region().witness();
+        let witness = self.deciding().fps.polyhedron().region().witness();
         witness.map(|point| Ok(pair(&point.coordinates()).into_pyobject(py)?.into_any())).transpose()
     }
 
     fn area<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let area = self.fit().fps.polyhedron().region().area();
+        let area = self.deciding().fps.polyhedron().region().area();
         area.map(|area| Number(&area).into_pyobject(py)).transpose()
     }
 
     /// Both intervals, each of two ends with their proofs; nothing of an empty set.
     fn pui<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let Some(pui) = &self.fit().pui else { return Ok(None) };
+        let Some(pui) = &self.deciding().pui else { return Ok(None) };
         let owned = pui.each_ref().map(|own| [self.proved(&own.lower), self.proved(&own.upper)]);
         let shown = owned.each_ref().map(|own| {
             own.each_ref().map(|(value, terms)| -> ProvedEnd<'_> {
@@ -170,24 +205,24 @@ impl Fitted {
     }
 
     fn eui(&self) -> Option<[Ends<'_>; 2]> {
-        self.fit().eui().map(|eui| eui.each_ref().map(ends))
+        self.deciding().eui().map(|eui| eui.each_ref().map(ends))
     }
 
     fn central(&self) -> Option<[(Number<'_>, Number<'_>); 2]> {
-        self.fit().central.as_ref().map(|central| [pair(&central.theta), pair(&central.guaranteed_error)])
+        self.deciding().central.as_ref().map(|central| [pair(&central.theta), pair(&central.guaranteed_error)])
     }
 
     fn least_squares(&self) -> Option<(Number<'_>, Number<'_>)> {
-        self.fit().least_squares.as_ref().ok().map(|own| pair(&own.theta))
+        self.deciding().least_squares.as_ref().ok().map(|own| pair(&own.theta))
     }
 
     fn least_squares_is_feasible(&self) -> Option<bool> {
-        least_squares_is_feasible(self.fit())
+        least_squares_is_feasible(self.deciding())
     }
 
     /// ε_min or the least factor, a minimiser, and whether it is the only one.
     fn minimax(&self) -> Option<(Number<'_>, (Number<'_>, Number<'_>), bool)> {
-        self.fit().minimax.as_ref().map(|own| (Number(&own.least), pair(&own.theta), own.unique))
+        self.deciding().minimax.as_ref().map(|own| (Number(&own.least), pair(&own.theta), own.unique))
     }
 
     /// Of an empty set the half-planes that contradict each other.
@@ -202,7 +237,7 @@ impl Fitted {
     /// Whether a point belongs to the set.
     fn contains(&self, theta1: Given, theta2: Given) -> PyResult<bool> {
         let theta = [theta1.number(self.floats, "theta1")?, theta2.number(self.floats, "theta2")?];
-        Ok(!self.fit().is_empty() && self.fit().fps.polyhedron().membership(&theta).is_inside())
+        Ok(!self.deciding().is_empty() && self.deciding().fps.polyhedron().membership(&theta).is_inside())
     }
 
     /// The smallest and the largest φ·θ over the set; `None` for one that is not bounded, or both of an empty set.
@@ -271,7 +306,7 @@ pub(crate) fn next_words(step: &NextStep) -> Option<String> {
 impl Fitted {
     fn range_of(&self, form: &[Rational; 2]) -> Option<[Endpoint; 2]> {
         use boundfit::Support::{Bounded, Empty, Unbounded};
-        let polyhedron = self.fit().fps.polyhedron();
+        let polyhedron = self.deciding().fps.polyhedron();
         let end = |form: &[Rational; 2], is_lower: bool| match polyhedron.support(form) {
             Empty(_) => None,
             Unbounded(_) => Some(Endpoint::Unbounded),

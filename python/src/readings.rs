@@ -1,6 +1,6 @@
 //! Readings with what is asked of them, to be read as often as they are asked about.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use boundfit::Reading;
 use boundfit::ask::{self, Ask as _, Asked, Fit, Form, Refusal, Request, Shows};
@@ -11,7 +11,7 @@ use pyo3::types::{PyBytes, PyDict, PyTuple};
 
 use crate::cells::{NamedColumn, columns_of, table};
 use crate::data::Data;
-use crate::fitted::{Fitted, next_words};
+use crate::fitted::{Answered, Fitted};
 use crate::numbers::{Given, refuse};
 use crate::questions;
 use crate::said::{Keywords, Texts};
@@ -73,13 +73,11 @@ impl Readings {
         let question = Fit { no_eui: !eui, confidence, ..Fit::default() };
         py.detach(|| {
             // A proof of it may be asked for later.
-            let asked = question.read(&self.asked, self.source()?, Shows::Rows);
-            let asked = asked.map_err(|refusal| questions::in_words(&refusal))?;
-            let mut answer = question.answer(&asked).map_err(|refusal| questions::in_words(&refusal))?;
-            answer.next_words = Some(next_words);
+            let asked = question.read_listing(&self.asked, self.source()?, Shows::Rows, false);
+            let deciding = asked.and_then(|asked| Answered::new(&question, asked));
             Ok(Fitted {
-                asked,
-                answer,
+                deciding: deciding.map_err(|refusal| questions::in_words(&refusal))?,
+                whole: OnceLock::new(),
                 reading: self.reading,
                 floats: reading,
                 file: self.data.path().map(str::to_owned),

@@ -74,6 +74,16 @@ impl From<Problem> for Fittable {
     }
 }
 
+impl Fittable {
+    /// This problem with every reading in memory, where now only those that decide are. Exact. Cost: linear.
+    pub fn whole(&self) -> Option<Fittable> {
+        let Fittable { problem, sweep, confidence } = self;
+        let measurements = problem.measurements.whole()?;
+        let problem = Problem { measurements, conditions: problem.conditions.clone() };
+        Some(Fittable { problem, sweep: sweep.clone(), confidence: confidence.clone() })
+    }
+}
+
 impl Factors {
     /// Reads `FROM..TO`.
     ///
@@ -127,6 +137,36 @@ impl Fit {
         Ok(Some(confidence))
     }
 
+    /// Reads the readings. Where `lists_all` is false, [`Fittable::whole`] has those that decide nothing.
+    ///
+    /// # Errors
+    /// Errors are those of [`Ask::read`].
+    pub fn read_listing(
+        &self,
+        asked: &Asked,
+        source: Source,
+        shows: Shows,
+        lists_all: bool,
+    ) -> Result<Fittable, Refusal> {
+        let limits = &asked.options.table.limits;
+        let sweep = self.sweep.as_deref().map(|text| Factors::parse(text, limits)).transpose()?;
+        let confidence = self.confidence(limits)?;
+        // Where the bounds are going to move, those that decide under these are not enough.
+        let keeps_all = self.every_reading || sweep.is_some() && !asked.question.columns.are_open();
+        let shows = if self.every_reading { shows.max(Shows::Rows) } else { shows };
+        let is_usual = !self.full && !self.no_eui && sweep.is_none() && confidence.is_none();
+        let usual = if is_usual && !lists_all { Keep::DECIDING } else { Keep::default() };
+        let keep = Keep { eui: !self.no_eui, ..if keeps_all { Keep::EVERY } else { usual } };
+        let problem = asked.scanned(source, (Asked::ROW_COST, shows), keep)?;
+        if let Some(sweep) = &sweep {
+            sweep.check(&problem, asked.most_work())?;
+        }
+        if confidence.is_some() && matches!(problem.measurements.error_bound(), ErrorBound::Interval { .. }) {
+            return Err(Refusal::Misuse(Misuse::ConfidenceOfIntervals));
+        }
+        Ok(Fittable { problem, sweep, confidence })
+    }
+
     fn document(
         &self,
         asked: &Fittable,
@@ -164,21 +204,8 @@ impl Ask for Fit {
     type Answer = Fitted;
 
     fn read(&self, asked: &Asked, source: Source, shows: Shows) -> Result<Fittable, Refusal> {
-        let limits = &asked.options.table.limits;
-        let sweep = self.sweep.as_deref().map(|text| Factors::parse(text, limits)).transpose()?;
-        let confidence = self.confidence(limits)?;
-        // Where the bounds are going to move, those that decide under these are not enough.
-        let keeps_all = self.every_reading || sweep.is_some() && !asked.question.columns.are_open();
-        let shows = if self.every_reading { shows.max(Shows::Rows) } else { shows };
-        let keep = Keep { eui: !self.no_eui, ..if keeps_all { Keep::EVERY } else { Keep::default() } };
-        let problem = asked.scanned(source, (Asked::ROW_COST, shows), keep)?;
-        if let Some(sweep) = &sweep {
-            sweep.check(&problem, asked.most_work())?;
-        }
-        if confidence.is_some() && matches!(problem.measurements.error_bound(), ErrorBound::Interval { .. }) {
-            return Err(Refusal::Misuse(Misuse::ConfidenceOfIntervals));
-        }
-        Ok(Fittable { problem, sweep, confidence })
+        // What lists no other reading than those that decide needs no other as numbers.
+        self.read_listing(asked, source, shows, shows != Shows::Nothing)
     }
 
     fn table<'a>(&self, asked: &'a Fittable) -> Option<&'a TableNotes> {

@@ -44,16 +44,26 @@ pub(super) fn with(own: &'static [Limit]) -> impl FnOnce(Arg) -> Arg {
 fn long_help(own: &[Limit]) -> String {
     let mut help =
         format!("{HELP}. Sizes may have a unit, as in memory=512MiB. The names, each with its default:");
+    // A program that starts for a few readings spends its time here: defaults are made once.
+    let defaults = Defaults::default();
     for limit in limits_of_files().chain(own.iter().copied()) {
-        let (most, what) = about(limit);
+        let (most, what) = about(limit, &defaults);
         help += &format!("\n- {} ({most}): {what}", limit.name());
     }
     help
 }
 
+/// The limits where nothing else is asked for.
+#[derive(Default)]
+struct Defaults {
+    numbers: Limits,
+    sizes: SizeLimits,
+    outliers: OutlierLimits,
+}
+
 /// Returns the default of a limit, and what it limits.
-fn about(limit: Limit) -> (String, &'static str) {
-    let (numbers, sizes, outliers) = (Limits::default(), SizeLimits::default(), OutlierLimits::default());
+fn about(limit: Limit, defaults: &Defaults) -> (String, &'static str) {
+    let Defaults { numbers, sizes, outliers } = defaults;
     let (most, what) = match limit {
         Limit::Digits => {
             (numbers.digits as u64, "digits of one number, of a fraction above and below its bar")
