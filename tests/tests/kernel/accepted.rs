@@ -65,7 +65,7 @@ fn generated_half_planes_are_theorems() {
         };
         let polyhedron = Polyhedron::intersect(system.clone());
         *kinds.entry(polyhedron.region().kind().name()).or_default() += 1;
-        theorems.push(kernel_half_planes(&system, &polyhedron, None, Theory::Installed).unwrap());
+        theorems.push(kernel_half_planes(&system, &polyhedron, None, None, Theory::Installed).unwrap());
     }
     assert_eq!(kinds.len(), 10, "{kinds:?}");
     all_are_accepted("half_planes", &theorems);

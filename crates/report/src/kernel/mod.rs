@@ -33,14 +33,15 @@ pub fn kernel_fit(problem: &Problem, fit: &Fit, reading: Reading, theory: Theory
     theorem(&statement, &set, head, theory)
 }
 
-/// The theorem about a set of half-planes. `None` never happens for the set of these half-planes.
+/// The theorem about a set of half-planes, with the question by which their file is read, if it is delimited text. `None` never happens for the set of these half-planes.
 pub fn kernel_half_planes(
     system: &System,
     polyhedron: &Polyhedron,
     sha256: Option<&str>,
+    question: Option<ProofQuestion>,
     theory: Theory,
 ) -> Option<String> {
     let statement = Statement::of_half_planes(system);
     let set = Set { polyhedron, ranges: polyhedron.bounding_box(), number: &evidence::by_place };
-    theorem(&statement, &set, Head { sha256, ..Head::default() }, theory)
+    theorem(&statement, &set, Head { sha256, question, ..Head::default() }, theory)
 }
