@@ -225,3 +225,25 @@ fn half_planes_of_a_table_are_compared() {
         assert!(status == 1 && said.contains(problem), "{line}: {said}");
     }
 }
+
+#[test]
+fn theorems_about_parts_of_the_rows_are_compared() {
+    let directory = directory_with(&[("a.csv", DATA.as_bytes())]);
+    for command in ["predict --at 5", "outliers", "range", "status"] {
+        let line = format!(
+            "{command} a.csv --x x --y y --eps 0.15 --rows 2..4 --where theta1<=3 --proof a.v --force"
+        );
+        let run = boundfit(directory.path(), &line);
+        assert_eq!(run.status, 0, "{line}: {run:?}");
+        let run = boundfit(
+            directory.path(),
+            "verify a.v a.csv --x x --y y --eps 0.15 --rows 2..4 --where theta1<=3",
+        );
+        assert_eq!(run.status, 0, "{line}: {run:?}");
+        let text = fs::read_to_string(directory.path().join("a.v")).unwrap();
+        let forged = text.replacen("3,3.9\n", "3,3.8\n", 1);
+        let run = boundfit_with_input(directory.path(), "verify - a.csv", forged.as_bytes());
+        let place = "row 3, y: 19/5 in the theorem, 39/10 in the data";
+        assert!(run.status == 4 && run.stdout.contains(place), "{line}: {run:?}");
+    }
+}
