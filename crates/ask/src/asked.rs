@@ -65,7 +65,7 @@ impl Asked {
     /// Returns the options for reading the table where a reading that is held takes `row_cost` bytes.
     pub(crate) fn held(&self, row_cost: usize, shows: Shows) -> ScanOptions {
         let own = self.options.clone();
-        let (hash, list_rows) = (own.hash && shows >= Shows::Hash, own.list_rows && shows == Shows::Rows);
+        let (hash, list_rows) = (own.hash && shows >= Shows::Hash, own.list_rows && shows >= Shows::Rows);
         ScanOptions { hash, list_rows, table: TableOptions { row_cost, ..own.table }, ..own }
     }
 

@@ -5,9 +5,9 @@ use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{Guarantee, times};
 use boundfit_report::{
-    Document, InverseLine, NextStep, active_names, brief_document, fit_csv, fit_document, fit_json,
-    fit_script, full_fit_document, guarantee_document, h_representation, next_document, next_steps,
-    proof_json, region_wkt, sweep_document, v_representation, vertices_csv,
+    Document, InverseLine, NextStep, Theory, active_names, brief_document, fit_csv, fit_document, fit_json,
+    fit_script, full_fit_document, guarantee_document, h_representation, kernel_fit, next_document,
+    next_steps, proof_json, region_wkt, sweep_document, v_representation, vertices_csv,
 };
 use serde::Deserialize;
 
@@ -28,8 +28,6 @@ pub struct Fit {
     pub sweep: Option<String>,
     /// The confidence of the statement about the share of further readings that lies in the band of ε_min.
     pub confidence: Option<Given>,
-    /// `true` keeps every reading in memory, with the numbers of the rows: a theorem is about all of them.
-    pub every_reading: bool,
     /// `true` makes the report ten lines.
     pub brief: bool,
     /// `true` makes the report complete: with the proof of each end, every estimate, and least squares in doubles.
@@ -152,8 +150,7 @@ impl Fit {
         let sweep = self.sweep.as_deref().map(|text| Factors::parse(text, limits)).transpose()?;
         let confidence = self.confidence(limits)?;
         // Where the bounds are going to move, those that decide under these are not enough.
-        let keeps_all = self.every_reading || sweep.is_some() && !asked.question.columns.are_open();
-        let shows = if self.every_reading { shows.max(Shows::Rows) } else { shows };
+        let keeps_all = shows >= Shows::Readings || sweep.is_some() && !asked.question.columns.are_open();
         let is_usual = !self.full && !self.no_eui && sweep.is_none() && confidence.is_none();
         let usual = if is_usual && !lists_all { Keep::DECIDING } else { Keep::default() };
         let keep = Keep { eui: !self.no_eui, ..if keeps_all { Keep::EVERY } else { usual } };
@@ -255,5 +252,17 @@ impl Ask for Fit {
         };
         put(out, text)?;
         Ok(Written::of_set(fit.is_empty()))
+    }
+
+    fn theorem(
+        &self,
+        asked: &Fittable,
+        answer: &Fitted,
+        reading: Reading,
+        theory: Theory,
+    ) -> Result<String, Refusal> {
+        // Readings of a table are all in memory, as they are asked for.
+        let theorem = kernel_fit(&asked.problem, &answer.fit, reading, theory);
+        theorem.ok_or(Refusal::NoProof(NoProof::Reduction))
     }
 }

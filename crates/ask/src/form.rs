@@ -86,6 +86,8 @@ pub enum Shows {
     Hash,
     /// A hash, and which rows are fitted.
     Rows,
+    /// The same, and every reading: a theorem states all of them.
+    Readings,
 }
 
 /// The paper of an answer: the facts that forms need beside the answer.

@@ -123,7 +123,7 @@ impl Ask for Linearity {
         let columns = self.columns(asked)?;
         let options = self.options(&asked.options.table.limits)?;
         let again = source.again();
-        if shows == Shows::Rows && again.is_none() {
+        if shows >= Shows::Rows && again.is_none() {
             return Err(Refusal::NoProof(NoProof::ReadOnce));
         }
         let calibration = Calibration::read(source, &columns, &asked.held(ROW_COST, shows)).map_err(

@@ -106,6 +106,8 @@ pub enum NoProof {
     ReadOnce,
     /// Some points stand for several rows.
     Points,
+    /// The answer has no theorem for Coq.
+    NoTheorem,
     /// The proof would have more parts than this.
     TooMany {
         /// The largest number of parts.
@@ -135,6 +137,7 @@ impl NoProof {
                 "{proof} is about the rows of delimited text of which each is a point of its own, with a reading in every column, and \
                  those of the data are not"
             }
+            NoProof::NoTheorem => "there is no theorem for Coq about this answer",
             NoProof::TooMany { most, of } => return format!("the proof would take more than {most} {of}"),
         };
         in_words(sentence, surface)

@@ -1,10 +1,12 @@
 //! The fewest readings to leave out so that something is left.
 
 use boundfit_estimation::{Fit, Problem, fit};
+use boundfit_exact::Reading;
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{Growth, NoOutliers, OutlierLimits, times};
 use boundfit_report::{
-    NoOutliersProof, OutliersReport, outliers_csv, outliers_document, outliers_json, outliers_proof,
+    NoOutliersProof, OutliersReport, Theory, kernel_outliers, outliers_csv, outliers_document, outliers_json,
+    outliers_proof,
 };
 use serde::Deserialize;
 
@@ -96,15 +98,31 @@ impl Ask for Outliers {
         let text = match form {
             Form::Json => outliers_json(&report, origin, style),
             Form::Csv => outliers_csv(outliers.as_ref().ok()),
-            Form::Proof => outliers_proof(&report, origin.reading).map_err(|why| {
-                Refusal::NoProof(match why {
-                    NoOutliersProof::NoText => NoProof::NoText,
-                    NoOutliersProof::TooMany(most) => NoProof::TooMany { most, of: "contradictions" },
-                })
-            })?,
+            Form::Proof => outliers_proof(&report, origin.reading).map_err(no_proof)?,
             _ => document(form, || outliers_document(&report, origin, style)).ok_or(Self::no_form(form))?,
         };
         put(out, text)?;
         Ok(Written::of_set(outliers.is_err()))
     }
+
+    fn theorem(
+        &self,
+        problem: &Problem,
+        answer: &Found,
+        reading: Reading,
+        theory: Theory,
+    ) -> Result<String, Refusal> {
+        let Found { fit, outliers, growth } = answer;
+        let report =
+            OutliersReport { problem, fit, outliers: outliers.as_ref(), growth, shows_growth: false };
+        kernel_outliers(&report, reading, theory).map_err(no_proof)
+    }
+}
+
+fn no_proof(why: NoOutliersProof) -> Refusal {
+    Refusal::NoProof(match why {
+        NoOutliersProof::NoText => NoProof::NoText,
+        NoOutliersProof::NotInMemory => NoProof::Reduction,
+        NoOutliersProof::TooMany(most) => NoProof::TooMany { most, of: "contradictions" },
+    })
 }

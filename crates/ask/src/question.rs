@@ -2,11 +2,13 @@
 
 use std::io::Write;
 
+use boundfit_exact::Reading;
 use boundfit_formats::{Source, TableNotes};
-use boundfit_report::Document;
+use boundfit_report::{Document, Theory};
 
 use crate::asked::Asked;
 use crate::form::{Form, Paper, Shows, Written};
+use crate::misuse::NoProof;
 use crate::refusal::Refusal;
 
 /// The place where an answer is written.
@@ -53,6 +55,20 @@ pub trait Ask {
         paper: &Paper<'_>,
         out: &mut Out<'_>,
     ) -> Result<Written, Refusal>;
+
+    /// Returns the main statement of the answer as a theorem for Coq, about a problem that was read with [`Shows::Readings`]. Exact.
+    ///
+    /// # Errors
+    /// When the answer has no theorem.
+    fn theorem(
+        &self,
+        _problem: &Self::Problem,
+        _answer: &Self::Answer,
+        _reading: Reading,
+        _theory: Theory,
+    ) -> Result<String, Refusal> {
+        Err(Refusal::NoProof(NoProof::NoTheorem))
+    }
 
     /// Refuses a form.
     fn no_form(form: Form) -> Refusal {

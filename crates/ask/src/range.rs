@@ -1,9 +1,12 @@
 //! The runs of readings that some parameters agree with.
 
 use boundfit_estimation::{Fit, Problem, fit};
+use boundfit_exact::Reading;
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{LinearRange, Order, times};
-use boundfit_report::{RangeReport, range_csv, range_document, range_json, range_proof};
+use boundfit_report::{
+    RangeReport, Theory, kernel_range, range_csv, range_document, range_json, range_proof,
+};
 use serde::Deserialize;
 
 use crate::asked::Asked;
@@ -30,6 +33,22 @@ pub struct Runs {
     range: LinearRange,
     all: Fit,
     longest: Option<(Problem, Fit)>,
+}
+
+impl Runs {
+    fn report<'a>(&'a self, problem: &'a Problem) -> RangeReport<'a> {
+        let Runs { order, range, all, longest } = self;
+        let longest = longest.as_ref().map(|(problem, fit)| (problem, fit));
+        RangeReport { problem, fit: all, order: *order, range, longest }
+    }
+
+    /// Refuses to prove what is said of too many runs.
+    fn check_proof(&self) -> Result<(), Refusal> {
+        match self.range.runs.len() > MOST_PROVED {
+            true => Err(Refusal::NoProof(NoProof::TooMany { most: MOST_PROVED, of: "runs" })),
+            false => Ok(()),
+        }
+    }
 }
 
 impl Range {
@@ -87,20 +106,30 @@ impl Ask for Range {
         paper: &Paper<'_>,
         out: &mut Out<'_>,
     ) -> Result<Written, Refusal> {
-        let Runs { order, range, all, longest } = answer;
-        let longest = longest.as_ref().map(|(problem, fit)| (problem, fit));
-        let report = RangeReport { problem, fit: all, order: *order, range, longest };
+        let report = answer.report(problem);
         let Paper { origin, style } = paper;
         let text = match form {
             Form::Json => range_json(&report, origin, style),
             Form::Csv => range_csv(&report),
-            Form::Proof if range.runs.len() > MOST_PROVED => {
-                return Err(Refusal::NoProof(NoProof::TooMany { most: MOST_PROVED, of: "runs" }));
+            Form::Proof => {
+                answer.check_proof()?;
+                range_proof(&report, origin.reading).ok_or(Refusal::NoProof(NoProof::NoText))?
             }
-            Form::Proof => range_proof(&report, origin.reading).ok_or(Refusal::NoProof(NoProof::NoText))?,
             _ => document(form, || range_document(&report, origin, style)).ok_or(Self::no_form(form))?,
         };
         put(out, text)?;
-        Ok(Written::of_set(range.runs.is_empty()))
+        Ok(Written::of_set(answer.range.runs.is_empty()))
+    }
+
+    fn theorem(
+        &self,
+        problem: &Problem,
+        answer: &Runs,
+        reading: Reading,
+        theory: Theory,
+    ) -> Result<String, Refusal> {
+        answer.check_proof()?;
+        let theorem = kernel_range(&answer.report(problem), reading, theory);
+        theorem.ok_or(Refusal::NoProof(NoProof::Reduction))
     }
 }

@@ -104,7 +104,10 @@ pub use generators::ActiveNames;
 pub use guarantee::guarantee_document;
 pub use judge::{judge_document, judge_json};
 #[cfg(feature = "files")]
-pub use kernel::{THEORY, Theory, kernel_fit, kernel_half_planes, kernel_program};
+pub use kernel::{
+    THEORY, Theory, kernel_fit, kernel_half_planes, kernel_outliers, kernel_prediction, kernel_program,
+    kernel_range, kernel_status,
+};
 pub use linearity::{linearity_csv, linearity_document, linearity_json};
 #[cfg(feature = "files")]
 pub use linearity::{linearity_proof, linearity_question};

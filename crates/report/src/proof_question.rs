@@ -2,6 +2,7 @@
 
 use boundfit_estimation::{Condition, ErrorBound, Model, Problem};
 use boundfit_exact::{Foreign, Rational, Reading};
+use boundfit_formats::HalfPlaneFile;
 use serde::Serialize;
 use serde_json::json;
 
@@ -102,6 +103,38 @@ impl ProofQuestion {
             x_error: None,
             response: Vec::new(),
             conditions: problem.conditions.iter().map(condition_json).collect(),
+        })
+    }
+
+    /// The question that a table of half-planes asks: at most b for the sum of a1 and a2, each times its parameter. `None` when the
+    /// file is no delimited text, or is not written as the checkers read it.
+    pub fn of_half_planes(file: &HalfPlaneFile, reading: Reading) -> Option<Self> {
+        let layout = file.layout.as_ref().filter(|layout| layout.dialect.is_plain())?;
+        let &[first, second, bound] = layout.columns.as_slice() else { return None };
+        let mut rows: Vec<usize> = Vec::new();
+        for origin in &file.origins {
+            match rows.last_mut() {
+                Some(last) if *last + 1 == origin.row => *last = origin.row,
+                _ => rows.extend([origin.row; 2]),
+            }
+        }
+        if rows.is_empty() {
+            return None;
+        }
+        let nothing = || (0, "0".to_owned());
+        Some(ProofQuestion {
+            sha256: file.sha256.clone(),
+            delimiter: char::from(layout.dialect.delimiter),
+            header: layout.dialect.records_before > 0,
+            rows,
+            reading: reading.name(),
+            model: [(first, "1".to_owned()), (second, "1".to_owned()), nothing(), nothing()],
+            interval: Some([None, Some(bound)]),
+            law: None,
+            x_origin: None,
+            x_error: None,
+            response: Vec::new(),
+            conditions: Vec::new(),
         })
     }
 

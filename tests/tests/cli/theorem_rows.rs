@@ -175,3 +175,75 @@ fn what_agrees_and_where_it_does_not_is_said_in_a_line() {
     let run = boundfit(directory.path(), "verify a.v more.csv");
     assert!(run.status == 4 && run.stdout.contains("sha256: is not that of the data"), "{run:?}");
 }
+
+#[test]
+fn half_planes_of_a_table_are_compared() {
+    const PLANES: &str = "b;note;a2;a1\n0;x;0;-1\n\n1/2;y;-1;0\n6;z;3;2\n";
+    let directory = directory_with(&[
+        ("planes.csv", PLANES.as_bytes()),
+        ("blanks.txt", b"-1 0 0\n0 -1 0\n2 3 6\n"),
+        ("best.lp", b"max\nobj: 3 x + 2 y\nst\n c1: x + y <= 4\nend\n"),
+    ]);
+    let theorem = |line: &str| {
+        let run = boundfit(directory.path(), &format!("{line} --proof a.v --force"));
+        assert_eq!(run.status, 0, "{run:?}");
+        fs::read_to_string(directory.path().join("a.v")).unwrap()
+    };
+    let verified = |text: &str, data: &str| {
+        let run = boundfit_with_input(directory.path(), &format!("verify - {data}"), text.as_bytes());
+        (run.status, run.stdout + &run.stderr)
+    };
+    let text = theorem("polygon planes.csv");
+    let (status, said) = verified(&text, "planes.csv");
+    assert_eq!(status, 0, "{said}");
+    for line in
+        ["  upper   column 1 (\"b\")\n", "  from    3 half-planes\n", "  agrees  3 rows and all conditions"]
+    {
+        assert!(said.contains(line), "{said}");
+    }
+    for (from, to, place) in [
+        ("2,3,6.0\n", "2,3,6.1\n", "row 3, c: 61/10 in the theorem, 6 in the data"),
+        ("2,3,6.0\n", "2,4,6.0\n", "row 3, b: 4 in the theorem, 3 in the data"),
+        ("2,3,6.0\n", "1,3,6.0\n", "row 3, a: 1 in the theorem, 2 in the data"),
+        ("2,3,6.0\n", "", "rows: 2 in the theorem, 3 in the data"),
+        ("\"rows\":[1,3]", "\"rows\":[1,2]", "rows: 3 in the theorem, 2 in the data"),
+        ("[null,1]", "[1,null]", "row 1, lower bound: "),
+    ] {
+        assert!(text.contains(from), "{from}: {text}");
+        let (status, said) = verified(&text.replacen(from, to, 1), "planes.csv");
+        assert!(status == 4 && said.contains(place), "{from}: {said}");
+    }
+    // The checker has no reader of other files.
+    boundfit(directory.path(), "polygon planes.csv --format ine -o planes.ine");
+    for (line, data) in [
+        ("polygon blanks.txt", "blanks.txt"),
+        ("polygon planes.ine", "planes.ine"),
+        ("judge best.lp", "best.lp"),
+    ] {
+        let (status, said) = verified(&theorem(line), data);
+        let problem = "the head of this theorem does not say how its rows were read from data";
+        assert!(status == 1 && said.contains(problem), "{line}: {said}");
+    }
+}
+
+#[test]
+fn theorems_about_parts_of_the_rows_are_compared() {
+    let directory = directory_with(&[("a.csv", DATA.as_bytes())]);
+    for command in ["predict --at 5", "outliers", "range", "status"] {
+        let line = format!(
+            "{command} a.csv --x x --y y --eps 0.15 --rows 2..4 --where theta1<=3 --proof a.v --force"
+        );
+        let run = boundfit(directory.path(), &line);
+        assert_eq!(run.status, 0, "{line}: {run:?}");
+        let run = boundfit(
+            directory.path(),
+            "verify a.v a.csv --x x --y y --eps 0.15 --rows 2..4 --where theta1<=3",
+        );
+        assert_eq!(run.status, 0, "{line}: {run:?}");
+        let text = fs::read_to_string(directory.path().join("a.v")).unwrap();
+        let forged = text.replacen("3,3.9\n", "3,3.8\n", 1);
+        let run = boundfit_with_input(directory.path(), "verify - a.csv", forged.as_bytes());
+        let place = "row 3, y: 19/5 in the theorem, 39/10 in the data";
+        assert!(run.status == 4 && run.stdout.contains(place), "{line}: {run:?}");
+    }
+}

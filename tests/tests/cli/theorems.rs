@@ -32,6 +32,7 @@ fn refused(directory: &Path, line: &str, message: &str) {
 
 #[test]
 fn the_theorem_is_about_what_was_asked() {
+    const PARTS: &str = "\nDefinition feasible_part (part : Z -> row -> Prop) (p : Q * Q) :=\n";
     const INSIDE: &str = "forall r, In r rows -> Qabs (y r - (fst p * x r + snd p)) <= eps r";
     for (line, status, says) in [
         (
@@ -86,6 +87,77 @@ fn the_theorem_is_about_what_was_asked() {
         ),
         ("judge none.lp", 3, &["Theorem nothing_is_feasible : forall p, ~ feasible p."]),
         ("judge ever.lp", 0, &["Theorem no_optimum : no_lowest feasible objective."]),
+        (
+            "predict a.csv --x x --y y --eps 0.2 --at 5",
+            0,
+            &[INSIDE, "Theorem the_prediction :\n  is_range feasible (value (5 # 1)) (17 # 3) (19 # 3).\n"],
+        ),
+        (
+            "predict a.csv --x x --y y --eps 1 --rows 4 --at 4,5",
+            0,
+            &["  is_range feasible (value (4 # 1)) (4 # 1) (6 # 1)\n  \
+               /\\ (no_lowest feasible (value (5 # 1)) /\\ no_highest feasible (value (5 # 1))).\n"],
+        ),
+        (
+            "predict a.csv --x x --y y --eps 0 --at 5",
+            3,
+            &["Theorem nothing_is_feasible : forall p, ~ feasible p."],
+        ),
+        (
+            "outliers a.csv --x x --y y --eps 0.07",
+            0,
+            &[
+                INSIDE,
+                "Theorem nothing_is_feasible : forall p, ~ feasible p.",
+                "Definition sets : list (list Z) := [[2]%Z;\n  [3]%Z].\n",
+                "(forall out, (exists p, feasible_without out p) -> (1 <= length out)%nat)\n",
+                "Theorem the_real_outliers :\n",
+                PARTS,
+            ],
+        ),
+        (
+            "outliers a.csv --x x --y y --eps 0.07 --limit sets=1",
+            0,
+            &[
+                "/\\ (forall s, In s sets -> length s = 1%nat /\\ NoDup s /\\ (exists p, feasible_without s p)).\n",
+            ],
+        ),
+        ("outliers a.csv --x x --y y --eps 0.2", 0, &["<-> hull vertices p)"]),
+        (
+            "range a.csv --x x --y y --eps 0.01",
+            0,
+            &[
+                "Definition key (i : Z) (r : row) : Q := x r.\n",
+                "Definition runs : list (Q * Q) := [((1 # 1), (2 # 1));\n  ((2 # 1), (3 # 1));\n  ((3 # 1), (4 # 1))].\n",
+                "Theorem the_range : forall a b, (exists i r, In (i, r) (numbered rows) /\\ spans key a b i r) ->",
+                PARTS,
+            ],
+        ),
+        (
+            "range a.csv --x x,w --y y --eps 0.01",
+            0,
+            &["Definition key (i : Z) (r : row) : Q := inject_Z i.\n"],
+        ),
+        (
+            "status a.csv --x x --y y --eps 0.2",
+            0,
+            &[
+                "Definition deciding : list Z := [1; 2; 3; 4]%Z.\n",
+                "Definition boundary : list Z := [1; 2; 3; 4]%Z.\n",
+                "Theorem the_deciding_rows :\n  (forall i r, In (i, r) (numbered rows) ->\n   \
+                 ((forall p, feasible_part (fun j _ => j <> i) p -> feasible p) <-> ~ In i deciding))\n  \
+                 /\\ (forall p, feasible_part (fun i _ => In i boundary) p <-> feasible p).\n",
+                PARTS,
+            ],
+        ),
+        (
+            "status a.csv --x x --y y --eps 0.07",
+            3,
+            &[
+                "Definition outliers : list Z := [2; 3]%Z.\n",
+                "((exists p, feasible_part (fun j _ => j <> i) p) <-> In i outliers).\n",
+            ],
+        ),
         ("polygon planes.csv", 0, &["fst p * a r + snd p * b r <= c r", "<-> hull vertices p)"]),
     ] {
         let directory = directory();
@@ -100,6 +172,11 @@ fn the_theorem_is_about_what_was_asked() {
             let needs = "From Boundfit Require Import Reader Checker Convex Sound Rationals RealNumbers.\n";
             assert_eq!(text.contains(needs), !library.is_empty(), "{line}");
             assert_eq!(text.contains("\nModule Sound.\n"), library.is_empty(), "{line}");
+            // Only theorems about parts of the rows need the last file of the theory.
+            let has_parts = text.contains(PARTS);
+            let needs = "\nFrom Boundfit Require Import Parts.\n";
+            assert_eq!(text.contains(needs), has_parts && !library.is_empty(), "{line}");
+            assert_eq!(text.contains("\nModule Parts.\n"), has_parts && library.is_empty(), "{line}");
             assert!(text.contains("\nPrint Assumptions "), "{line}");
         }
     }
@@ -117,12 +194,21 @@ fn readings_from_standard_input_have_a_theorem() {
 
 #[test]
 fn other_answers_have_no_theorem() {
-    const NONE: &str = "'--proof a.v': there are theorems for Coq about the set of one fit, the ends that 'check' judges, polygons \
-                        and linear programs, and none about this answer; a file that ends in .json gets the proof for 'boundfit verify'";
+    const NONE: &str = "'--proof a.v': there is no theorem for Coq about this answer; a file that ends in .json gets the proof for \
+                        'boundfit verify'";
     let directory = directory();
     for command in ["status", "outliers", "range", "predict --at 1"] {
-        refused(directory.path(), &format!("{command} a.csv --x x --y y --eps 1 --proof a.v"), NONE);
+        refused(
+            directory.path(),
+            &format!("{command} a.csv --x x --y y --eps 1 --proof a.json --proof-library"),
+            "'--proof-library' is about theorems for Coq: give '--proof' a file that ends in .v",
+        );
     }
+    refused(
+        directory.path(),
+        "predict a.csv --x x --y y --eps 1 --grid 0..1/1000 --proof a.v",
+        "a.csv: the proof would take more than 1000 values",
+    );
     refused(directory.path(), "linearity a.csv --x x --y y --proof a.v", NONE);
     refused(directory.path(), "fit a.csv --x x --y y --eps 1 --x-eps 1 --proof a.v", NONE);
     refused(

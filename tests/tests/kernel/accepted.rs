@@ -16,7 +16,7 @@ use crate::coq::{compiled, modules, run, theory};
 /// Theorems in a run of `coqc`.
 const BATCH: usize = 60;
 
-fn all_are_accepted(name: &str, theorems: &[String]) {
+pub fn all_are_accepted(name: &str, theorems: &[String]) {
     for (batch, texts) in theorems.chunks(BATCH).enumerate() {
         let output = compiled(&format!("{name}{batch}"), &modules(texts));
         assert!(output.is_ok(), "{name}, batch {batch}: {output:?}");
@@ -65,7 +65,7 @@ fn generated_half_planes_are_theorems() {
         };
         let polyhedron = Polyhedron::intersect(system.clone());
         *kinds.entry(polyhedron.region().kind().name()).or_default() += 1;
-        theorems.push(kernel_half_planes(&system, &polyhedron, None, Theory::Installed).unwrap());
+        theorems.push(kernel_half_planes(&system, &polyhedron, None, None, Theory::Installed).unwrap());
     }
     assert_eq!(kinds.len(), 10, "{kinds:?}");
     all_are_accepted("half_planes", &theorems);
@@ -126,7 +126,7 @@ fn the_second_kernel_of_coq_accepts_the_theory() {
     let (problem, fit) = answered();
     let text = kernel_fit(&problem, &fit, Reading::Decimal, Theory::Installed).unwrap();
     compiled("Checked", &text).unwrap();
-    let own = ["Reader", "Checker", "Convex", "Sound", "Rationals", "RealNumbers", "Checked"];
+    let own = ["Reader", "Checker", "Convex", "Sound", "Rationals", "RealNumbers", "Parts", "Checked"];
     let names: Vec<String> = own.iter().map(|name| format!("Boundfit.{name}")).collect();
     let mut arguments = vec!["-silent", "-R", ".", "Boundfit"];
     for name in &names {

@@ -42,6 +42,9 @@ const PRELUDE: &str = "From Boundfit Require Import Reader Checker Convex Sound 
                        From Coq Require Import ZArith QArith Qabs Reals Qreals List.\n\
                        Import ListNotations.\nOpen Scope Q_scope.\n";
 
+/// The line after them in theorems about parts of the rows.
+const PARTS: &str = "From Boundfit Require Import Parts.\n";
+
 /// A theorem from its rows on, without what the kernel prints of its assumptions. Imports are made once for many theorems.
 pub fn body(theorem: &str) -> String {
     assert!(theorem.contains(PRELUDE), "{theorem}");
@@ -53,13 +56,13 @@ pub fn body(theorem: &str) -> String {
 /// Theorems in one file, each in a module of its own.
 pub fn modules<'a>(theorems: impl IntoIterator<Item = &'a String>) -> String {
     let module = |(index, text): (usize, &String)| format!("Module M{index}.\n{}End M{index}.\n", body(text));
-    PRELUDE.to_owned() + &theorems.into_iter().enumerate().map(module).collect::<String>()
+    format!("{PRELUDE}{PARTS}") + &theorems.into_iter().enumerate().map(module).collect::<String>()
 }
 
 /// Returns true for each file body all of whose theorems Coq's toplevel accepts, one after the other in one run. A file that is
 /// refused leaves nothing behind.
 pub fn accepted(name: &str, bodies: &[&str]) -> Vec<bool> {
-    let mut text = format!("{PRELUDE}Set Silent.\n");
+    let mut text = format!("{PRELUDE}{PARTS}Set Silent.\n");
     for (index, body) in bodies.iter().enumerate() {
         let names = body.lines().filter_map(|line| line.strip_prefix("Theorem ")?.split_once(' '));
         let names: Vec<&str> = names.map(|(name, _)| name).collect();

@@ -144,7 +144,7 @@ fn no_forgery_is_accepted_that_is_false() {
             _ => rational_system(&mut rng),
         };
         let polyhedron = Polyhedron::intersect(system.clone());
-        let text = kernel_half_planes(&system, &polyhedron, None, Theory::Installed).unwrap();
+        let text = kernel_half_planes(&system, &polyhedron, None, None, Theory::Installed).unwrap();
         let truth = Statement::of(&text);
         assert!(truth.is_true(), "{text}");
         cases.push((truth.clone(), true));

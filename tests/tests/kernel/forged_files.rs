@@ -15,6 +15,7 @@ use boundfit_tests::proofs::{bounded, generated, questions};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
+use crate::about_parts::parts_are_true;
 use crate::claim::{Generators, cells, changed, ends_of, number, pairs, tampered};
 use crate::coq::{accepted, body};
 
@@ -22,7 +23,7 @@ use crate::coq::{accepted, body};
 const SMALL: i128 = 1 << 18;
 
 /// The text between two others, the first time that the first one occurs.
-fn between<'a>(text: &'a str, start: &str, end: &str) -> Option<&'a str> {
+pub fn between<'a>(text: &'a str, start: &str, end: &str) -> Option<&'a str> {
     let rest = text.split_once(start)?.1;
     Some(rest.split_once(end)?.0)
 }
@@ -38,7 +39,7 @@ fn pairs_of(text: &str, definition: &str) -> Vec<Vec<String>> {
 }
 
 /// Fractions of Coq in a text.
-fn fractions(text: &str) -> Vec<String> {
+pub fn fractions(text: &str) -> Vec<String> {
     let parts = text.split('(').filter_map(|part| part.split_once(')')).map(|(own, _)| own);
     parts.filter(|own| own.contains(" # ")).map(|own| own.replace(" # ", "/")).collect()
 }
@@ -50,23 +51,19 @@ fn cell(row: &[String], place: usize) -> Option<Rational> {
 
 /// The rows and conditions of a file as half-planes, by its definitions.
 fn half_planes(text: &str) -> Option<Vec<Row>> {
+    let (rows, conditions) = half_planes_by_row(text)?;
+    Some(rows.into_iter().flatten().chain(conditions).collect())
+}
+
+/// The half-planes of each row, and those of all conditions.
+pub fn half_planes_by_row(text: &str) -> Option<(Vec<Vec<Row>>, Vec<Row>)> {
     let form = between(text, "Definition forms : list form := map (fun r => ", ") rows")?;
     let form = form.replace(" r)", "").replace(['(', ')'], "");
     let words: Vec<&str> = form.split(' ').collect();
-    let column = |name: &str, row: &[String]| -> Option<Rational> {
-        if name == "1" {
-            return Some(Rational::one());
-        }
-        let body = between(text, &format!("Definition {name} (r : row) : "), ".\n")?;
-        match body.split_once(" := ")? {
-            ("Q", own) if own.contains('#') => Some(number(&own.replace(['(', ')'], "").replace(" # ", "/"))),
-            ("Q", own) => Some(cell(row, own.split(' ').nth(1)?.parse().ok()?).unwrap_or_default()),
-            (_, own) => cell(row, own.split(' ').nth(1)?.parse().ok()?),
-        }
-    };
-    let mut planes = Vec::new();
+    let mut rows = Vec::new();
     for row in read(text, "rows")? {
-        let value = |name: &str| column(name, &row);
+        let mut planes = Vec::new();
+        let value = |name: &str| column(text, name, &row);
         let (low, high) = match words[..] {
             ["around", _, _, y, epsilon] => {
                 let (y, epsilon) = (value(y)?, value(epsilon)?);
@@ -77,12 +74,32 @@ fn half_planes(text: &str) -> Option<Vec<Row>> {
             _ => return None,
         };
         push(&mut planes, [value(words[1])?, value(words[2])?], [low, high])?;
+        rows.push(planes);
     }
+    let mut planes = Vec::new();
     for row in read(text, "conditions").unwrap_or_default() {
         let [a, b] = [0, 1].map(|place| cell(&row, place).unwrap_or_default());
         push(&mut planes, [a, b], [2, 3].map(|place| cell(&row, place)))?;
     }
-    Some(planes)
+    Some((rows, planes))
+}
+
+/// The number of a row in a column, by the column's definition.
+fn column(text: &str, name: &str, row: &[String]) -> Option<Rational> {
+    if name == "1" {
+        return Some(Rational::one());
+    }
+    let body = between(text, &format!("Definition {name} (r : row) : "), ".\n")?;
+    match body.split_once(" := ")? {
+        ("Q", own) if own.contains('#') => Some(number(&own.replace(['(', ')'], "").replace(" # ", "/"))),
+        ("Q", own) => Some(cell(row, own.split(' ').nth(1)?.parse().ok()?).unwrap_or_default()),
+        (_, own) => cell(row, own.split(' ').nth(1)?.parse().ok()?),
+    }
+}
+
+/// x of each row.
+pub fn x_of_rows(text: &str) -> Option<Vec<Rational>> {
+    read(text, "rows")?.iter().map(|row| column(text, "x", row)).collect()
 }
 
 fn push(planes: &mut Vec<Row>, [a, b]: [Rational; 2], [low, high]: [Option<Rational>; 2]) -> Option<()> {
@@ -105,10 +122,12 @@ fn push(planes: &mut Vec<Row>, [a, b]: [Rational; 2], [low, high]: [Option<Ratio
 fn is_true(text: &str) -> Option<bool> {
     let mut rows = half_planes(text)?;
     if text.contains("Theorem nothing_is_feasible : forall p, ~ feasible p.") {
-        return Some(solve(&rows).kind == "empty");
+        return Some(solve(&rows).kind == "empty" && parts_are_true(text, None)?);
     }
     let set = Generators::new(&read(text, "vertices")?, &pairs_of(text, "rays"));
-    let is_set = set.are_the_set_of(&rows) && ends_of(text).iter().all(|end| set.has_end(end));
+    let is_set = set.are_the_set_of(&rows)
+        && ends_of(text).iter().all(|end| set.has_end(end))
+        && parts_are_true(text, Some(&set))?;
     let Some(objective) = between(text, "Definition objective (p : Q * Q) : Q := ", ".\n") else {
         return Some(is_set);
     };
@@ -128,16 +147,16 @@ fn is_true(text: &str) -> Option<bool> {
 }
 
 /// The places where a pattern occurs.
-fn places(text: &str, pattern: &str) -> Vec<Range<usize>> {
+pub fn places(text: &str, pattern: &str) -> Vec<Range<usize>> {
     text.match_indices(pattern).map(|(start, _)| start..start + pattern.len()).collect()
 }
 
-fn any<'a, T>(rng: &mut ChaCha8Rng, all: &'a [T]) -> Option<&'a T> {
+pub fn any<'a, T>(rng: &mut ChaCha8Rng, all: &'a [T]) -> Option<&'a T> {
     (!all.is_empty()).then(|| &all[rng.random_range(0..all.len())])
 }
 
 /// Changes a text that the file reads: rows, conditions, vertices, points or the sides.
-fn with_other_lines(rng: &mut ChaCha8Rng, text: &str) -> Option<String> {
+pub fn with_other_lines(rng: &mut ChaCha8Rng, text: &str) -> Option<String> {
     let start = any(rng, &places(text, "read [\""))?.end;
     let end = start + text[start..].find("\"]%text")?;
     let mut rows: Vec<Vec<String>> = text[start..end].lines().map(cells).collect();
@@ -184,7 +203,7 @@ fn with_other_rays(rng: &mut ChaCha8Rng, text: &str) -> Option<String> {
 }
 
 /// Changes a number of a certificate or of a column's place.
-fn with_other_hint(rng: &mut ChaCha8Rng, text: &str) -> Option<String> {
+pub fn with_other_hint(rng: &mut ChaCha8Rng, text: &str) -> Option<String> {
     let mut lines: Vec<String> = text.lines().map(ToOwned::to_owned).collect();
     let is_hint = |line: &&mut String| {
         line.contains("evidence : certificate := ") && !line.contains("read") || line.contains("row) : ")
@@ -205,7 +224,7 @@ fn with_other_hint(rng: &mut ChaCha8Rng, text: &str) -> Option<String> {
 }
 
 /// Changes a fraction of a statement: everywhere, or once.
-fn with_other_fraction(rng: &mut ChaCha8Rng, text: &str) -> Option<String> {
+pub fn with_other_fraction(rng: &mut ChaCha8Rng, text: &str) -> Option<String> {
     let all = fractions(text);
     let mut value = any(rng, &all)?.clone();
     let old = format!("({})", value.replace('/', " # "));
@@ -220,7 +239,7 @@ fn with_other_fraction(rng: &mut ChaCha8Rng, text: &str) -> Option<String> {
 }
 
 /// Changes a word of a statement, or turns the objective round.
-fn with_other_word(rng: &mut ChaCha8Rng, text: &str) -> Option<String> {
+pub fn with_other_word(rng: &mut ChaCha8Rng, text: &str) -> Option<String> {
     const WORDS: [(&str, &str); 16] = [
         ("<=", "<"),
         ("<->", "->"),
@@ -250,7 +269,7 @@ fn with_other_word(rng: &mut ChaCha8Rng, text: &str) -> Option<String> {
 }
 
 /// The kinds of changes, each with its share.
-type Forger = fn(&mut ChaCha8Rng, &str) -> Option<String>;
+pub type Forger = fn(&mut ChaCha8Rng, &str) -> Option<String>;
 const FORGERS: [(&str, Forger); 8] = [
     ("lines", with_other_lines),
     ("lines", with_other_lines),
@@ -263,13 +282,18 @@ const FORGERS: [(&str, Forger); 8] = [
 ];
 
 /// A file without its head, and with forgeries of it.
-fn with_forgeries(rng: &mut ChaCha8Rng, text: &str, count: usize) -> Vec<(&'static str, String)> {
+pub fn with_forgeries(
+    rng: &mut ChaCha8Rng,
+    text: &str,
+    count: usize,
+    forgers: &[(&'static str, Forger)],
+) -> Vec<(&'static str, String)> {
     let body = body(text);
     assert_eq!(is_true(&body), Some(true), "{body}");
     let (about, statements) = body.split_once("*)").unwrap();
     let mut cases = Vec::new();
     while cases.len() < count {
-        let (kind, forger) = FORGERS[rng.random_range(0..FORGERS.len())];
+        let (kind, forger) = forgers[rng.random_range(0..forgers.len())];
         // The first comment states nothing.
         match forger(rng, statements).filter(|forged| forged != statements) {
             Some(forged) => cases.push((kind, format!("{about}*){forged}"))),
@@ -281,7 +305,7 @@ fn with_forgeries(rng: &mut ChaCha8Rng, text: &str, count: usize) -> Vec<(&'stat
 }
 
 /// Has Coq read all, and the oracle what Coq accepts.
-fn none_is_false(name: &str, cases: &[(&'static str, String)]) {
+pub fn none_is_false(name: &str, cases: &[(&'static str, String)]) {
     let texts: Vec<&str> = cases.iter().map(|(_, text)| text.as_str()).collect();
     // The toplevel keeps every state, so that long runs are slow.
     let verdicts: Vec<bool> = texts.chunks(24).flat_map(|texts| accepted(name, texts)).collect();
@@ -298,8 +322,8 @@ fn none_is_false(name: &str, cases: &[(&'static str, String)]) {
     assert!(refused > agreed && agreed > 20, "{counts:?}");
 }
 
-const FILES: usize = 30;
-const FORGERIES: usize = 12;
+pub const FILES: usize = 30;
+pub const FORGERIES: usize = 12;
 
 #[test]
 fn no_forgery_about_readings_is_accepted_that_is_false() {
@@ -312,7 +336,7 @@ fn no_forgery_about_readings_is_accepted_that_is_false() {
         let text = kernel_fit(&problem, &fit(&problem), Reading::Decimal, Theory::Installed).unwrap();
         let rows = half_planes(&text).unwrap();
         if rows.len() <= 24 && rows.iter().flatten().all(|own| own.abs() < SMALL) {
-            cases.extend(with_forgeries(&mut rng, &text, FORGERIES));
+            cases.extend(with_forgeries(&mut rng, &text, FORGERIES, &FORGERS));
         }
     }
     none_is_false("readings", &cases);
@@ -332,7 +356,7 @@ fn no_forgery_about_a_linear_program_is_accepted_that_is_false() -> Result<(), S
             continue;
         }
         empty += usize::from(is_empty);
-        cases.extend(with_forgeries(&mut rng, &text, FORGERIES));
+        cases.extend(with_forgeries(&mut rng, &text, FORGERIES, &FORGERS));
     }
     none_is_false("programs", &cases);
     Ok(())

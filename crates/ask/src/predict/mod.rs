@@ -5,12 +5,12 @@ mod values;
 use std::io::{BufWriter, Write};
 
 use boundfit_estimation::{AskedBound, Fit, Keep, Law, Problem, fit};
-use boundfit_exact::{Limits, Reading};
+use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{FurtherError, NoFurtherError, times};
 use boundfit_report::{
-    AskedValues, Prediction, prediction_document, prediction_proof, write_prediction_csv,
-    write_prediction_json,
+    AskedValues, Origin, Prediction, Theory, kernel_prediction, prediction_document, prediction_proof,
+    write_prediction_csv, write_prediction_json,
 };
 use serde::Deserialize;
 
@@ -49,6 +49,37 @@ pub struct Predicted {
     law: Option<Law>,
     at: Values,
     from: Values,
+}
+
+/// Gives values anew each time.
+type Given<'a> = &'a (dyn Fn() -> Box<dyn Iterator<Item = [Rational; 2]> + 'a> + 'a);
+
+impl Predicted {
+    /// The material of what is written.
+    fn prediction<'a>(
+        &'a self,
+        fit: &'a Fit,
+        origin: Origin<'a>,
+        [at, from]: [Given<'a>; 2],
+    ) -> Prediction<'a> {
+        Prediction {
+            problem: &self.problem,
+            fit,
+            origin,
+            error: self.error.clone(),
+            given: self.law.clone(),
+            at: AskedValues { count: self.at.len(), values: at },
+            from: AskedValues { count: self.from.len(), values: from },
+        }
+    }
+
+    /// Refuses to prove what is said of too many values.
+    fn check_proof(&self) -> Result<(), Refusal> {
+        match self.at.len() + self.from.len() > MOST_PROVED {
+            true => Err(Refusal::NoProof(NoProof::TooMany { most: MOST_PROVED, of: "values" })),
+            false => Ok(()),
+        }
+    }
 }
 
 impl Predict {
@@ -115,7 +146,8 @@ impl Ask for Predict {
         let is_line = asked.question.columns.second.is_none();
         let law = self.law(&asked.options.table.limits, is_line)?;
         let [at, from] = self.values(asked, is_line)?;
-        let keep = Keep { eui: false, ..Keep::default() };
+        let keeps_all = shows >= Shows::Readings;
+        let keep = Keep { eui: false, ..if keeps_all { Keep::EVERY } else { Keep::default() } };
         let problem = asked.scanned(source, (Asked::ROW_COST, shows), keep)?;
         let bits = times::bits_of_corner(&problem);
         for values in [&at, &from] {
@@ -145,17 +177,10 @@ impl Ask for Predict {
         paper: &Paper<'_>,
         out: &mut Out<'_>,
     ) -> Result<Written, Refusal> {
-        let Predicted { problem, error, law, at, from } = asked;
+        let Predicted { problem, at, from, .. } = asked;
         let Paper { origin, style } = paper;
-        let prediction = Prediction {
-            problem,
-            fit,
-            origin: *origin,
-            error: error.clone(),
-            given: law.clone(),
-            at: AskedValues { count: at.len(), values: &|| at.iter() },
-            from: AskedValues { count: from.len(), values: &|| from.iter() },
-        };
+        let (at_values, from_values) = (|| at.iter(), || from.iter());
+        let prediction = asked.prediction(fit, *origin, [&at_values, &from_values]);
         match form {
             Form::Csv if at.len() > 0 && from.len() > 0 => return Err(Refusal::Misuse(Misuse::TwoTables)),
             // There may be a million of them.
@@ -167,10 +192,8 @@ impl Ask for Predict {
                 }
                 buffer.flush()?;
             }
-            Form::Proof if at.len() + from.len() > MOST_PROVED => {
-                return Err(Refusal::NoProof(NoProof::TooMany { most: MOST_PROVED, of: "values" }));
-            }
             Form::Proof => {
+                asked.check_proof()?;
                 let is_reduction = problem.measurements.is_of_reductions();
                 let why = if is_reduction { NoProof::Reduction } else { NoProof::NoText };
                 put(out, prediction_proof(&prediction, origin.reading).ok_or(Refusal::NoProof(why))?)?;
@@ -181,5 +204,19 @@ impl Ask for Predict {
             }
         }
         Ok(Written::of_set(fit.is_empty()))
+    }
+
+    fn theorem(
+        &self,
+        asked: &Predicted,
+        fit: &Fit,
+        reading: Reading,
+        theory: Theory,
+    ) -> Result<String, Refusal> {
+        asked.check_proof()?;
+        let (at, from) = (|| asked.at.iter(), || asked.from.iter());
+        let origin = Origin { file: None, reading, is_stored: false };
+        let prediction = asked.prediction(fit, origin, [&at, &from]);
+        kernel_prediction(&prediction, reading, theory).ok_or(Refusal::NoProof(NoProof::Reduction))
     }
 }

@@ -5,9 +5,12 @@ mod looks;
 use std::cell::OnceCell;
 
 use boundfit_estimation::{Fit, Keep, Measurement, Seen, fit};
+use boundfit_exact::Reading;
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{Deciding, NoRepair, Others, Ranking, Repair, Standing, Statuses, times};
-use boundfit_report::{NewReadings, StatusCsv, StatusJson, StatusReport, status_document, status_proof};
+use boundfit_report::{
+    NewReadings, StatusCsv, StatusJson, StatusReport, Theory, kernel_status, status_document, status_proof,
+};
 use serde::Deserialize;
 
 use crate::asked::Asked;
@@ -174,7 +177,7 @@ impl Ask for Status {
         }
         let (name, again) = (source.name().clone(), source.again());
         // A repair moves every bound, and what is read once is kept.
-        let keeps_all = self.repair || again.is_none();
+        let keeps_all = self.repair || again.is_none() || shows >= Shows::Readings;
         let keep = Keep { eui: false, ..if keeps_all { Keep::EVERY } else { Keep::default() } };
         // The hash tells whether the data have changed when they are read once more.
         let shows_hash = shows.max(Shows::Hash);
@@ -183,7 +186,7 @@ impl Ask for Status {
             return Err(Refusal::Reduction { ask: Self::NAME });
         }
         problem.check_work(times::STATUS, asked.most_work())?;
-        if shows == Shows::Rows {
+        if shows >= Shows::Rows {
             // A proof has the set without each reading that decides.
             let readings = problem.measurements.kept().len() as u64;
             problem.work(&[]).of_leaving_out_each(readings).check(times::FIT, asked.most_work())?;
@@ -224,13 +227,8 @@ impl Ask for Status {
             Form::Json | Form::Csv => {
                 self.write_rows(asked, answer, statuses, form == Form::Json, paper, out)?;
             }
-            Form::Proof if statuses.deciding().count() > MOST_PROVED => {
-                return Err(Refusal::NoProof(NoProof::TooMany {
-                    most: MOST_PROVED,
-                    of: "readings that decide",
-                }));
-            }
             Form::Proof => {
+                check_proof(statuses)?;
                 let proof = status_proof(problem, statuses, origin.reading);
                 put(out, proof.ok_or(Refusal::NoProof(NoProof::NoText))?)?;
             }
@@ -242,5 +240,26 @@ impl Ask for Status {
             }
         }
         Ok(Written::of_set(answer.fit.is_empty()))
+    }
+
+    fn theorem(
+        &self,
+        asked: &Judgeable,
+        answer: &Judgement,
+        reading: Reading,
+        theory: Theory,
+    ) -> Result<String, Refusal> {
+        let (statuses, _) = self.judge(asked, answer, false)?;
+        check_proof(statuses)?;
+        let theorem = kernel_status((&asked.problem, &answer.fit), statuses, reading, theory);
+        theorem.ok_or(Refusal::NoProof(NoProof::Reduction))
+    }
+}
+
+/// Refuses to prove what is said of too many readings.
+fn check_proof(statuses: &Statuses) -> Result<(), Refusal> {
+    match statuses.deciding().count() > MOST_PROVED {
+        true => Err(Refusal::NoProof(NoProof::TooMany { most: MOST_PROVED, of: "readings that decide" })),
+        false => Ok(()),
     }
 }

@@ -145,7 +145,6 @@ impl FitArguments {
             no_eui: self.no_eui,
             sweep: self.sweep.clone(),
             confidence: self.confidence.clone().map(Given::Read),
-            every_reading: self.proof.as_deref().is_some_and(|file| file.ends_with(".v")),
             brief: self.brief,
             full: self.full,
             inverse: self.inverse,

@@ -63,9 +63,13 @@ pub(crate) struct PredictArguments {
     /// Show in text the readings that prove each end (JSON always does)
     #[arg(long)]
     proofs: bool,
-    /// Write a proof of each end to this file; 'boundfit verify' checks it
+    /// Write a proof of each end to this file; 'boundfit verify' checks it. In FILE.v it is a theorem for the kernel of Coq
+    /// instead
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    pub(crate) proof_library: bool,
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
     #[command(flatten)]

@@ -46,10 +46,13 @@ pub(crate) struct RangeArguments {
     /// Take readings in order of rows (default for two regressors)
     #[arg(long, conflicts_with = "by_x")]
     by_row: bool,
-    /// Also write a proof of the answer to this file; 'boundfit verify' checks it against the data. - means standard
-    /// output if the report goes to a file
+    /// Also write a proof of the answer to this file; 'boundfit verify' checks it against the data. In FILE.v it is a
+    /// theorem for the kernel of Coq instead. - means standard output if the report goes to a file
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    pub(crate) proof_library: bool,
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
     #[command(flatten)]

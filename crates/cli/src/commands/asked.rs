@@ -3,7 +3,7 @@
 use std::io::{self, IsTerminal, Write};
 
 use boundfit_ask::{Ask, Form, Out, Paper, Refusal, Shows};
-use boundfit_report::{Origin, Style};
+use boundfit_report::{Origin, Style, Theory};
 
 use super::proof_file;
 use crate::CommandResult;
@@ -21,6 +21,8 @@ pub(super) struct Job<'a> {
     pub(super) style: Style,
     pub(super) output: Option<&'a str>,
     pub(super) proof: Option<&'a str>,
+    /// The source of a theorem's theory, where the proof is a theorem for Coq.
+    pub(super) theory: Option<Theory>,
 }
 
 /// The addition of a command to an answer: bytes, and the file that they go to.
@@ -34,7 +36,19 @@ impl<'a> Job<'a> {
         proof: Option<&'a str>,
     ) -> Result<Self, Failure> {
         let form = output.format()?.into();
-        Ok(Self { data, form, style: output.style(), output: output.file.output.as_deref(), proof })
+        Ok(Self {
+            data,
+            form,
+            style: output.style(),
+            output: output.file.output.as_deref(),
+            proof,
+            theory: None,
+        })
+    }
+
+    /// The same job, whose proof may be a theorem for Coq.
+    pub(super) fn with_theory(self, is_installed: bool) -> Result<Self, Failure> {
+        Ok(Self { theory: proof_file::theory(self.proof, is_installed)?, ..self })
     }
 
     /// Returns the files that must not be written over, once the answer may be written to its file.
@@ -42,7 +56,10 @@ impl<'a> Job<'a> {
         let guard = replace.guard([self.data.path].into_iter().chain(beside.iter().copied()));
         guard.check(self.output)?;
         guard.check(self.proof)?;
-        proof_file::check(self.proof, self.output)?;
+        if self.theory.is_none() {
+            proof_file::refuse_theorem(self.proof)?;
+        }
+        proof_file::check_place(self.proof, self.output)?;
         Ok(guard)
     }
 
@@ -58,7 +75,7 @@ impl<'a> Job<'a> {
         guard: &mut Guard,
         add: impl FnOnce(&Q::Problem, &mut Q::Answer, &Origin<'_>) -> Result<Beside<'a>, Failure>,
     ) -> CommandResult {
-        let Job { ref data, form, style, output, proof } = *self;
+        let Job { ref data, form, style, output, proof, theory } = *self;
         let file = data.file_name();
         let failed = |refusal: Refusal| Failure::of(&refusal, file);
         if !Q::FORMS.contains(&form) {
@@ -67,7 +84,11 @@ impl<'a> Job<'a> {
         let data = data.open_for(Q::HAS_BOUNDS)?.holding(memory::OF_A_READING);
         let paper = Paper { origin: data.origin, style };
         let (asked, source) = data.scan();
-        let shows = form.shows().max(if proof.is_some() { Shows::Rows } else { Shows::Nothing });
+        let shows = form.shows().max(match (proof, theory) {
+            (None, _) => Shows::Nothing,
+            (Some(_), None) => Shows::Rows,
+            (Some(_), Some(_)) => Shows::Readings,
+        });
         let problem = question.read(&asked, source, shows).map_err(failed)?;
         if !form.has_input() {
             input::say_table(file, question.table(&problem));
@@ -96,8 +117,13 @@ impl<'a> Job<'a> {
             _ => {
                 let (mut report, mut text) = (Vec::new(), Vec::new());
                 let written = write(form, &mut report).map_err(failed)?;
-                if proof.is_some() {
-                    write(Form::Proof, &mut text).map_err(failed)?;
+                match (proof, theory) {
+                    (None, _) => {}
+                    (Some(_), None) => drop(write(Form::Proof, &mut text).map_err(failed)?),
+                    (Some(_), Some(theory)) => {
+                        let theorem = question.theorem(&problem, &answer, paper.origin.reading, theory);
+                        text = theorem.map_err(failed)?.into_bytes();
+                    }
                 }
                 let proof = proof.map(|file| (text.as_slice(), Some(file)));
                 let beside = beside.as_ref().map(|(bytes, file)| (bytes.as_slice(), Some(*file)));

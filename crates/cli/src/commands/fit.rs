@@ -36,16 +36,13 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     let form = if arguments.vertices { Form::Vertices } else { format.into() };
     // A solver of linear programs in doubles is a part of this program, and of no other surface.
     let asks_solver = form == Form::Text && arguments.full && !arguments.no_lp;
-    let theory = proof_file::theory(arguments.proof.as_deref(), arguments.proof_library)?;
-    arguments.job(form).run_with(&arguments.question(), &mut guard, |asked, answer, origin| {
+    let job = arguments.job(form).with_theory(arguments.proof_library)?;
+    job.run_with(&arguments.question(), &mut guard, |asked, answer, origin| {
         if asks_solver {
             answer.verdict = lp_verdict(&asked.problem, origin.reading)?;
         }
         answer.next_words = Some(next_words);
-        let Some((theory, file)) = theory.zip(arguments.proof.as_deref()) else { return Ok(None) };
-        let text =
-            theorem(&asked.problem, &answer.fit, (origin.reading, theory), arguments.data.file_name())?;
-        Ok(Some((text.into_bytes(), file)))
+        Ok(None)
     })
 }
 
@@ -69,8 +66,8 @@ impl FitArguments {
             form,
             style: self.data.table.limits.limited(self.output.style()),
             output: self.output.file.output.as_deref(),
-            // A theorem is written by this program, beside the answer.
-            proof: self.proof.as_deref().filter(|file| !proof_file::is_theorem(Some(file))),
+            proof: self.proof.as_deref(),
+            theory: None,
         }
     }
 }

@@ -1,13 +1,13 @@
 //! `boundfit polygon`.
 
 use boundfit_ask::RowWords;
-use boundfit_exact::Foreign;
+use boundfit_exact::{Foreign, Reading};
 use boundfit_figures::{PictureFormat, draw_region};
 use boundfit_formats::{HalfPlaneFile, TableOptions, read_half_planes};
 use boundfit_geometry::Polyhedron;
 use boundfit_report::{
-    Theory, h_representation, kernel_half_planes, polygon_document, polygon_json, region_script, region_wkt,
-    v_representation, vertices_csv,
+    ProofQuestion, Theory, h_representation, kernel_half_planes, polygon_document, polygon_json,
+    region_script, region_wkt, v_representation, vertices_csv,
 };
 
 use super::judge::files_apart;
@@ -76,7 +76,8 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     };
     let picture = plot.map(|format| picture(&polyhedron, &name, (format, &arguments.picture))).transpose()?;
     let picture = picture.as_deref().map(|picture| (picture, arguments.plot.as_deref()));
-    let theorem = theory.map(|theory| theorem(&file, &polyhedron, theory, name.borrowed())).transpose()?;
+    let theorem =
+        theory.map(|theory| theorem(&file, &polyhedron, (reading, theory), name.borrowed())).transpose()?;
     let theorem = theorem.as_deref().map(|text| (text.as_bytes(), proof));
     let parts: Vec<_> = theorem.into_iter().chain(picture).chain([(report.as_bytes(), output)]).collect();
     output::write_together(&parts, &mut guard)?;
@@ -87,7 +88,7 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
 fn theorem(
     file: &HalfPlaneFile,
     polyhedron: &Polyhedron,
-    theory: Theory,
+    (reading, theory): (Reading, Theory),
     name: Foreign<&str>,
 ) -> Result<String, Failure> {
     if file.generators.is_some() {
@@ -96,7 +97,8 @@ fn theorem(
             "'--proof' is about half-planes, and {name} has generators: {instead}"
         )));
     }
-    kernel_half_planes(&file.system, polyhedron, Some(&file.sha256), theory)
+    let question = ProofQuestion::of_half_planes(file, reading);
+    kernel_half_planes(&file.system, polyhedron, Some(&file.sha256), question, theory)
         .ok_or_else(|| Failure::data(format_args!("{name}: its set has no certificate")))
 }
 

@@ -13,7 +13,8 @@ pub(crate) fn run(arguments: &PredictArguments) -> CommandResult {
     let question = arguments.question();
     let files = files(&question);
     check_usage(arguments, arguments.output.format()?, &question, &files)?;
-    let job = Job::of(arguments.data.words(), &arguments.output, arguments.proof.as_deref())?;
+    let job = Job::of(arguments.data.words(), &arguments.output, arguments.proof.as_deref())?
+        .with_theory(arguments.proof_library)?;
     let mut guard = job.guard(&arguments.output.file.replace, &files)?;
     job.run(&question, &mut guard)
 }

@@ -47,18 +47,11 @@ pub(super) fn only_theory(
 pub(super) fn refuse_theorem(proof: Option<&str>) -> Result<(), Failure> {
     match proof {
         Some(file) if is_theorem(proof) => Err(Failure::Usage(format!(
-            "'--proof {}': there are theorems for Coq about the set of one fit, the ends that 'check' \
-             judges, polygons and linear programs, and none about this answer; a file that ends in .json gets the proof for 'boundfit verify'",
+            "'--proof {}': there is no theorem for Coq about this answer; a file that ends in .json gets the proof for 'boundfit verify'",
             Foreign::of(file)
         ))),
         _ => Ok(()),
     }
-}
-
-/// Refuses a theorem, and a proof that would have no file of its own.
-pub(super) fn check(proof: Option<&str>, output: Option<&str>) -> Result<(), Failure> {
-    refuse_theorem(proof)?;
-    check_place(proof, output)
 }
 
 /// Refuses a proof that would have no file of its own.

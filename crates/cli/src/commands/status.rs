@@ -9,7 +9,8 @@ use crate::exit::Failure;
 pub(crate) fn run(arguments: &StatusArguments) -> CommandResult {
     arguments.threads.set()?;
     check_usage(arguments, arguments.output.format()?)?;
-    let job = Job::of(arguments.data.words(), &arguments.output, arguments.proof.as_deref())?;
+    let job = Job::of(arguments.data.words(), &arguments.output, arguments.proof.as_deref())?
+        .with_theory(arguments.proof_library)?;
     let beside: Vec<&str> = arguments.new.as_deref().into_iter().collect();
     let mut guard = job.guard(&arguments.output.file.replace, &beside)?;
     job.run(&arguments.question(), &mut guard)

@@ -32,7 +32,7 @@ pub(super) fn from_generators(
     let system = polyhedron.system().clone();
     let origins = (1..=system.len()).map(|row| RowOrigin { row, reversed: false }).collect();
     let generators = Some(GeneratorRows { generators, spanning });
-    Ok(HalfPlaneFile { system, origins, rows: rows.len(), sha256, generators, table: None })
+    Ok(HalfPlaneFile { system, origins, rows: rows.len(), sha256, generators, table: None, layout: None })
 }
 
 /// The meaning of a row.

@@ -252,7 +252,7 @@ fn from_half_planes(rows: &[MatrixRow<'_>], sha256: String) -> HalfPlaneFile {
             origins.push(RowOrigin { row, reversed: true });
         }
     }
-    HalfPlaneFile { system, origins, rows: rows.len(), sha256, generators: None, table: None }
+    HalfPlaneFile { system, origins, rows: rows.len(), sha256, generators: None, table: None, layout: None }
 }
 
 #[cfg(test)]

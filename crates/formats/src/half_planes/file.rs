@@ -3,6 +3,7 @@
 use boundfit_geometry::{Generators, System};
 
 use crate::notes::TableNotes;
+use crate::table::TextLayout;
 
 /// Bytes that a half-plane or a generator takes at least with what is made of it: measured as the largest memory of a
 /// process that read 10⁶ points. The cost of the callers' own data is in [`TableOptions::row_cost`].
@@ -33,6 +34,8 @@ pub struct HalfPlaneFile {
     pub generators: Option<GeneratorRows>,
     /// The detected format of the table; `None` for a representation of cdd and lrs.
     pub table: Option<TableNotes>,
+    /// The place of a1, a2 and b in delimited text; `None` for any other file.
+    pub layout: Option<TextLayout>,
 }
 
 /// The rows of a V-representation.

@@ -75,6 +75,7 @@ pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPl
         rows: table.rows_total,
         sha256,
         generators: None,
+        layout: table.layout,
         table: table.table.map(in_order),
     })
 }

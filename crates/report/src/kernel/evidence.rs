@@ -180,8 +180,13 @@ fn vertex_rows(vertices: &[[Rational; 2]]) -> Vec<String> {
     coordinate(0).into_iter().zip(coordinate(1)).map(|(x, y)| format!("{x},{y}")).collect()
 }
 
-/// Lists at most three half-planes of an empty set that contradict each other, by angle; `None` if it is not empty.
+/// Lists the half-planes of [`contradicting`] as text that the theory reads.
 pub(super) fn contradiction(polyhedron: &Polyhedron, number: Number) -> Option<String> {
+    Some(listed(&contradicting(polyhedron, number)?))
+}
+
+/// The half-planes of an empty set, at most three, that contradict each other, by angle; `None` if it is not empty.
+pub(super) fn contradicting(polyhedron: &Polyhedron, number: Number) -> Option<Vec<usize>> {
     let multipliers = polyhedron.region().certificate()?.multipliers();
     let mut indices: Vec<usize> = multipliers.iter().map(|own| own.index).collect();
     if let [a, b, _] = indices[..] {
@@ -191,8 +196,7 @@ pub(super) fn contradiction(polyhedron: &Polyhedron, number: Number) -> Option<S
             indices.reverse();
         }
     }
-    let numbers: Option<Vec<usize>> = indices.into_iter().map(number).collect();
-    Some(listed(&numbers?))
+    indices.into_iter().map(number).collect()
 }
 
 /// Numbers as text that the theory reads.

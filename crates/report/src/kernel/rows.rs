@@ -163,6 +163,49 @@ impl Statement {
         )
     }
 
+    /// The definitions of what a part of the rows says, and what ties them to the checker.
+    pub(super) fn parts(&self) -> String {
+        let conditions = if self.conditions.is_some() { "conditions" } else { "[]" };
+        format!(
+            "\n(* What the rows of a part say of p. Rows are numbered from 1, as they stand above. *)\n{}{}\
+             (* A row as the checker takes it. *)\n\
+             Definition row_form (r : row) : form := {}.\n\
+             Definition always : list form := {conditions}.\n{}{}\n",
+            self.part("Q", 0),
+            self.part("R", 1),
+            self.form,
+            self.tie_part("Q", 0),
+            self.tie_part("R", 1),
+        )
+    }
+
+    fn part(&self, field: &str, which: usize) -> String {
+        let real = if which == 1 { "R" } else { "" };
+        let (open, close) = match self.conditions {
+            Some(_) => ("(", format!(") /\\ (forall c, In c conditions -> keeps{real} c p)")),
+            None => ("", String::new()),
+        };
+        let says = &self.says[which];
+        format!(
+            "Definition feasible_part{real} (part : Z -> row -> Prop) (p : {field} * {field}) :=\n  \
+             {open}forall i r, In (i, r) (numbered rows) -> part i r -> {says}{close}.\n"
+        )
+    }
+
+    fn tie_part(&self, field: &str, which: usize) -> String {
+        let (real, meets) = if which == 1 { ("R", "meets_r") } else { ("", "meets_q") };
+        let (says, lemma, form) = (&self.says[which], self.lemma[which], self.form);
+        let (how, with) = match self.conditions {
+            None => ("alone", ""),
+            Some(_) => ("is", " conditions"),
+        };
+        format!(
+            "Lemma part_forms{real} part (p : {field} * {field}) :\n  \
+             feasible_part{real} part p <-> meets_part ({field} * {field}) {meets} rows row_form always part p.\n\
+             Proof.\n  exact (part_{how}{real} rows (fun r p => {says}) (fun r => {form}){with} part p (fun r => {lemma} p)).\nQed.\n"
+        )
+    }
+
     /// The lemma that the set of the statement is the one that the checker is about.
     fn tie(&self, name: &str, field: &str, set: &str, checked: &str, which: usize) -> String {
         let real = if which == 1 { "R" } else { "" };
@@ -179,7 +222,7 @@ impl Statement {
 }
 
 /// Every reading with its row, equal ones too.
-fn every_row(measurements: &Measurements) -> Option<Vec<(usize, Measurement)>> {
+pub(super) fn every_row(measurements: &Measurements) -> Option<Vec<(usize, Measurement)>> {
     let (rows, ties) = measurements.every()?;
     if ties.is_empty() {
         return Some(rows.iter().map(|own| (own.row, own.clone())).collect());

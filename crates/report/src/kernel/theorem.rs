@@ -11,14 +11,18 @@ use super::rows::Statement;
 use crate::proof_question::ProofQuestion;
 
 /// The files of the theory, in the order in which each needs those before it.
-pub const THEORY: [(&str, &str); 6] = [
+pub const THEORY: [(&str, &str); 7] = [
     ("Reader", include_str!("../../kernel/Reader.v")),
     ("Checker", include_str!("../../kernel/Checker.v")),
     ("Convex", include_str!("../../kernel/Convex.v")),
     ("Sound", include_str!("../../kernel/Sound.v")),
     ("Rationals", include_str!("../../kernel/Rationals.v")),
     ("RealNumbers", include_str!("../../kernel/RealNumbers.v")),
+    ("Parts", include_str!("../../kernel/Parts.v")),
 ];
+
+/// The number of files that a theorem about one set needs.
+const OF_A_SET: usize = 6;
 
 /// The place that a theorem has its theory from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,6 +45,8 @@ pub(super) struct Set<'a> {
 pub(super) struct Head<'a> {
     /// The subject of the last theorems where it is more than a set.
     pub(super) subject: Option<&'static str>,
+    /// True if the last theorems are about parts of the rows.
+    pub(super) has_parts: bool,
     pub(super) sha256: Option<&'a str>,
     /// Rows of the data.
     pub(super) rows: &'a [[usize; 2]],
@@ -50,7 +56,7 @@ pub(super) struct Head<'a> {
 impl Head<'_> {
     /// The first lines: what is proved, how to check it, and what is outside.
     fn text(self) -> String {
-        let Head { subject, sha256, rows, question } = self;
+        let Head { subject, sha256, rows, question, .. } = self;
         let mut text = String::from(
             "(* What is proved: the last theorems of this file. Their statements need the definitions of rows, feasible and\n   \
              vertices below, and those of read, hull and is_range in the theory.\n   \
@@ -84,7 +90,8 @@ impl Head<'_> {
 
 /// The file about a set. `None` when a half-plane has no number.
 pub(super) fn theorem(statement: &Statement, set: &Set, head: Head, theory: Theory) -> Option<String> {
-    let mut text = format!("{}{}\n{}\n", head.text(), imports(theory), statement.text());
+    let imports = imports(theory, head.has_parts);
+    let mut text = format!("{}{imports}\n{}\n", head.text(), statement.text());
     let _ = write!(
         text,
         "Theorem the_rows : Z.of_nat (length rows) = {}%Z.\nProof. vm_compute. reflexivity. Qed.\n\n",
@@ -111,22 +118,28 @@ pub(super) fn theorem(statement: &Statement, set: &Set, head: Head, theory: Theo
 }
 
 /// The theory, or where it is.
-fn imports(theory: Theory) -> String {
-    let names: Vec<&str> = THEORY.iter().map(|(name, _)| *name).collect();
-    let theory = match theory {
-        Theory::Installed => format!("From Boundfit Require Import {}.\n", names.join(" ")),
-        Theory::Included => included(),
+fn imports(theory: Theory, has_parts: bool) -> String {
+    let (set, parts) = THEORY.split_at(OF_A_SET);
+    let needed = |files: &[(&str, &str)]| {
+        let names: Vec<&str> = files.iter().map(|(name, _)| *name).collect();
+        format!("From Boundfit Require Import {}.\n", names.join(" "))
+    };
+    let (theory, parts) = match (theory, has_parts) {
+        (Theory::Installed, true) => (needed(set), needed(parts)),
+        (Theory::Installed, false) => (needed(set), String::new()),
+        (Theory::Included, true) => (included(&THEORY), String::new()),
+        (Theory::Included, false) => (included(set), String::new()),
     };
     format!(
-        "\n{theory}From Coq Require Import ZArith QArith Qabs Reals Qreals List.\nImport ListNotations.\nOpen Scope Q_scope.\n"
+        "\n{theory}From Coq Require Import ZArith QArith Qabs Reals Qreals List.\nImport ListNotations.\nOpen Scope Q_scope.\n{parts}"
     )
 }
 
 /// The files of the theory as modules of one file, which imports what they import in the same order.
-fn included() -> String {
+fn included(files: &[(&str, &str)]) -> String {
     const FROM_COQ: &str = "From Coq Require Import ";
     const FROM_THEORY: &str = "From Boundfit Require Import ";
-    let lines = || THEORY.iter().flat_map(|(_, text)| text.lines());
+    let lines = || files.iter().flat_map(|(_, text)| text.lines());
     let mut libraries: Vec<&str> = lines()
         .filter_map(|line| line.strip_prefix(FROM_COQ)?.strip_suffix('.'))
         .flat_map(str::split_whitespace)
@@ -134,7 +147,7 @@ fn included() -> String {
     libraries.sort_unstable();
     libraries.dedup();
     let mut text = format!("From Coq Require {}.\n\n", libraries.join(" "));
-    for (name, own) in THEORY {
+    for (name, own) in files {
         let _ = writeln!(text, "Module {name}.");
         for line in own.lines() {
             match line.strip_prefix(FROM_COQ).or_else(|| line.strip_prefix(FROM_THEORY)) {
@@ -168,34 +181,48 @@ fn the_set(evidence: &Evidence, ranges: &[Interval; 2]) -> String {
 
 /// Lemmas about the four ends, their names in a proof, and what they say.
 fn ends(ranges: &[Interval; 2]) -> [String; 3] {
+    let forms = [("fst", "1 0"), ("snd", "0 1")];
+    let both = forms.into_iter().zip(ranges).map(|((form, coefficients), range)| {
+        let linear = format!("{coefficients} {form}_is_linear");
+        range_of(&Form { name: form, term: form, linear: &linear }, range)
+    });
+    let [lemmas, names, says] = both.fold([const { Vec::new() }; 3], |mut all, own| {
+        all.iter_mut().zip(own).for_each(|(all, own)| all.push(own));
+        all
+    });
+    [lemmas.concat(), format!("(conj {})", names.join(" ")), says.join(" /\\ ")]
+}
+
+/// A linear function of p.
+pub(super) struct Form<'a> {
+    /// The beginning of its lemmas' names.
+    pub(super) name: &'a str,
+    /// The function.
+    pub(super) term: &'a str,
+    /// The two coefficients of the function, and the lemma that it has them.
+    pub(super) linear: &'a str,
+}
+
+/// Lemmas about both ends of a function on the set, their names in a proof, and what they say.
+pub(super) fn range_of(form: &Form, range: &Interval) -> [String; 3] {
+    let Form { name: prefix, term, linear } = form;
     let mut lemmas = String::new();
-    let mut ranged = Vec::new();
-    for (form, range) in ["fst", "snd"].into_iter().zip(ranges) {
-        let mut end = |which: &str, bound: Option<Rational>| {
-            let bound = bound.map(|bound| literal(&bound));
-            let (name, value) = match &bound {
-                Some(value) => (which.to_owned(), value.clone()),
-                None => (format!("no_{which}"), String::new()),
-            };
-            let space = if value.is_empty() { "" } else { " " };
-            let coefficients = if form == "fst" { "1 0" } else { "0 1" };
-            let _ = write!(
-                lemmas,
-                "Lemma {form}_{name} : {name} feasible {form}{space}{value}.\n\
-                 Proof. apply ({name}_of {form} {coefficients} {form}_is_linear feasible vertices rays same_set). \
-                 vm_cast_no_check (eq_refl true). Qed.\n"
-            );
-            (format!("{form}_{name}"), format!("{name} feasible {form}{space}{value}"), bound)
-        };
-        let (low, high) =
-            (end("lowest", range.lower().value().cloned()), end("highest", range.upper().value().cloned()));
-        ranged.push(match (low.2, high.2) {
-            (Some(from), Some(to)) => {
-                (format!("(conj {} {})", low.0, high.0), format!("is_range feasible {form} {from} {to}"))
-            }
-            _ => (format!("(conj {} {})", low.0, high.0), format!("({} /\\ {})", low.1, high.1)),
-        });
-    }
-    let (names, says): (Vec<String>, Vec<String>) = ranged.into_iter().unzip();
-    [lemmas, format!("(conj {})", names.join(" ")), says.join(" /\\ ")]
+    let mut end = |which: &str, bound: Option<&Rational>| {
+        let bound = bound.map(literal);
+        let name = if bound.is_some() { which.to_owned() } else { format!("no_{which}") };
+        let value = bound.as_ref().map(|value| format!(" {value}")).unwrap_or_default();
+        let _ = write!(
+            lemmas,
+            "Lemma {prefix}_{name} : {name} feasible {term}{value}.\n\
+             Proof. apply ({name}_of {term} {linear} feasible vertices rays same_set). \
+             vm_cast_no_check (eq_refl true). Qed.\n"
+        );
+        (format!("{prefix}_{name}"), format!("{name} feasible {term}{value}"), bound)
+    };
+    let (low, high) = (end("lowest", range.lower().value()), end("highest", range.upper().value()));
+    let says = match (low.2, high.2) {
+        (Some(from), Some(to)) => format!("is_range feasible {term} {from} {to}"),
+        _ => format!("({} /\\ {})", low.1, high.1),
+    };
+    [lemmas, format!("(conj {} {})", low.0, high.0), says]
 }

@@ -8,6 +8,8 @@ mod proof;
 pub use csv::outliers_csv;
 pub use json::outliers_json;
 #[cfg(feature = "files")]
+pub(crate) use proof::contradictions;
+#[cfg(feature = "files")]
 pub use proof::{NoOutliersProof, outliers_proof};
 
 use boundfit_estimation::{Fit, Measurement, Problem, Ties};

@@ -18,6 +18,8 @@ const MOST_CONTRADICTIONS: usize = 1_000;
 pub enum NoOutliersProof {
     /// The readings are not those of plain delimited text.
     NoText,
+    /// Memory does not hold every reading.
+    NotInMemory,
     /// The proof needs more contradictions than this.
     TooMany(usize),
 }
@@ -39,6 +41,9 @@ pub fn outliers_proof(report: &OutliersReport, reading: Reading) -> Result<Strin
     let sets: Vec<Vec<usize>> = outliers.pieces.iter().map(|piece| piece.rows.clone()).collect();
     let sets = outliers.is_complete.then_some(sets);
     let contradictions = contradictions(report.problem, outliers.least, sets.as_deref())?;
+    let multiples =
+        |(rows, own): (Vec<usize>, NamedMultiples)| (rows, own.iter().map(Multiple::of_bound).collect());
+    let contradictions = contradictions.into_iter().map(multiples).collect();
     let claim = Claim::LeftOut { least: outliers.least, sets, contradictions };
     let least = Statement { scope: Scope::default(), claim };
     let pieces = outliers.pieces.iter().map(|piece| of(&piece.left, Scope::without(&piece.rows)));
@@ -46,19 +51,22 @@ pub fn outliers_proof(report: &OutliersReport, reading: Reading) -> Result<Strin
     Ok(statements_json(&question, &statements))
 }
 
+/// Half-planes with their multiples.
+type NamedMultiples = Vec<(BoundName, Rational)>;
+
 /// Rows left out, and half-planes of others that contradict each other.
-type Contradictions = Vec<(Vec<usize>, Vec<Multiple>)>;
+type Contradictions = Vec<(Vec<usize>, NamedMultiples)>;
 
 /// Returns, starting with no row left out, a contradiction of the other rows, of which one has to be left out as
 /// well.
-fn contradictions(
+pub(crate) fn contradictions(
     problem: &Problem,
     least: usize,
     sets: Option<&[Vec<usize>]>,
 ) -> Result<Contradictions, NoOutliersProof> {
     let is_listed =
         |rows: &BTreeSet<usize>| sets.is_none_or(|sets| sets.iter().any(|set| set.iter().eq(rows.iter())));
-    let mut found: BTreeMap<BTreeSet<usize>, Vec<Multiple>> = BTreeMap::new();
+    let mut found: BTreeMap<BTreeSet<usize>, NamedMultiples> = BTreeMap::new();
     let mut next = vec![BTreeSet::new()];
     while let Some(rows) = next.pop() {
         let is_enough = rows.len() >= least;
@@ -70,8 +78,7 @@ fn contradictions(
             let own = contradiction.iter().filter_map(|(name, _)| name.row());
             next.extend(own.map(|row| rows.iter().copied().chain([row]).collect()));
         }
-        let multiples = contradiction.iter().map(Multiple::of_bound);
-        found.insert(rows, multiples.collect());
+        found.insert(rows, contradiction);
         if found.len() > MOST_CONTRADICTIONS {
             return Err(NoOutliersProof::TooMany(MOST_CONTRADICTIONS));
         }
@@ -80,7 +87,7 @@ fn contradictions(
 }
 
 /// Half-planes of the other rows and the conditions that contradict each other; none where they do not.
-fn contradiction(problem: &Problem, without: &BTreeSet<usize>) -> Vec<(BoundName, Rational)> {
+fn contradiction(problem: &Problem, without: &BTreeSet<usize>) -> NamedMultiples {
     let measurements = &problem.measurements;
     let rows = measurements.without(without);
     let (model, response) = (measurements.model().clone(), measurements.response().to_owned());

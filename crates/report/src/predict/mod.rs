@@ -21,6 +21,8 @@ pub use csv::write_prediction_csv;
 pub use json::write_prediction_json;
 #[cfg(feature = "files")]
 pub use proof::prediction_proof;
+#[cfg(feature = "files")]
+pub(crate) use proof::proved_forms;
 
 /// Rows of a table of text; other formats have all.
 const MOST_LISTED: usize = 40;
@@ -53,7 +55,7 @@ pub struct Prediction<'a> {
 }
 
 impl Prediction<'_> {
-    fn is_line(&self) -> bool {
+    pub(crate) fn is_line(&self) -> bool {
         matches!(self.problem.measurements.model(), Model::Line { .. })
     }
 
@@ -61,7 +63,7 @@ impl Prediction<'_> {
         &self.problem.measurements.line_form().x_origin
     }
 
-    fn predictor(&self) -> Option<Predictor<'_>> {
+    pub(crate) fn predictor(&self) -> Option<Predictor<'_>> {
         Predictor::new(self.fit.fps.polyhedron())
     }
 
@@ -72,7 +74,7 @@ impl Prediction<'_> {
     }
 
     /// The values of the model at such a form, and where a further reading lies there.
-    fn at(&self, predictor: &Predictor, form: &[Rational; 2]) -> (Interval, Option<Interval>) {
+    pub(crate) fn at(&self, predictor: &Predictor, form: &[Rational; 2]) -> (Interval, Option<Interval>) {
         let line = if self.is_line() { predictor.line(&form[0]) } else { predictor.form(form) };
         let reading = self.error.as_ref().ok().and_then(|error| error.around(&line, &form[0]));
         (line, reading)

@@ -1,6 +1,9 @@
 //! The proof of predictions.
 
+use std::collections::HashSet;
+
 use boundfit_exact::{Rational, Reading};
+use boundfit_questions::Predictor;
 
 use super::Prediction;
 use crate::proof_question::ProofQuestion;
@@ -17,23 +20,26 @@ pub fn prediction_proof(prediction: &Prediction, reading: Reading) -> Option<Str
     let Some(predictor) = prediction.predictor() else {
         return Some(statements_json(&question, &[Statement::set(Scope::default(), set, &name)]));
     };
-    let mut forms: Vec<[Rational; 2]> =
-        (prediction.at.values)().map(|value| prediction.form(&value)).collect();
-    let of = prediction.sources(&predictor);
-    for [y, _] in (prediction.from.values)() {
-        let ends = of(&y).into_iter().flat_map(|own| [own.lower, own.upper]).flatten();
-        forms.extend(ends.map(|end| prediction.form(&[end.x, Rational::one()])));
-    }
+    let forms = proved_forms(prediction, &predictor);
     let statement = |form: &[Rational; 2]| Statement::form(Scope::default(), set, &name, form);
-    let mut statements: Vec<Statement> = Vec::new();
-    for form in forms.iter().filter_map(statement) {
-        if !statements.contains(&form) {
-            statements.push(form);
-        }
-    }
+    let mut statements: Vec<Statement> = forms.iter().filter_map(statement).collect();
     if statements.is_empty() {
         // Where no line comes near any of the readings, the set says so.
         statements.push(Statement::set(Scope::default(), set, &name));
     }
     Some(statements_json(&question, &statements))
+}
+
+/// The forms whose ranges are proved, each once: the model at each value asked for, and at each x where readings end.
+pub(crate) fn proved_forms(prediction: &Prediction, predictor: &Predictor) -> Vec<[Rational; 2]> {
+    let mut forms: Vec<[Rational; 2]> =
+        (prediction.at.values)().map(|value| prediction.form(&value)).collect();
+    let of = prediction.sources(predictor);
+    for [y, _] in (prediction.from.values)() {
+        let ends = of(&y).into_iter().flat_map(|own| [own.lower, own.upper]).flatten();
+        forms.extend(ends.map(|end| prediction.form(&[end.x, Rational::one()])));
+    }
+    let mut seen = HashSet::new();
+    forms.retain(|form| seen.insert(form.clone()));
+    forms
 }

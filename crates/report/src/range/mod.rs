@@ -45,12 +45,12 @@ pub struct RangeReport<'a> {
 
 impl<'a> RangeReport<'a> {
     /// The row of the reading at a position of the order.
-    fn row(&self, position: usize) -> usize {
+    pub(crate) fn row(&self, position: usize) -> usize {
         self.problem.measurements.kept()[self.range.order[position]].row
     }
 
     /// x of the reading at a position; `None` with two regressors.
-    fn x(&self, position: usize) -> Option<&'a Rational> {
+    pub(crate) fn x(&self, position: usize) -> Option<&'a Rational> {
         match self.problem.measurements.model() {
             Model::Line { .. } => {
                 Some(&self.problem.measurements.kept()[self.range.order[position]].regressor[0])
