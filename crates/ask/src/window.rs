@@ -105,6 +105,7 @@ impl Ask for Window {
         let style = &paper.style;
         let (mut summary, mut table) = (WindowSummary::default(), FleetTable::of_windows());
         let taken_for = TableJson::of_measurements(&problem.measurements);
+        let mut last_answer = None;
         if form == Form::Csv {
             put(out, WindowReport::CSV_HEADER)?;
         }
@@ -117,7 +118,7 @@ impl Ask for Window {
                     write_window_json(&mut line, &window, taken_for.as_ref(), style);
                     put(out, line)
                 }
-                Form::Csv => put(out, window.csv(style)),
+                Form::Csv => put(out, window.csv(style, &mut last_answer)),
                 Form::Text => {
                     let mut text = String::new();
                     table.push(window.cells(style), &mut text);

@@ -65,27 +65,38 @@ impl Series {
         self.segments[index / SEGMENT].get(index % SEGMENT)
     }
 
-    /// Some of the numbers as integers on a power of ten, where they are kept as such, together.
+    /// Some of the numbers as integers on a power of ten, where they are kept as such: on the finest one of their segments.
     pub(super) fn counts(&self, rows: impl ExactSizeIterator<Item = usize> + Clone) -> Option<Counts> {
-        let number = rows.clone().next()? / SEGMENT;
-        let segment = &self.segments[number];
-        let places = rows.map(|row| if row / SEGMENT == number { row % SEGMENT } else { usize::MAX });
-        let (counts, unit): (Option<Vec<i128>>, Unit) = match segment {
-            Column::Narrow(scaled) => {
-                let count = |place: usize| scaled.counts().get(place).copied().map(i128::from);
-                (places.map(count).collect(), scaled.unit())
+        let mut exponents = rows.clone().map(|row| exponent(self.segments.get(row / SEGMENT)?));
+        let first = exponents.next()??;
+        let exponent_of_all = exponents.try_fold(first, |finest, own| Some(finest.min(own?)))?;
+        let count = |row: usize| {
+            let segment = self.segments.get(row / SEGMENT)?;
+            let count = match segment {
+                Column::Narrow(scaled) => scaled.counts().get(row % SEGMENT).copied().map(i128::from),
+                Column::Wide(scaled) => scaled.counts().get(row % SEGMENT).copied(),
+                Column::Long(_) | Column::Doubles(_) | Column::Fractions(_) => None,
+            }?;
+            match exponent(segment)?.abs_diff(exponent_of_all) {
+                0 => Some(count),
+                finer => count.checked_mul(10_i128.checked_pow(finer)?),
             }
-            Column::Wide(scaled) => {
-                (places.map(|place| scaled.counts().get(place).copied()).collect(), scaled.unit())
-            }
-            Column::Long(_) | Column::Doubles(_) | Column::Fractions(_) => return None,
         };
-        let exponent = match unit {
-            Unit::Any => 0,
-            Unit::TenTo(exponent) => exponent,
-            Unit::OneOver(_) => return None,
-        };
-        Some(Counts { counts: counts?, exponent })
+        Some(Counts { counts: rows.map(count).collect::<Option<_>>()?, exponent: exponent_of_all })
+    }
+}
+
+/// The power of ten of which the numbers of a segment are multiples by machine integers.
+fn exponent(segment: &Column) -> Option<i32> {
+    let unit = match segment {
+        Column::Narrow(scaled) => scaled.unit(),
+        Column::Wide(scaled) => scaled.unit(),
+        Column::Long(_) | Column::Doubles(_) | Column::Fractions(_) => return None,
+    };
+    match unit {
+        Unit::Any => Some(0),
+        Unit::TenTo(exponent) => Some(exponent),
+        Unit::OneOver(_) => None,
     }
 }
 
@@ -134,6 +145,25 @@ mod tests {
         assert!(series.segments.iter().all(|segment| matches!(segment, Column::Narrow(_))));
         assert_eq!(series.get(50_003), Rational::ratio(2, 100));
         assert_eq!(series.get(199_999), Rational::ratio(49_999 * 49_999 - 7, 100));
+    }
+
+    #[test]
+    fn counts_of_several_segments_are_on_the_finest_unit() {
+        let mut series = Series::default();
+        let numbers: Vec<i64> = (1..=SEGMENT as i64).collect();
+        for exponent in [-1, 2, -3] {
+            series.push(&scaled(&numbers, exponent));
+        }
+        series.push(&Column::Doubles(vec![0.5]));
+        let rows = [0, 7, SEGMENT, SEGMENT + 3, 2 * SEGMENT, 3 * SEGMENT - 1];
+        for some in [&rows[..], &rows[..2], &rows[2..4], &rows[1..4], &rows[3..]] {
+            let counts = series.counts(some.iter().copied()).expect("decimals");
+            let number = |count: &i128| Rational::scientific(*count, counts.exponent);
+            let found: Vec<Rational> = counts.counts.iter().map(number).collect();
+            assert_eq!(found, some.iter().map(|&row| series.get(row)).collect::<Vec<_>>());
+        }
+        assert!(series.counts([0, 3 * SEGMENT].into_iter()).is_none());
+        assert!(series.counts([0, 5 * SEGMENT].into_iter()).is_none());
     }
 
     #[test]

@@ -2,8 +2,10 @@
 
 use std::borrow::Cow;
 
-use boundfit_estimation::{Condition, Measurement, Ties, conditions_by_name, half_planes};
+use boundfit_estimation::{BoundName, Condition, Measurement, Ties, conditions_by_name, half_planes};
 use boundfit_geometry::{Constraint, HalfPlane, Inequality, LayerOf, Layers};
+
+use super::near::Near;
 
 /// The readings that can be met or missed, and the conditions.
 pub(super) struct Kept<'a> {
@@ -13,8 +15,10 @@ pub(super) struct Kept<'a> {
     pub(super) ties: Cow<'a, Ties>,
     /// Rows that no θ meets: a lower bound above the upper one, or no regressor and bounds without 0.
     pub(super) never: Vec<usize>,
-    /// The half-planes of the conditions.
+    /// The half-planes of the conditions, and of walls within which everything lies that is looked for.
     pub(super) conditions: Vec<Inequality>,
+    /// A number of these rows that is enough to leave out, if known. All rows decide then.
+    pub(super) enough: Option<usize>,
 }
 
 /// A reading that some θ meet and some miss.
@@ -35,9 +39,37 @@ impl<'a> Kept<'a> {
         ties: Cow<'a, Ties>,
         conditions: &[Condition],
     ) -> Self {
+        let all = measurements.iter().map(|own| (own, [true; 2]));
+        Kept::of_bounds(all, ties, conditions)
+    }
+
+    /// Collects the readings and bounds that decide about the fewest to leave out, and conditions.
+    pub(super) fn near_the_fewest(
+        measurements: &'a [Measurement],
+        ties: Cow<'a, Ties>,
+        conditions: &[Condition],
+    ) -> Self {
+        let Some(near) = Near::new(measurements, &ties, conditions) else {
+            return Kept::new(measurements, ties, conditions);
+        };
+        let rows = near.rows.iter().filter_map(|&(own, decides)| Some((measurements.get(own)?, decides)));
+        let mut kept = Kept::of_bounds(rows, ties, conditions);
+        kept.conditions.extend(near.walls);
+        kept.enough = Some(near.enough as usize);
+        kept
+    }
+
+    /// Collects readings with their upper and lower bounds, as far as these decide, and conditions.
+    fn of_bounds(
+        measurements: impl Iterator<Item = (&'a Measurement, [bool; 2])>,
+        ties: Cow<'a, Ties>,
+        conditions: &[Condition],
+    ) -> Self {
         let (mut rows, mut never) = (Vec::new(), Vec::new());
-        for measurement in measurements {
-            let inequalities: Vec<Inequality> = half_planes(measurement).map(|(_, own)| own).collect();
+        for (measurement, [upper, lower]) in measurements {
+            let decides = |name: BoundName| if matches!(name, BoundName::Upper(_)) { upper } else { lower };
+            let own = half_planes(measurement).filter(|(name, _)| decides(*name));
+            let inequalities: Vec<Inequality> = own.map(|(_, own)| own).collect();
             let constraints: Vec<Constraint> = inequalities.iter().map(Inequality::constraint).collect();
             let crosses = measurement.half_width().is_some_and(|half_width| half_width.is_negative());
             if crosses || constraints.contains(&Constraint::Never) {
@@ -55,7 +87,7 @@ impl<'a> Kept<'a> {
             }
         }
         let conditions = conditions_by_name(conditions).map(|(_, inequality)| inequality).collect();
-        Kept { rows, ties, never, conditions }
+        Kept { rows, ties, never, conditions, enough: None }
     }
 
     /// The layers of the rows.

@@ -12,6 +12,7 @@
 mod growth;
 mod kept;
 mod lines;
+mod near;
 mod search;
 
 use std::collections::BTreeSet;
@@ -91,10 +92,11 @@ pub enum NoOutliers {
 impl Outliers {
     /// The outliers among the readings of a problem, which must be in memory. Exact.
     ///
-    /// Cost: O(n log n + n·q) for the first q + 1 convex layers, of which alone the answer depends. Then, as long as
+    /// Cost: O(n) on machine integers for the box in which the fewest are missed. For rows that no box leaves out, O(n log n +
+    /// n·q) for the first q + 1 convex layers, of which alone the answer depends. Then, as long as
     /// there are few, the search tries the sets of a tree. A contradiction of at most three readings needs one of
     /// them left out (Matoušek, "On geometric optimization with few violated constraints", *Discrete Comput. Geom.*
-    /// 14, 1995). Where these are more than the crossings of the boundaries of m layer rows, all crossings are looked
+    /// 14, 1995). Where these are more than the crossings of the boundaries of m rows, all crossings are looked
     /// at along every boundary: O(m² log m).
     ///
     /// # Errors
@@ -105,8 +107,13 @@ impl Outliers {
         if let Some(contradiction) = contradiction(conditions) {
             return Err(NoOutliers::Conditions(contradiction));
         }
-        let kept = Kept::new(rows, ties, conditions);
-        let found = search::least(&kept, limits)?;
+        Outliers::of_kept(&Kept::near_the_fewest(rows, ties, conditions), problem, limits)
+    }
+
+    /// The outliers among the readings that are kept of a problem.
+    fn of_kept(kept: &Kept, problem: &Problem, limits: &OutlierLimits) -> Result<Self, NoOutliers> {
+        let Problem { measurements, conditions } = problem;
+        let found = search::least(kept, limits)?;
         let is_complete = found.is_complete && found.sets.len() <= limits.sets;
         let least = found.least + kept.never.len();
         // Everything whose boundary can touch what is left.

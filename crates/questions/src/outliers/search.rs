@@ -34,14 +34,21 @@ pub(super) fn least(kept: &Kept, limits: &OutlierLimits) -> Result<Found, NoOutl
         enough: enough.map(|enough| enough + kept.never.len()),
         needed,
     };
-    let packed = packing_of_layers(kept, at_least, limits.steps);
+    let packed = match kept.enough {
+        Some(enough) => Ok((at_least, enough)),
+        None => packing_of_layers(kept, at_least, limits.steps),
+    };
     let (packed, enough) = packed.map_err(|(packed, needed)| steps(packed.max(at_least), None, needed))?;
-    let rows = kept.in_layers(LayerOf::Corners, enough);
+    let rows = match kept.enough {
+        Some(_) => (0..kept.rows.len() as u32).collect(),
+        None => kept.in_layers(LayerOf::Corners, enough),
+    };
     let lines = Lines::new(kept, &rows);
     if lines.steps() > limits.steps {
         return Err(steps(packed.max(at_least), Some(enough), lines.steps()));
     }
-    Ok(walk(kept, &rows, &lines, limits.sets))
+    // The first sets by their rows are listed, as by the tree; the walk meets them in another order.
+    Ok(walk(kept, &rows, &lines, limits.sets.max(OutlierLimits::default().sets)))
 }
 
 /// The half-planes of some rows without others, and of all conditions; with the row of each half-plane of a row.

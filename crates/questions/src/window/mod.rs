@@ -8,24 +8,25 @@
 
 mod chain;
 mod gap;
+mod known;
 mod moving;
 mod part;
 mod search;
 mod store;
 
 use std::collections::VecDeque;
+use std::sync::{Arc, OnceLock};
 
-use boundfit_estimation::{
-    BoundName, Bounds, Central, Condition, Measurement, ParameterInterval, central_of, parameter_intervals,
-};
+use boundfit_estimation::{BoundName, Bounds, Central, Condition, Measurement, ParameterInterval};
 use boundfit_exact::Rational;
 use boundfit_geometry::predicates::{Side as Where, side};
 use boundfit_geometry::{Inequality, Point, Polyhedron, RegionKind, System};
 
 use gap::Gap;
+use known::Known;
 pub use moving::{Extent, Moved, Moving, Turn};
 use part::{Part, Undo};
-use search::{Both, Goal};
+use search::Both;
 use store::{Id, Store};
 
 /// Positive multiples of at most three half-planes, in ≤ form, that add up to 0 ≤ b with b < 0: no θ meets all of them.
@@ -102,7 +103,7 @@ pub struct WindowSet {
 /// assert_eq!(window.contradiction().unwrap().rows(), [1, 3, 4]);
 /// window.pop();
 /// window.pop();
-/// assert_eq!(window.fit().pui.unwrap()[0].interval().ends(), Some((&Rational::from(6), &Rational::from(8))));
+/// assert_eq!(window.fit().pui.as_ref().unwrap()[0].interval().ends(), Some((&Rational::from(6), &Rational::from(8))));
 /// ```
 #[derive(Debug)]
 pub struct Window {
@@ -113,6 +114,8 @@ pub struct Window {
     newer: Part,
     /// A point of the set, as far as one is known.
     witness: Option<Point>,
+    /// The last answer, while it holds.
+    known: OnceLock<Known>,
     /// The number of times that each error bound follows itself: one entry when all readings have the same bound.
     epsilons: VecDeque<(Option<Rational>, usize)>,
 }
@@ -126,6 +129,7 @@ impl Window {
             notes: Vec::new(),
             newer: Part::default(),
             witness: None,
+            known: OnceLock::new(),
             epsilons: VecDeque::new(),
             store,
         };
@@ -144,7 +148,7 @@ impl Window {
     }
 
     /// The readings, the oldest one first.
-    pub fn readings(&self) -> impl Iterator<Item = &Measurement> {
+    pub fn readings(&self) -> impl DoubleEndedIterator<Item = &Measurement> {
         self.store.entries().iter().map(|entry| &entry.reading)
     }
 
@@ -167,6 +171,7 @@ impl Window {
     /// Adds a reading as [`Window::push_if_feasible`] does, and returns how long a contradiction stays.
     pub(crate) fn push_or_refuse(&mut self, reading: Measurement) -> Result<(), Refusal> {
         let notes = self.add(reading);
+        self.known.take();
         self.keep_witness();
         if self.witness.is_some() {
             return Ok(());
@@ -202,7 +207,12 @@ impl Window {
             *count -= 1;
             if *count == 0 {
                 self.epsilons.pop_front();
+                self.known.take();
             }
+        }
+        let mut oldest = self.store.ids_of_reading(0);
+        if self.known.get().is_some_and(|known| !oldest.all(|id| known.stays_without(id))) {
+            self.known.take();
         }
         self.store.pop_oldest()
     }
@@ -219,34 +229,9 @@ impl Window {
     }
 
     /// The kind of the set, its intervals and the central estimate, each equal to that of a fit of these readings. Exact.
-    /// Cost: a squared logarithm.
-    pub fn fit(&self) -> WindowFit {
-        let gap = self.gap();
-        let least = gap.value().and_then(|value| self.least(value));
-        let both = self.both();
-        let mut ids = gap.ids();
-        for goal in [Goal::Left, Goal::Right, Goal::Bottom, Goal::Top] {
-            let found = both.search(goal);
-            ids.extend(found.lower.into_iter().chain(found.upper));
-        }
-        // The outermost ones tell in which directions the set goes on.
-        for part in both.parts {
-            for chain in [&part.lower, &part.upper] {
-                ids.extend(chain.ids().first().into_iter().chain(chain.ids().last()));
-            }
-        }
-        let WindowSet { polyhedron, names } = self.set_of(ids);
-        let pui = parameter_intervals(&polyhedron);
-        let intervals = pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval));
-        WindowFit {
-            kind: polyhedron.region().kind(),
-            central: intervals.as_ref().and_then(central_of),
-            contradiction: contradiction_of(&polyhedron, &names),
-            least,
-            system: polyhedron.system().clone(),
-            pui,
-            names,
-        }
+    /// Cost: a squared logarithm, unless no reading that came or went since the last answer can have changed it.
+    pub fn fit(&self) -> Arc<WindowFit> {
+        Arc::clone(&self.known.get_or_init(|| Known::of(self)).fit)
     }
 
     /// The set with its vertices, from all half-planes that are not superfluous. Exact. Cost: k log k for k of them.
@@ -305,6 +290,10 @@ impl Window {
         self.add_epsilon(&reading);
         let position = self.store.entries().len();
         self.store.push(reading);
+        let mut new = self.store.ids_of_reading(position);
+        if self.known.get().is_some_and(|known| !new.all(|id| known.stays_with(&self.store, id))) {
+            self.known.take();
+        }
         let ids = self.store.ids_of_reading(position);
         ids.map(|id| self.newer.insert(&self.store, id)).collect()
     }
@@ -324,6 +313,8 @@ impl Window {
 
     /// Makes the newer readings the older ones.
     fn turn(&mut self) {
+        // Of half-planes that coincide another one may be named.
+        self.known.take();
         self.older = Part::default();
         for position in (0..self.store.entries().len()).rev() {
             let mut ids = self.store.ids_of_reading(position);
@@ -350,7 +341,10 @@ impl Window {
         };
         match self.epsilons.back_mut() {
             Some((last, count)) if last.as_ref() == epsilon => *count += 1,
-            _ => self.epsilons.push_back((epsilon.cloned(), 1)),
+            _ => {
+                self.epsilons.push_back((epsilon.cloned(), 1));
+                self.known.take();
+            }
         }
     }
 

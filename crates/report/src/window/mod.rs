@@ -4,6 +4,8 @@ mod json;
 
 pub use json::write_window_json;
 
+use std::sync::Arc;
+
 use boundfit_estimation::{GroupFit, Model, ParameterInterval, Problem};
 use boundfit_exact::english::counted;
 use boundfit_exact::{Endpoint, Foreign, Rational};
@@ -24,7 +26,7 @@ pub struct WindowReport {
     /// x of its first and last reading; `None` with two regressors.
     pub x: Option<[Rational; 2]>,
     /// The results of its readings.
-    pub fit: WindowFit,
+    pub fit: Arc<WindowFit>,
 }
 
 impl WindowReport {
@@ -32,7 +34,7 @@ impl WindowReport {
     pub fn new(turn: &Turn<'_>, problem: &Problem) -> Option<Self> {
         let mut readings = turn.window.readings();
         let first = readings.next()?;
-        let last = readings.last().unwrap_or(first);
+        let last = readings.next_back().unwrap_or(first);
         let is_line = matches!(problem.measurements.model(), Model::Line { .. });
         let x = is_line.then(|| [first, last].map(|reading| reading.regressor[0].clone()));
         Some(WindowReport {
@@ -65,16 +67,23 @@ impl WindowReport {
                                           theta2_upper,theta1_central,theta1_error,theta2_central,theta2_error,epsilon_min\n";
 
     /// Returns the window's row of CSV, with a line end. Missing values are empty cells; an end that is not bounded
-    /// is `-inf` or `inf`. Ends have the digits that their interval takes.
-    pub fn csv(&self, style: &Style) -> String {
+    /// is `-inf` or `inf`. Ends have the digits that their interval takes. Cells of an answer that stays are taken from the last
+    /// window, where they are kept.
+    pub fn csv(&self, style: &Style, last_answer: &mut Option<(Arc<WindowFit>, String)>) -> String {
         let [first, last] = self.rows;
+        let [x_first, x_last] = self.x.as_ref().map(|x| x.each_ref().map(exact)).unwrap_or_default();
+        let is_same = |(fit, _): &(Arc<WindowFit>, String)| is_same(fit, &self.fit);
+        let (_, cells) = match last_answer.take().filter(is_same) {
+            Some(same) => last_answer.insert(same),
+            None => last_answer.insert((Arc::clone(&self.fit), self.cells_of_csv(style))),
+        };
+        format!("{first},{last},{},{x_first},{x_last},{cells}\n", self.readings)
+    }
+
+    /// The cells of the answer.
+    fn cells_of_csv(&self, style: &Style) -> String {
         let fit = &self.fit;
-        let mut cells = vec![first.to_string(), last.to_string(), self.readings.to_string()];
-        match &self.x {
-            Some(x) => cells.extend(x.iter().map(exact)),
-            None => cells.extend([String::new(), String::new()]),
-        }
-        cells.push(fit.kind.name().to_owned());
+        let mut cells = vec![fit.kind.name().to_owned()];
         let pui = fit.pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval));
         let styles = style.resolving_both(pui.as_ref());
         for (axis, own) in styles.iter().enumerate() {
@@ -104,8 +113,15 @@ impl WindowReport {
         cells.push(
             fit.least.as_ref().map_or_else(String::new, |least| style.upper(least).compact().to_string()),
         );
-        cells.join(",") + "\n"
+        cells.join(",")
     }
+}
+
+/// Returns whether two answers have the same numbers; `false` where that is not seen at once.
+fn is_same(one: &Arc<WindowFit>, other: &Arc<WindowFit>) -> bool {
+    // A middle and the distances from it are an interval.
+    let has_equal = || one.central.is_some() && one.central == other.central;
+    Arc::ptr_eq(one, other) || one.kind == other.kind && has_equal() && one.least == other.least
 }
 
 /// Counts over many windows.
