@@ -230,7 +230,7 @@ mod tests {
     #[test]
     fn every_limit_has_a_default_that_can_be_asked_for() {
         for limit in Limit::ALL {
-            let (most, _) = about(limit);
+            let (most, _) = about(limit, &Defaults::default());
             let asked = parse(&format!("{}={most}", limit.name()), &Limit::ALL).unwrap();
             assert_eq!(asked.limit, limit);
         }
