@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use boundfit::Reading;
-use boundfit::ask::{self, Ask as _, Asked, Fit, Form, Refusal, Request, Shows};
+use boundfit::ask::{self, Asked, Fit, Form, Refusal, Request, Shows};
 use boundfit::files::Source;
 use boundfit::report::{Origin, Style};
 use pyo3::prelude::*;
