@@ -209,7 +209,10 @@ impl Fitted {
     }
 
     fn central(&self) -> Option<[(Number<'_>, Number<'_>); 2]> {
-        self.deciding().central.as_ref().map(|central| [pair(&central.theta), pair(&central.guaranteed_error)])
+        self.deciding()
+            .central
+            .as_ref()
+            .map(|central| [pair(&central.theta), pair(&central.guaranteed_error)])
     }
 
     fn least_squares(&self) -> Option<(Number<'_>, Number<'_>)> {
