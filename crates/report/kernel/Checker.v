@@ -12,6 +12,7 @@ Definition cross (a b : triple) :=
   T (ty a * tw b - tw a * ty b) (tw a * tx b - tx a * tw b) (tx a * ty b - ty a * tx b).
 Definition det (a b c : triple) := dot (cross a b) c.
 Definition infinity := T 0 0 1.
+Definition is_same (a b : triple) := (tx a =? tx b) && (ty a =? ty b) && (tw a =? tw b).
 
 (* low <= first*theta1 + second*theta2 <= high, as far as there are bounds. *)
 Record form := Form { first : Q; second : Q; low : option Q; high : option Q }.
@@ -201,8 +202,9 @@ Definition check (forms : list form) (cert : certificate) (vertices rays : list 
     on_line v r (side t h) (side t h') && between v r (across v r) infinity &&
     on_line v r' (side t h') (side t h) && between v r' (opposite (across v r)) infinity && all_hold hs [v; r; r']
   | Pinned sides, [v], [] => pinned v (map (side t) sides) && all_hold hs [v]
-  | Everything, [T 0 0 1], [T 1 0 0; T (-1) 0 0; T 0 1 0; T 0 (-1) 0] =>
-    all_hold hs [T 0 0 1; T 1 0 0; T (-1) 0 0; T 0 1 0; T 0 (-1) 0]
+  | Everything, [v], [r1; r2; r3; r4] =>
+    is_same v (T 0 0 1) && is_same r1 (T 1 0 0) && is_same r2 (T (-1) 0 0) && is_same r3 (T 0 1 0) && is_same r4 (T 0 (-1) 0) &&
+    all_hold hs [v; r1; r2; r3; r4]
   | _, _, _ => false
   end.
 

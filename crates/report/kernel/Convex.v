@@ -14,6 +14,24 @@ Lemma cramer s a b c p :
   det a b c * dot s p = dot s a * det p b c + dot s b * det a p c + dot s c * det a b p.
 Proof. open_triples; ring. Qed.
 
+(* Five points: the relation of Grassmann and Pluecker with one of them in every determinant, in the three forms that a walk
+   needs. *)
+Lemma exchange o a b c d : det o b c * det a b d = det o a b * det b c d + det a b c * det o b d.
+Proof. open_triples; ring. Qed.
+Lemma swapped a b c : det a c b = - det a b c.
+Proof. open_triples; ring. Qed.
+Lemma turned a b c : det b c a = det a b c.
+Proof. open_triples; ring. Qed.
+Lemma exchange_back o a b c d : det o a b * det b c d = det o b c * det a b d + det a b c * det o d b.
+Proof. pose proof (exchange o a b c d). rewrite (swapped o b d). lia. Qed.
+Lemma exchange_first o a b c d : det o a c * det o b d = det o a b * det o c d + det o a d * det o b c.
+Proof.
+  pose proof (exchange b a o c d) as E. rewrite (turned c b o), (turned d a o), (turned c a o), (turned d b o) in E.
+  rewrite !(turned o), (swapped o b c), (swapped o a d), (swapped o a c), (swapped o b d), (swapped o a b) in E. lia.
+Qed.
+Lemma repeated a b : det a b b = 0.
+Proof. pose proof (swapped a b b). lia. Qed.
+
 Section Walk.
   Local Open Scope nat_scope.
   Variables (g : nat -> triple) (k : nat).
@@ -27,11 +45,11 @@ Section Walk.
   Lemma ordered i j : 1 <= i -> i <= j -> j <= k -> (0 <= X i j)%Z.
   Proof.
     intros Hi Hij Hj. induction Hij as [| j Hij IH].
-    - unfold X. replace (det (g 0) (g i) (g i)) with 0%Z by (open_triples; ring). lia.
+    - unfold X. now rewrite repeated.
     - destruct (Nat.eq_dec i 1) as [-> | Hne].
       + specialize (within (S j)). lia.
       + apply (cancel (X 1 j)); [apply within; lia |].
-        replace (X 1 j * X i (S j))%Z with (X 1 i * X j (S j) + X 1 (S j) * X i j)%Z by (unfold X; open_triples; ring).
+        replace (X 1 j * X i (S j))%Z with (X 1 i * X j (S j) + X 1 (S j) * X i j)%Z by (symmetry; apply exchange_first).
         pose proof (fan j) as H. pose proof (within i) as H0. pose proof (within (S j)) as H1.
         assert (0 <= X i j)%Z by (apply IH; lia). specialize (H ltac:(lia) ltac:(lia)).
         specialize (H0 ltac:(lia) ltac:(lia)). specialize (H1 ltac:(lia) ltac:(lia)). nia.
@@ -40,12 +58,12 @@ Section Walk.
   Lemma forward d : forall i, 1 <= i -> S i + d <= k -> (0 <= A i (S i) (S i + d))%Z.
   Proof.
     induction d as [| d IH]; intros i Hi Hk.
-    - rewrite Nat.add_0_r. unfold A. replace (det _ _ _) with 0%Z by (open_triples; ring). lia.
+    - rewrite Nat.add_0_r. unfold A. now rewrite repeated.
     - replace (S i + S d) with (S (S i) + d) in * by lia.
       apply (cancel (X (S i) (S (S i)))); [apply fan; lia |].
       replace (X (S i) (S (S i)) * A i (S i) (S (S i) + d))%Z with
         (X i (S i) * A (S i) (S (S i)) (S (S i) + d) + A i (S i) (S (S i)) * X (S i) (S (S i) + d))%Z
-        by (unfold X, A; open_triples; ring).
+        by (symmetry; apply exchange).
       assert (0 < X i (S i))%Z by (apply fan; lia).
       assert (0 <= A (S i) (S (S i)) (S (S i) + d))%Z by (apply IH; lia).
       assert (0 <= A i (S i) (S (S i)))%Z by (apply left; lia).
@@ -55,12 +73,12 @@ Section Walk.
   Lemma backward d : forall p, 1 <= p -> S (p + d) <= k -> (0 <= A (p + d) (S (p + d)) p)%Z.
   Proof.
     induction d as [| d IH]; intros p Hp Hk.
-    - rewrite Nat.add_0_r. unfold A. replace (det _ _ _) with 0%Z by (open_triples; ring). lia.
+    - rewrite Nat.add_0_r. unfold A. now rewrite turned, turned, repeated.
     - replace (p + S d) with (S (p + d)) in * by lia.
       set (q := p + d) in *.
       apply (cancel (X q (S q))); [apply fan; lia |].
       replace (X q (S q) * A (S q) (S (S q)) p)%Z with
-        (X (S q) (S (S q)) * A q (S q) p + A q (S q) (S (S q)) * X p (S q))%Z by (unfold X, A; open_triples; ring).
+        (X (S q) (S (S q)) * A q (S q) p + A q (S q) (S (S q)) * X p (S q))%Z by (symmetry; apply exchange_back).
       assert (0 < X (S q) (S (S q)))%Z by (apply fan; lia).
       assert (0 <= A q (S q) p)%Z by (apply IH; lia).
       assert (0 <= A q (S q) (S (S q)))%Z by (apply left; lia).
@@ -70,7 +88,7 @@ Section Walk.
   Lemma edge i j : 1 <= i -> S i <= k -> j <= k -> (0 <= A i (S i) j)%Z.
   Proof.
     intros Hi Hk Hj. destruct (Nat.eq_dec j 0) as [-> | Hne].
-    - replace (A i (S i) 0) with (X i (S i)) by (unfold X, A; open_triples; ring). specialize (fan i). lia.
+    - replace (A i (S i) 0) with (X i (S i)) by (symmetry; apply turned). specialize (fan i). lia.
     - destruct (Nat.le_gt_cases j i).
       + replace i with (j + (i - j)) by lia. apply backward; lia.
       + replace j with (S i + (j - S i)) by lia. apply forward; lia.
@@ -90,20 +108,20 @@ Section Walk.
     - destruct start as (A0 & A1 & A2). apply (cancel (det (g 0) (g 1) (g 2))); [apply (fan 1); lia |].
       rewrite (cramer (s 0) (g 0) (g 1) (g 2) (g j)), A0, A1.
       assert (0 <= X 1 j)%Z.
-      { destruct (Nat.eq_dec j 0) as [-> |]; [unfold X; replace (det _ _ _) with 0%Z by (open_triples; ring); lia | apply ordered; lia]. }
+      { destruct (Nat.eq_dec j 0) as [-> |]; [unfold X; now rewrite turned, turned, repeated | apply ordered; lia]. }
       unfold X in *. nia.
     - destruct (Nat.eq_dec i k) as [-> | Hik].
       + destruct last as (A0 & A1 & A2). apply (cancel (det (g 0) (g (k - 1)) (g k))).
         { replace (g k) with (g (S (k - 1))) by (f_equal; lia). apply fan; lia. }
         rewrite (cramer (s k) (g 0) (g (k - 1)) (g k) (g j)), A0, A1.
         assert (0 <= X j k)%Z.
-        { destruct (Nat.eq_dec j 0) as [-> |]; [unfold X; replace (det _ _ _) with 0%Z by (open_triples; ring); lia | apply ordered; lia]. }
+        { destruct (Nat.eq_dec j 0) as [-> |]; [unfold X; now rewrite turned, repeated | apply ordered; lia]. }
         unfold X in *. nia.
       + apply (cancel (det (g 0) (g i) (g (S i)))); [apply fan; lia |].
         rewrite (cramer (s i) (g 0) (g i) (g (S i)) (g j)), on_first, on_second by lia.
         assert (0 < dot (s i) (g 0))%Z by (apply inside; lia).
         assert (0 <= A i (S i) j)%Z by (apply edge; lia).
-        replace (det (g j) (g i) (g (S i))) with (A i (S i) j) by (unfold A; open_triples; ring). nia.
+        replace (det (g j) (g i) (g (S i))) with (A i (S i) j) by apply turned. nia.
   Qed.
 End Walk.
 

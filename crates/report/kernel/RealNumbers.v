@@ -1,5 +1,5 @@
 (* Over the real numbers, with the axioms of Coq's reals. *)
-From Coq Require Import ZArith QArith Reals Qreals List Lia Lra.
+From Coq Require Import ZArith QArith Rbase Rbasic_fun Qreals List Lia Lra.
 From Boundfit Require Import Reader Checker Convex Sound.
 Import ListNotations.
 Local Open Scope R_scope.

@@ -62,14 +62,13 @@ Section Soundness.
   Lemma cancel_nonneg d a : 0 < d -> nonneg (phi d *' a) -> nonneg a.
   Proof.
     intros H Ha. destruct (inverse d H) as (i & Hi & E).
-    assert (a == i *' (phi d *' a)) as ->. { transitivity ((phi d *' i) *' a); [rewrite E |]; ring. }
+    assert (a == i *' (phi d *' a)) as -> by ring [E].
     auto.
   Qed.
   Lemma cancel_eq d a b : 0 < d -> phi d *' a == phi d *' b -> a == b.
   Proof.
     intros H E. destruct (inverse d H) as (i & Hi & Ei).
-    transitivity ((phi d *' i) *' a); [rewrite Ei; ring |]. transitivity ((phi d *' i) *' b); [| rewrite Ei; ring].
-    transitivity (i *' (phi d *' a)); [ring |]. rewrite E. ring.
+    transitivity (i *' (phi d *' a)); [ring [Ei] |]. rewrite E. ring [Ei].
   Qed.
 
   Definition le (a b : F) := nonneg (sub b a).
@@ -100,31 +99,26 @@ Section Soundness.
   Lemma holds_cancel z a p : 0 < z -> holds (times z a) p -> holds a p.
   Proof. unfold holds. intros Hz. rewrite val_times. now apply cancel_nonneg. Qed.
 
-  Lemma upper_is u v b p : holds (upper u v b) p <-> le (value (q u) (q v) p) (q b).
+  (* The half-plane is a multiple of what it says. *)
+  Lemma upper_scaled u v b p : exists k, 0 < k /\ val (upper u v b) p == phi k *' sub (q b) (value (q u) (q v) p).
   Proof.
     destruct u as [un ud], v as [vn vd], b as [bn bd].
     pose proof (q_is un ud) as Hu. pose proof (q_is vn vd) as Hv. pose proof (q_is bn bd) as Hb.
-    assert (forall K h, 0 < K -> val h p == phi K *' sub (q (bn # bd)) (value (q (un # ud)) (q (vn # vd)) p) ->
-      (holds h p <-> le (value (q (un # ud)) (q (vn # vd)) p) (q (bn # bd)))) as general.
-    { intros K h HK E. unfold holds, le. rewrite E. split; [now apply cancel_nonneg | intros; apply nonneg_mul; [apply phi_pos; lia | assumption]]. }
-    unfold upper. destruct (ud =? bd)%positive eqn:E.
-    - apply Pos.eqb_eq in E. subst bd. apply (general (Zpos ud * Zpos vd)); [reflexivity |].
-      unfold val, value. cbn [tx ty tw]. rewrite !phi_opp, !phi_times, <- Hu, <- Hv, <- Hb. ring.
-    - apply (general (Zpos ud * Zpos vd * Zpos bd)); [reflexivity |].
-      unfold val, value. cbn [tx ty tw]. rewrite !phi_opp, !phi_times, <- Hu, <- Hv, <- Hb. ring.
+    unfold upper, val, value. destruct (ud =? bd)%positive eqn:E; cbn [tx ty tw].
+    - apply Pos.eqb_eq in E. subst bd. exists (Zpos ud * Zpos vd). split; [reflexivity |].
+      rewrite !phi_opp, !phi_times. ring [Hu Hv Hb].
+    - exists (Zpos ud * Zpos vd * Zpos bd). split; [reflexivity |]. rewrite !phi_opp, !phi_times. ring [Hu Hv Hb].
+  Qed.
+  Lemma upper_is u v b p : holds (upper u v b) p <-> le (value (q u) (q v) p) (q b).
+  Proof.
+    destruct (upper_scaled u v b p) as (k & Hk & E). unfold holds, le. rewrite E.
+    split; [now apply cancel_nonneg | intros; apply nonneg_mul; [apply phi_pos; lia | assumption]].
   Qed.
   Lemma lower_is u v b p : holds (opposite (upper u v b)) p <-> le (q b) (value (q u) (q v) p).
   Proof.
-    destruct u as [un ud], v as [vn vd], b as [bn bd].
-    pose proof (q_is un ud) as Hu. pose proof (q_is vn vd) as Hv. pose proof (q_is bn bd) as Hb.
-    assert (forall K h, 0 < K -> val h p == phi K *' sub (value (q (un # ud)) (q (vn # vd)) p) (q (bn # bd)) ->
-      (holds h p <-> le (q (bn # bd)) (value (q (un # ud)) (q (vn # vd)) p))) as general.
-    { intros K h HK E. unfold holds, le. rewrite E. split; [now apply cancel_nonneg | intros; apply nonneg_mul; [apply phi_pos; lia | assumption]]. }
-    unfold upper. destruct (ud =? bd)%positive eqn:E.
-    - apply Pos.eqb_eq in E. subst bd. apply (general (Zpos ud * Zpos vd)); [reflexivity |].
-      unfold val, value, opposite. cbn [tx ty tw]. rewrite !phi_opp, !phi_times, <- Hu, <- Hv, <- Hb. ring.
-    - apply (general (Zpos ud * Zpos vd * Zpos bd)); [reflexivity |].
-      unfold val, value, opposite. cbn [tx ty tw]. rewrite !phi_opp, !phi_times, <- Hu, <- Hv, <- Hb. ring.
+    destruct (upper_scaled u v b p) as (k & Hk & E). unfold holds, le. rewrite val_opposite, E.
+    assert (neg (phi k *' sub (q b) (value (q u) (q v) p)) == phi k *' sub (value (q u) (q v) p) (q b)) as -> by ring.
+    split; [now apply cancel_nonneg | intros; apply nonneg_mul; [apply phi_pos; lia | assumption]].
   Qed.
 
   Lemma meets_halves c p : meets c p <-> forall h, In h (halves c) -> holds h p.
@@ -180,6 +174,12 @@ Section Soundness.
   Lemma dot_times z a g : dot (times z a) g = z * dot a g.
   Proof. unfold dot, times. cbn [tx ty tw]. ring. Qed.
 
+  Lemma same_dots a b : (forall u, dot a u = dot b u) -> a = b.
+  Proof.
+    intros H. pose proof (H (T 1 0 0)) as X. pose proof (H (T 0 1 0)) as Y. pose proof (H (T 0 0 1)) as W.
+    destruct a, b. unfold dot in *. cbn in *. f_equal; lia.
+  Qed.
+
   (* Sums of generators: three suffice in the plane. *)
   Definition mixed (gs : list triple) (p : F * F) :=
     exists g1 g2 g3 c1 c2 c3, In g1 gs /\ In g2 gs /\ In g3 gs /\ nonneg c1 /\ nonneg c2 /\ nonneg c3 /\
@@ -193,7 +193,8 @@ Section Soundness.
     assert (E : phi (tx h) *' fst p +' phi (ty h) *' snd p +' phi (tw h) ==
       c1 *' phi (dot h g1) +' c2 *' phi (dot h g2) +' c3 *' phi (dot h g3)).
     { transitivity (phi (tx h) *' fst p +' phi (ty h) *' snd p +' phi (tw h) *' one); [ring |].
-      rewrite Ex, Ey, Ew, !phi_dot. ring. }
+      pose proof (phi_dot h g1) as D1. pose proof (phi_dot h g2) as D2. pose proof (phi_dot h g3) as D3.
+      rewrite Ew. ring [Ex Ey D1 D2 D3]. }
     rewrite E. auto 10.
   Qed.
 
@@ -211,13 +212,16 @@ Section Soundness.
     assert (Dx : forall g, dot (T 1 0 0) g = tx g) by (intros; unfold dot; cbn [tx ty tw]; ring).
     assert (Dy : forall g, dot (T 0 1 0) g = ty g) by (intros; unfold dot; cbn [tx ty tw]; ring).
     assert (Dw : forall g, dot (T 0 0 1) g = tw g) by (intros; unfold dot; cbn [tx ty tw]; ring).
-    rewrite <- !Dx, <- !Dy, <- !Dw, <- !R. repeat split; push; ring.
+    rewrite <- !Dx, <- !Dy, <- !Dw, <- !R. unfold val. cbn [tx ty tw]. repeat split; ring [phi0 phi1].
   Qed.
 
   (* A half-plane is a sum of the lines through two of three points each. *)
   Lemma by_crosses a b c e :
     plus (times (dot e a) (cross b c)) (plus (times (dot e b) (cross c a)) (times (dot e c) (cross a b))) = times (det a b c) e.
-  Proof. destruct e. open_triples. f_equal; ring. Qed.
+  Proof.
+    apply same_dots. intros u. rewrite !dot_plus, !dot_times, rotated. change (dot (cross a b) u) with (det a b u).
+    change (dot (cross c a) u) with (det c a u). rewrite (cramer e a b c u), (turned c a u). ring.
+  Qed.
 
   Lemma in_triangle gs a b c p : In a gs -> In b gs -> In c gs -> 0 < det a b c ->
     holds (cross b c) p -> holds (cross c a) p -> holds (cross a b) p -> mixed gs p.
@@ -432,6 +436,11 @@ Section Soundness.
     destruct l as [| h' l]; intros s [<- | H]; cbn; auto; try contradiction.
     apply IH in H. destruct H as [Ha [Hb | Hb]]; split; auto; now right.
   Qed.
+  Lemma equal a b : nonneg (sub a b) -> nonneg (sub b a) -> a == b.
+  Proof.
+    intros L G. assert (E : neg (sub a b) == sub b a) by ring. rewrite <- E in G. pose proof (antisym _ L G) as Z.
+    transitivity (sub a b +' b); [ring | rewrite Z; ring].
+  Qed.
   Lemma pinned_mixed v sides p : pinned v sides = true -> 0 < tw v -> (forall h, In h sides -> holds h p) -> mixed [v] p.
   Proof.
     intros H Hw Hs. destruct sides as [| h0 sides]; [discriminate |]. cbn [pinned] in H.
@@ -442,20 +451,16 @@ Section Soundness.
     split_checks. repeat match goal with H : existsb _ _ = true |- _ => apply A in H end.
     destruct (inverse _ Hw) as (i & Hi & Ei).
     assert (Ex : phi (tw v) *' fst p == phi (tx v)).
-    { transitivity (val (T (tw v) 0 (- tx v)) p +' phi (tx v)); [push; ring |].
-      assert (val (T (tw v) 0 (- tx v)) p == zero) as ->; [| ring].
-      apply antisym; [assumption |].
-      assert (neg (val (T (tw v) 0 (- tx v)) p) == val (T (- tw v) 0 (tx v)) p) as -> by (push; ring). assumption. }
+    { apply equal; [refine (of_nonneg _ _ _ _ _ _ _ _ _ _ _ field _ _ _ H) | refine (of_nonneg _ _ _ _ _ _ _ _ _ _ _ field _ _ _ H2)];
+        unfold val; cbn [tx ty tw]; ring [phi0 (phi_opp (tx v)) (phi_opp (tw v))]. }
     assert (Ey : phi (tw v) *' snd p == phi (ty v)).
-    { transitivity (val (T 0 (tw v) (- ty v)) p +' phi (ty v)); [push; ring |].
-      assert (val (T 0 (tw v) (- ty v)) p == zero) as ->; [| ring].
-      apply antisym; [assumption |].
-      assert (neg (val (T 0 (tw v) (- ty v)) p) == val (T 0 (- tw v) (ty v)) p) as -> by (push; ring). assumption. }
+    { apply equal; [refine (of_nonneg _ _ _ _ _ _ _ _ _ _ _ field _ _ _ H1) | refine (of_nonneg _ _ _ _ _ _ _ _ _ _ _ field _ _ _ H0)];
+        unfold val; cbn [tx ty tw]; ring [phi0 (phi_opp (ty v)) (phi_opp (tw v))]. }
     exists v, v, v, i, zero, zero. do 3 (split; [now left |]). split; [assumption |]. do 2 (split; [apply nonneg_zero |]).
     repeat split.
-    - rewrite <- Ex. transitivity ((phi (tw v) *' i) *' fst p); [rewrite Ei |]; ring.
-    - rewrite <- Ey. transitivity ((phi (tw v) *' i) *' snd p); [rewrite Ei |]; ring.
-    - rewrite <- Ei. ring.
+    - rewrite <- Ex. ring [Ei].
+    - rewrite <- Ey. ring [Ei].
+    - ring [Ei].
   Qed.
 
   (* The whole plane. *)
@@ -476,6 +481,8 @@ Section Soundness.
   Qed.
 
   (* Every certificate. *)
+  Lemma is_same_is a b : is_same a b = true -> a = b.
+  Proof. destruct a as [x y w], b as [x' y' w']. unfold is_same. cbn [tx ty tw]. intros. split_checks. now subst. Qed.
   Lemma all_hold_is hs gs : all_hold hs gs = true -> forall h g, In h hs -> In g gs -> 0 <= dot h g.
   Proof. unfold all_hold. rewrite forallb_forall. intros H h g Hh Hg. specialize (H h Hh). rewrite forallb_forall in H. apply Z.leb_le. auto. Qed.
   Lemma vertex_positive v : 0 < tw (vertex v).
@@ -559,9 +566,9 @@ Section Soundness.
       apply Main; [| now apply all_hold_is]. intros p Hp.
       eapply pinned_mixed; eauto; apply Hvw; now left.
     - (* everything *)
-      destruct v as [x y w].
-      repeat match goal with H : match ?a with _ => _ end = true |- _ => destruct a; try discriminate H end.
-      all: apply Main; [| now apply all_hold_is]; intros p _; apply everything_mixed.
+      destruct vs as [|]; try discriminate. destruct rs as [| r1 [| r2 [| r3 [| r4 [|]]]]]; try discriminate. split_checks.
+      repeat match goal with H : is_same _ _ = true |- _ => apply is_same_is in H; subst end.
+      apply Main; [| now apply all_hold_is]. intros p _. apply everything_mixed.
   Qed.
 
   (* A mixture of three vertices; a sum of multiples of three rays; both together. *)
@@ -602,7 +609,7 @@ Section Soundness.
     exists (c1 *' phi (tw (vertex a))), (c2 *' phi (tw (vertex b))), (c3 *' phi (tw (vertex c))).
     do 3 (split; [apply nonneg_mul; [assumption | apply phi_pos; lia] |]). split; [symmetry; exact Ew |].
     destruct (vertex_is a) as [ax ay], (vertex_is b) as [bx byy], (vertex_is c) as [cx cy].
-    rewrite Ex, Ey, ax, ay, bx, byy, cx, cy. split; ring.
+    split; [ring [Ex ax bx cx] | ring [Ey ay byy cy]].
   Qed.
 
   (* Each generator as a vertex and a ray, of which one is taken no times. *)
@@ -633,8 +640,8 @@ Section Soundness.
       do 3 (split; [now apply nonneg_mul |]). split; [rewrite Ew, W1, W2, W3; reflexivity |]. split; reflexivity.
     - exists r1, r2, r3. do 3 (split; [assumption |]). exists (c1 *' b1), (c2 *' b2), (c3 *' b3).
       do 3 (split; [now apply nonneg_mul |]). split; reflexivity.
-    - rewrite Ex, X1, X2, X3. ring.
-    - rewrite Ey, Y1, Y2, Y3. ring.
+    - ring [Ex X1 X2 X3].
+    - ring [Ey Y1 Y2 Y3].
   Qed.
 
   Lemma vertex_holds h v : 0 <= dot h (vertex v) -> holds h (q (fst v), q (snd v)).

@@ -131,7 +131,7 @@ fn imports(theory: Theory, has_parts: bool) -> String {
         (Theory::Included, false) => (included(set), String::new()),
     };
     format!(
-        "\n{theory}From Coq Require Import ZArith QArith Qabs Reals Qreals List.\nImport ListNotations.\nOpen Scope Q_scope.\n{parts}"
+        "\n{theory}From Coq Require Import ZArith QArith Qabs Rbase Rbasic_fun Qreals List.\nImport ListNotations.\nOpen Scope Q_scope.\n{parts}"
     )
 }
 
