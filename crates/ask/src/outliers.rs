@@ -111,6 +111,7 @@ impl Ask for Outliers {
         answer: &Found,
         reading: Reading,
         theory: Theory,
+        _data: Option<(&[u8], &str)>,
     ) -> Result<String, Refusal> {
         let Found { fit, outliers, growth } = answer;
         let report =

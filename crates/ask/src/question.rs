@@ -56,7 +56,8 @@ pub trait Ask {
         out: &mut Out<'_>,
     ) -> Result<Written, Refusal>;
 
-    /// Returns the main statement of the answer as a theorem for Coq, about a problem that was read with [`Shows::Readings`]. Exact.
+    /// Returns the main statement of the answer as a theorem for Coq, about a problem that was read with [`Shows::Readings`]. Exact. With
+    /// the bytes of the data and their SHA-256, the theorem may hold the bytes and say that its rows are read from them.
     ///
     /// # Errors
     /// When the answer has no theorem.
@@ -66,6 +67,7 @@ pub trait Ask {
         _answer: &Self::Answer,
         _reading: Reading,
         _theory: Theory,
+        _data: Option<(&[u8], &str)>,
     ) -> Result<String, Refusal> {
         Err(Refusal::NoProof(NoProof::NoTheorem))
     }

@@ -127,6 +127,7 @@ impl Ask for Range {
         answer: &Runs,
         reading: Reading,
         theory: Theory,
+        _data: Option<(&[u8], &str)>,
     ) -> Result<String, Refusal> {
         answer.check_proof()?;
         let theorem = kernel_range(&answer.report(problem), reading, theory);

@@ -1,5 +1,5 @@
 (* Parts of the rows: which of them something meets. Rows are numbered from 1, as they stand. *)
-From Coq Require Import ZArith QArith Qabs Reals Qreals List Lia Permutation.
+From Coq Require Import ZArith QArith Qabs Rbase Rbasic_fun Qreals List Lia Permutation.
 From Boundfit Require Import Reader Checker Convex Sound Rationals RealNumbers.
 Import ListNotations.
 Local Open Scope Q_scope.

@@ -105,8 +105,8 @@ pub use guarantee::guarantee_document;
 pub use judge::{judge_document, judge_json};
 #[cfg(feature = "files")]
 pub use kernel::{
-    THEORY, Theory, kernel_fit, kernel_half_planes, kernel_outliers, kernel_prediction, kernel_program,
-    kernel_range, kernel_status,
+    MOST_THEOREM_BYTES, THEORY, Theory, kernel_fit, kernel_half_planes, kernel_outliers, kernel_prediction,
+    kernel_program, kernel_range, kernel_status,
 };
 pub use linearity::{linearity_csv, linearity_document, linearity_json};
 #[cfg(feature = "files")]

@@ -138,6 +138,45 @@ impl ProofQuestion {
         })
     }
 
+    pub(crate) fn delimiter(&self) -> char {
+        self.delimiter
+    }
+
+    pub(crate) fn has_header(&self) -> bool {
+        self.header
+    }
+
+    /// First and last row of each range.
+    pub(crate) fn ranges(&self) -> Vec<[usize; 2]> {
+        self.rows.chunks_exact(2).filter_map(|own| own.try_into().ok()).collect()
+    }
+
+    /// The columns, from 1, of the numbers of a row: φ1, φ2 unless it is 1, y, and ε unless it is the same in all rows. In place
+    /// of y and ε the lower and the upper bound, 0 for none. `None` when a number is not the one in a cell.
+    pub(crate) fn columns(&self) -> Option<Vec<usize>> {
+        let is_cell = |own: &(usize, String)| own.1 == "1" && own.0 > 0;
+        let [x1, x2, y, epsilon] = &self.model;
+        let is_computed = self.law.is_some()
+            || self.x_origin.is_some()
+            || self.x_error.is_some()
+            || !self.response.is_empty()
+            || self.reading != Reading::Decimal.name();
+        if is_computed || !is_cell(x1) || x2.1 != "1" {
+            return None;
+        }
+        let mut columns = vec![x1.0];
+        columns.extend(Some(x2.0).filter(|&column| column > 0));
+        match self.interval {
+            Some(bounds) => columns.extend(bounds.map(Option::unwrap_or_default)),
+            None if is_cell(y) && (epsilon.0 == 0 || is_cell(epsilon)) => {
+                columns.push(y.0);
+                columns.extend(Some(epsilon.0).filter(|&column| column > 0));
+            }
+            None => return None,
+        }
+        Some(columns)
+    }
+
     /// The question on one line, as JSON of a schema that has nothing else.
     pub(crate) fn to_line(&self, schema: &str) -> String {
         let mut fields = json!(self);

@@ -73,7 +73,7 @@ impl<R: Read> Rows<R> {
     pub(crate) fn finish(mut self) -> Result<(String, u64), Failure> {
         while self.next()? {}
         let hash = self.input.into_inner().into_inner().1.hash.finalize();
-        Ok((hash.iter().map(|byte| format!("{byte:02x}")).collect(), self.count))
+        Ok((hexadecimal(&hash), self.count))
     }
 
     /// The next row, blank or not; `false` at the end.
@@ -226,6 +226,10 @@ impl<'a> Cells<'a> {
         let start = index.checked_sub(1).map_or(Some(0), |before| self.ends.get(before).copied())?;
         self.text.get(start..*self.ends.get(index)?)
     }
+}
+
+pub(crate) fn hexadecimal(hash: &[u8]) -> String {
+    hash.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// Hashes what is read.

@@ -6,13 +6,14 @@ use std::collections::BTreeMap;
 use std::io::Read;
 
 use boundfit_exact::{Foreign, Integer, Rational};
+use sha2::{Digest, Sha256};
 
 use crate::about::{About, ascending};
 use crate::cells::Row;
 use crate::data::Data;
 use crate::failure::{DataLimits, Failure};
 use crate::falsehood::{Falsehood, OtherNumber};
-use crate::rows::Rows;
+use crate::rows::{Rows, hexadecimal};
 use crate::shape::{NotAProof, Shape};
 
 /// The rows and conditions that stand in a theorem, and what it says of each.
@@ -44,6 +45,10 @@ impl Theorem {
         let shape = Shape::read(text::question(text)?.as_bytes(), most_digits)?;
         if shape.schema.raw() != "boundfit/theorem/1" {
             return Err(NotAProof::new("another schema"));
+        }
+        let hash = text::data(text)?.map(|data| hexadecimal(&Sha256::digest(data)));
+        if hash.is_some_and(|hash| hash != *shape.sha256.raw()) {
+            return Err(NotAProof::new("the data in this theorem do not have the SHA-256 of its head"));
         }
         Ok((shape, text::theorem(text)?))
     }

@@ -17,7 +17,7 @@ const DATA: &str = "x,y,e,lo,up,w\n1,2,1,1.5,2.5,0\n2,3.1,1/2,NA,3.5,1\n3,3.9,0.
 /// The theorem about a fit, without the theory.
 fn theorem(question: &Question) -> Option<String> {
     let problem = question.problem().ok()?;
-    kernel_fit(&problem, &fit(&problem), question.options.reading, Theory::Installed)
+    kernel_fit(&problem, &fit(&problem), question.options.reading, Some(&question.data), Theory::Installed)
 }
 
 fn verified(text: &str, data: &[u8]) -> Result<Statement, Failure> {
@@ -127,6 +127,13 @@ fn what_agrees_and_where_it_does_not_is_said_in_a_line() {
     assert!(json.contains("\"theorem_rows\": 3"), "{json}");
 
     let text = fs::read_to_string(directory.path().join("a.v")).unwrap();
+    let data = "Definition data : list text := [\"x,y,e,lo,up,w\n1,2,";
+    let other = text.replace(data, &data.replace("1,2,", "1,3,"));
+    let run = boundfit_with_input(directory.path(), "verify - a.csv", other.as_bytes());
+    assert!(run.status == 1 && other != text, "{run:?}");
+    let message = "the data in this theorem do not have the SHA-256 of its head";
+    assert!(run.stderr.contains(message), "{run:?}");
+
     let changed = |from: &str, to: &str| {
         assert!(text.contains(from), "{from}");
         let run =

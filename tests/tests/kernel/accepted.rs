@@ -9,7 +9,7 @@ use boundfit_judge::{Answer, SolveError};
 use boundfit_report::{Theory, kernel_fit, kernel_half_planes, kernel_program};
 use boundfit_tests::generate::{rational_system, seeded, system, tangents};
 use boundfit_tests::models::{model, truth};
-use boundfit_tests::proofs::{bounded, generated, questions};
+use boundfit_tests::proofs::{Question, bounded, generated, questions};
 
 use crate::coq::{compiled, modules, run, theory};
 
@@ -23,18 +23,27 @@ pub fn all_are_accepted(name: &str, theorems: &[String]) {
     }
 }
 
-fn theorem(problem: &Problem, kinds: &mut BTreeMap<&'static str, usize>) -> String {
+/// The theorem about a question, with the bytes of its data where they are plain.
+fn theorem(question: &Question, problem: &Problem, kinds: &mut BTreeMap<&'static str, usize>) -> String {
     let fit = fit(problem);
     *kinds.entry(fit.fps.polyhedron().region().kind().name()).or_default() += 1;
-    kernel_fit(problem, &fit, Reading::Decimal, Theory::Installed).unwrap()
+    let (reading, data) = (question.options.reading, &question.data[..]);
+    kernel_fit(problem, &fit, reading, Some(data), Theory::Installed).unwrap()
+}
+
+/// The number of theorems that the rows are read from bytes.
+fn about_bytes(theorems: &[String]) -> usize {
+    theorems.iter().filter(|own| own.contains("Theorem the_rows_are_the_bytes")).count()
 }
 
 #[test]
 fn fixtures_laws_intervals_conditions_and_every_kind_are_theorems() {
     let mut kinds = BTreeMap::new();
-    let problems = questions().into_iter().chain(bounded()).map(|question| question.problem().unwrap());
-    let theorems: Vec<String> = problems.map(|problem| theorem(&problem, &mut kinds)).collect();
+    let questions = questions().into_iter().chain(bounded());
+    let theorems: Vec<String> =
+        questions.map(|question| theorem(&question, &question.problem().unwrap(), &mut kinds)).collect();
     assert_eq!(kinds.len(), 10, "{kinds:?}");
+    assert!(about_bytes(&theorems) > 20, "{}", about_bytes(&theorems));
     all_are_accepted("fixtures", &theorems);
 }
 
@@ -43,13 +52,14 @@ fn generated_fits_are_theorems() {
     let mut rng = seeded(3101);
     let mut kinds = BTreeMap::new();
     let mut theorems = Vec::new();
-    while theorems.len() < 150 {
+    while theorems.len() < 300 {
         let question = generated(&mut rng);
         if let Ok(problem) = question.problem() {
-            theorems.push(theorem(&problem, &mut kinds));
+            theorems.push(theorem(&question, &problem, &mut kinds));
         }
     }
     assert!(kinds.len() >= 8, "{kinds:?}");
+    assert!(about_bytes(&theorems) > 100, "{}", about_bytes(&theorems));
     all_are_accepted("fits", &theorems);
 }
 
@@ -58,7 +68,7 @@ fn generated_half_planes_are_theorems() {
     let mut rng = seeded(3102);
     let mut kinds = BTreeMap::<_, usize>::new();
     let mut theorems = Vec::new();
-    while theorems.len() < 200 {
+    while theorems.len() < 300 {
         let system = match theorems.len() % 8 {
             0 => system(&tangents(&mut rng, 12)),
             _ => rational_system(&mut rng),
@@ -76,7 +86,7 @@ fn generated_linear_programs_are_theorems() -> Result<(), SolveError> {
     let mut rng = seeded(3104);
     let mut statuses = BTreeMap::<_, usize>::new();
     let mut theorems = Vec::new();
-    while theorems.len() < 120 {
+    while theorems.len() < 300 {
         let model = model(&mut rng);
         let theorem = kernel_program(&model, &Answer::of(&model)?, None, Theory::Installed);
         assert_eq!(theorem.is_some(), model.columns.len() == 2, "{model:?}");
@@ -105,7 +115,7 @@ fn answered() -> (Problem, Fit) {
 #[test]
 fn a_file_on_its_own_assumes_nothing_over_the_rational_numbers() {
     let (problem, fit) = answered();
-    let text = kernel_fit(&problem, &fit, Reading::Decimal, Theory::Included).unwrap()
+    let text = kernel_fit(&problem, &fit, Reading::Decimal, None, Theory::Included).unwrap()
         + "Print Assumptions the_real_set.\n";
     let directory = tempfile::tempdir().unwrap();
     std::fs::write(directory.path().join("answer.v"), &text).unwrap();
@@ -124,9 +134,10 @@ fn a_file_on_its_own_assumes_nothing_over_the_rational_numbers() {
 #[test]
 fn the_second_kernel_of_coq_accepts_the_theory() {
     let (problem, fit) = answered();
-    let text = kernel_fit(&problem, &fit, Reading::Decimal, Theory::Installed).unwrap();
+    let text = kernel_fit(&problem, &fit, Reading::Decimal, None, Theory::Installed).unwrap();
     compiled("Checked", &text).unwrap();
-    let own = ["Reader", "Checker", "Convex", "Sound", "Rationals", "RealNumbers", "Parts", "Checked"];
+    let own =
+        ["Reader", "Bytes", "Checker", "Convex", "Sound", "Rationals", "RealNumbers", "Parts", "Checked"];
     let names: Vec<String> = own.iter().map(|name| format!("Boundfit.{name}")).collect();
     let mut arguments = vec!["-silent", "-R", ".", "Boundfit"];
     for name in &names {

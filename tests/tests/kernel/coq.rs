@@ -38,7 +38,7 @@ pub fn compiled(name: &str, text: &str) -> Result<String, String> {
 }
 
 /// The lines before the rows of theorems that require the theory.
-const PRELUDE: &str = "From Boundfit Require Import Reader Checker Convex Sound Rationals RealNumbers.\n\
+const PRELUDE: &str = "From Boundfit Require Import Reader Bytes Checker Convex Sound Rationals RealNumbers.\n\
                        From Coq Require Import ZArith QArith Qabs Rbase Rbasic_fun Qreals List.\n\
                        Import ListNotations.\nOpen Scope Q_scope.\n";
 

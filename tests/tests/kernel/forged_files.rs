@@ -333,7 +333,7 @@ fn no_forgery_about_readings_is_accepted_that_is_false() {
     while cases.len() < FILES * (FORGERIES + 1) {
         let question = given.next().unwrap_or_else(|| generated(&mut rng));
         let Ok(problem) = question.problem() else { continue };
-        let text = kernel_fit(&problem, &fit(&problem), Reading::Decimal, Theory::Installed).unwrap();
+        let text = kernel_fit(&problem, &fit(&problem), Reading::Decimal, None, Theory::Installed).unwrap();
         let rows = half_planes(&text).unwrap();
         if rows.len() <= 24 && rows.iter().flatten().all(|own| own.abs() < SMALL) {
             cases.extend(with_forgeries(&mut rng, &text, FORGERIES, &FORGERS));

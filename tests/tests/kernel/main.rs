@@ -2,6 +2,7 @@
 
 mod about_parts;
 mod accepted;
+mod bytes;
 mod claim;
 mod coq;
 mod forged;

@@ -212,6 +212,7 @@ impl Ask for Predict {
         fit: &Fit,
         reading: Reading,
         theory: Theory,
+        _data: Option<(&[u8], &str)>,
     ) -> Result<String, Refusal> {
         asked.check_proof()?;
         let (at, from) = (|| asked.at.iter(), || asked.from.iter());

@@ -248,6 +248,7 @@ impl Ask for Status {
         answer: &Judgement,
         reading: Reading,
         theory: Theory,
+        _data: Option<(&[u8], &str)>,
     ) -> Result<String, Refusal> {
         let (statuses, _) = self.judge(asked, answer, false)?;
         check_proof(statuses)?;

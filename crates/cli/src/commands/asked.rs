@@ -5,7 +5,7 @@ use std::io::{self, IsTerminal, Write};
 use boundfit_ask::{Ask, Form, Out, Paper, Refusal, Shows};
 use boundfit_report::{Origin, Style, Theory};
 
-use super::proof_file;
+use super::proof_file::{self, SmallFile};
 use crate::CommandResult;
 use crate::arguments::{OutputArguments, ReplaceArguments, TableFormat, Words};
 use crate::exit::{Exit, Failure};
@@ -121,7 +121,9 @@ impl<'a> Job<'a> {
                     (None, _) => {}
                     (Some(_), None) => drop(write(Form::Proof, &mut text).map_err(failed)?),
                     (Some(_), Some(theory)) => {
-                        let theorem = question.theorem(&problem, &answer, paper.origin.reading, theory);
+                        let small = proof_file::small_file(self.data.path);
+                        let data = small.as_ref().map(SmallFile::parts);
+                        let theorem = question.theorem(&problem, &answer, paper.origin.reading, theory, data);
                         text = theorem.map_err(failed)?.into_bytes();
                     }
                 }

@@ -64,7 +64,7 @@ fn theorem(
     (reading, theory): (Reading, Theory),
 ) -> Result<String, Failure> {
     let found = while_working("fitting", || fit(problem));
-    fit_theorem(problem, &found, (reading, theory), arguments.data.file_name())
+    fit_theorem(problem, &found, (reading, theory), &arguments.data)
 }
 
 fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<CheckOptions, Failure> {

@@ -1,7 +1,11 @@
 //! The file of `--proof`, beside a report.
 
+use std::fs;
+use std::path::Path;
+
 use boundfit_exact::Foreign;
-use boundfit_report::Theory;
+use boundfit_report::{MOST_THEOREM_BYTES, Theory};
+use sha2::{Digest, Sha256};
 
 use crate::exit::Failure;
 use crate::output;
@@ -41,6 +45,30 @@ pub(super) fn only_theory(
         ))),
         theory => Ok(theory),
     }
+}
+
+/// The bytes of a file that a theorem may hold, with their SHA-256.
+pub(super) struct SmallFile {
+    bytes: Vec<u8>,
+    sha256: String,
+}
+
+impl SmallFile {
+    pub(super) fn parts(&self) -> (&[u8], &str) {
+        (&self.bytes, &self.sha256)
+    }
+}
+
+/// Reads a small file; `None` if it is not small or is no file.
+pub(super) fn small_file(path: &str) -> Option<SmallFile> {
+    let path = Path::new(path);
+    let about = fs::metadata(path).ok()?;
+    if !about.is_file() || about.len() > MOST_THEOREM_BYTES as u64 {
+        return None;
+    }
+    let bytes = fs::read(path).ok()?;
+    let sha256 = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+    Some(SmallFile { bytes, sha256 })
 }
 
 /// Refuses a theorem about an answer that has none.

@@ -20,7 +20,7 @@ const MARKS: &[(&str, &str)] = &[
     ("import Mathlib.Tactic\n\n-- Written by boundfit ", ""),
     (
         "(* What is proved: the last theorems of this file.",
-        "What is outside: that the rows are those of the data.\n",
+        "'boundfit verify FILE DATA' compares both where the question stands here.\n",
     ),
     ("LP answers about ", ", judged exactly\n"),
     ("verified: ", " is true of "),

@@ -1,5 +1,6 @@
 //! A set as a theorem for Coq's kernel: the rows, what they say, the vertices, and why the set is their convex hull.
 
+mod bytes;
 mod evidence;
 mod left_out;
 mod numbers;
@@ -18,6 +19,8 @@ use boundfit_exact::Reading;
 use boundfit_geometry::{Polyhedron, System};
 
 use crate::proof_question::ProofQuestion;
+pub use bytes::MOST_THEOREM_BYTES;
+use bytes::the_bytes;
 pub use left_out::kernel_outliers;
 pub use prediction::kernel_prediction;
 pub use program::kernel_program;
@@ -28,10 +31,20 @@ use theorem::{Head, Set, theorem};
 pub use theorem::{THEORY, Theory};
 
 /// The theorem about a fit. `None` when some of its readings are not in memory. Exact; its size is linear in the readings and
-/// vertices.
-pub fn kernel_fit(problem: &Problem, fit: &Fit, reading: Reading, theory: Theory) -> Option<String> {
+/// vertices. With the bytes of the data, of which at most [`MOST_THEOREM_BYTES`] are taken, it also says that the rows are read
+/// from them where they are plain delimited text.
+pub fn kernel_fit(
+    problem: &Problem,
+    fit: &Fit,
+    reading: Reading,
+    data: Option<&[u8]>,
+    theory: Theory,
+) -> Option<String> {
     let (statement, numbers) = Statement::of_problem(problem)?;
-    theorem_of_fit((problem, fit), (&statement, &numbers), (reading, theory), Head::default())
+    let question = ProofQuestion::new(problem, reading);
+    let bytes = question.zip(data).and_then(|(own, data)| the_bytes(&own, &statement.rows, data));
+    let head = Head { bytes, ..Head::default() };
+    theorem_of_fit((problem, fit), (&statement, &numbers), (reading, theory), head)
 }
 
 /// The theorem about a fit under a head that may say what follows.

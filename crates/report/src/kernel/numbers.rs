@@ -57,5 +57,30 @@ pub(super) fn pieces(rows: impl IntoIterator<Item = String>) -> String {
             last.push('\n');
         }
     }
+    quoted(&pieces)
+}
+
+/// Text as a list of literals, which end with the end of a line where they can.
+pub(super) fn literals(mut text: &str) -> String {
+    let mut pieces = Vec::new();
+    while text.len() > PIECE {
+        let most = (0..=PIECE).rev().find(|&end| text.is_char_boundary(end)).unwrap_or_default();
+        let (head, _) = text.split_at(most);
+        let (piece, rest) = text.split_at(head.rfind('\n').map_or(most, |end| end + 1));
+        pieces.push(piece);
+        text = rest;
+    }
+    pieces.push(text);
+    quoted(&pieces)
+}
+
+/// The lines in the literals of [`pieces`].
+pub(super) fn read_literals(text: &str) -> Option<Vec<String>> {
+    let pieces = text.strip_prefix("[\"")?.strip_suffix("\"]%text")?;
+    Some(pieces.replace("\";\n\"", "").lines().map(ToOwned::to_owned).collect())
+}
+
+fn quoted<S: AsRef<str>>(pieces: &[S]) -> String {
+    let pieces: Vec<&str> = pieces.iter().map(AsRef::as_ref).collect();
     format!("[\"{}\"]%text", pieces.join("\";\n\""))
 }

@@ -31,7 +31,7 @@ impl ProgramRow<'_> {
 /// Rows in text with the columns that a statement names, and what the statement says of each.
 pub(super) struct Statement {
     /// Text of the rows as literals of Coq.
-    rows: String,
+    pub(super) rows: String,
     /// Number of rows.
     pub(super) count: usize,
     /// The content of the columns.

@@ -11,8 +11,9 @@ use super::rows::Statement;
 use crate::proof_question::ProofQuestion;
 
 /// The files of the theory, in the order in which each needs those before it.
-pub const THEORY: [(&str, &str); 7] = [
+pub const THEORY: [(&str, &str); 8] = [
     ("Reader", include_str!("../../kernel/Reader.v")),
+    ("Bytes", include_str!("../../kernel/Bytes.v")),
     ("Checker", include_str!("../../kernel/Checker.v")),
     ("Convex", include_str!("../../kernel/Convex.v")),
     ("Sound", include_str!("../../kernel/Sound.v")),
@@ -22,7 +23,7 @@ pub const THEORY: [(&str, &str); 7] = [
 ];
 
 /// The number of files that a theorem about one set needs.
-const OF_A_SET: usize = 6;
+const OF_A_SET: usize = 7;
 
 /// The place that a theorem has its theory from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,19 +52,31 @@ pub(super) struct Head<'a> {
     /// Rows of the data.
     pub(super) rows: &'a [[usize; 2]],
     pub(super) question: Option<ProofQuestion>,
+    /// The bytes of the data, and the theorem that the rows are read from them.
+    pub(super) bytes: Option<String>,
 }
 
 impl Head<'_> {
     /// The first lines: what is proved, how to check it, and what is outside.
-    fn text(self) -> String {
-        let Head { subject, sha256, rows, question, .. } = self;
+    fn text(&self) -> String {
+        let Head { subject, sha256, rows, question, bytes, .. } = self;
+        let outside = match bytes {
+            Some(_) => {
+                "that 'data' below are the bytes of the file. That the rows are read from them\n   \
+                 is the theorem the_rows_are_the_bytes, which needs the definitions of rows_of and same_rows."
+            }
+            None => "that the rows are those of the data.",
+        };
         let mut text = String::from(
             "(* What is proved: the last theorems of this file. Their statements need the definitions of rows, feasible and\n   \
              vertices below, and those of read, hull and is_range in the theory.\n   \
              How to check: coqc FILE (Coq 8.16). It ends by printing what the theorem over the rational numbers assumes:\n   \
-             nothing. The one over the real numbers assumes the axioms of Coq's real numbers.\n   \
-             What is outside: that the rows are those of the data.\n   \
-             'boundfit verify FILE DATA' compares both where the question stands here.\n",
+             nothing. The one over the real numbers assumes the axioms of Coq's real numbers.\n",
+        );
+        let _ = writeln!(
+            text,
+            "   What is outside: {outside}\n   \
+             'boundfit verify FILE DATA' compares both where the question stands here."
         );
         if let Some(subject) = subject {
             let _ = writeln!(text, "   The theorems are about {subject}.");
@@ -90,8 +103,9 @@ impl Head<'_> {
 
 /// The file about a set. `None` when a half-plane has no number.
 pub(super) fn theorem(statement: &Statement, set: &Set, head: Head, theory: Theory) -> Option<String> {
+    let bytes = head.bytes.as_deref().unwrap_or_default();
     let imports = imports(theory, head.has_parts);
-    let mut text = format!("{}{imports}\n{}\n", head.text(), statement.text());
+    let mut text = format!("{}{imports}\n{}\n{bytes}", head.text(), statement.text());
     let _ = write!(
         text,
         "Theorem the_rows : Z.of_nat (length rows) = {}%Z.\nProof. vm_compute. reflexivity. Qed.\n\n",

@@ -20,6 +20,17 @@ pub(super) fn question(text: &str) -> Result<&str, NotAProof> {
     })
 }
 
+/// The bytes of the data, if the theorem holds them.
+pub(super) fn data(text: &str) -> Result<Option<String>, NotAProof> {
+    let mut parts = text.split("\nDefinition data : list text := [\"").skip(1);
+    let (data, more) = (parts.next(), parts.next());
+    match data.map(|own| own.split_once("\"]%text.\n")) {
+        None => Ok(None),
+        Some(Some((data, _))) if more.is_none() => Ok(Some(data.replace("\";\n\"", ""))),
+        Some(_) => Err(other("the data")),
+    }
+}
+
 /// The rows, and what the theorem says of them.
 pub(super) fn theorem(text: &str) -> Result<Theorem, NotAProof> {
     for once in ["Definition rows ", "Definition feasible (p : Q * Q)"] {
