@@ -2,6 +2,7 @@
 
 mod judge;
 mod mutations;
+mod python;
 mod questions;
 mod statements;
 mod tampering;
@@ -17,6 +18,7 @@ use sha2::{Digest, Sha256};
 
 pub use judge::is_true;
 pub use mutations::mutated;
+pub use python::statuses_in_python;
 pub use questions::{bounded, generated, questions};
 pub use tampering::tampered;
 

@@ -1,12 +1,13 @@
 //! `tests/verify.py`, the checker in Python, against the one in Rust: the same verdict on true and on changed proofs.
 
-use std::io::Write;
 use std::process::Command;
 
 use boundfit_tests::cli::{boundfit, directory_with};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::program::root;
-use boundfit_tests::proofs::{Question, bounded, generated, mutated, questions, sha256, tampered, verdict};
+use boundfit_tests::proofs::{
+    Question, bounded, generated, mutated, questions, sha256, statuses_in_python, tampered, verdict,
+};
 use rand::RngExt;
 use serde_json::Value;
 
@@ -18,37 +19,6 @@ const MUTATED: usize = 6_000;
 
 /// The number of proofs for one Python process.
 const AT_A_TIME: usize = 5_000;
-
-/// Asks the checker about proofs and data, each after its length, in one process, and prints the statuses.
-const ASK: &str = "
-import io, sys
-sys.path.insert(0, sys.argv[1])
-import verify
-with open(sys.argv[2], 'rb') as cases:
-    def part(): return cases.read(int.from_bytes(cases.read(4), 'little'))
-    for _ in range(int(sys.argv[3])): print(verify.status(part(), io.BytesIO(part()))[0])
-";
-
-/// The status of the checker in Python for each proof: 0 true, 4 false, 1 no proof, or data beyond a limit.
-fn statuses_in_python(cases: &[(Vec<u8>, &[u8])]) -> Vec<i32> {
-    let mut file = tempfile::NamedTempFile::new().unwrap();
-    for part in cases.iter().flat_map(|(proof, data)| [proof.as_slice(), data]) {
-        file.write_all(&u32::try_from(part.len()).unwrap().to_le_bytes()).unwrap();
-        file.write_all(part).unwrap();
-    }
-    let mut command = Command::new("python3");
-    let output = command
-        .args(["-c", ASK])
-        .arg(root().join("tests"))
-        .arg(file.path())
-        .arg(cases.len().to_string())
-        .output();
-    let output = output.expect("python3 is needed: install Python 3.11 or newer");
-    let text = String::from_utf8(output.stdout).unwrap();
-    let statuses: Vec<i32> = text.lines().map(|line| line.parse().unwrap()).collect();
-    assert_eq!(statuses.len(), cases.len(), "{}", String::from_utf8_lossy(&output.stderr));
-    statuses
-}
 
 /// Has both checkers judge each proof: the statuses, which are the same.
 fn agree(cases: &[(Vec<u8>, &[u8])], names: &[String]) -> Vec<i32> {

@@ -7,4 +7,5 @@ mod claim;
 mod coq;
 mod forged;
 mod forged_files;
+mod mutants;
 mod parts;
