@@ -139,6 +139,7 @@ fn plain() -> Vec<Question> {
         line("blank lines", &text.replace('\n', "\n\n")),
         line("no last line feed", text.trim_end()),
         line("empty", "x,y\n0,0\n0,3\n"),
+        line("carriage returns after numbers", "x,y\r\n1,2\r\n2,3.1\r\n3,3.9"),
         numbers,
     ]
 }
