@@ -12,8 +12,8 @@ use boundfit_report::{
 use boundfit_tests::generate::seeded;
 use rand::RngExt;
 
-/// A table of as many rows: on a coarse grid with many ties, on a fine one, on a line, or on a curve; the last column is the
-/// error bound that is asked for.
+/// A table, and the error bound that is asked for. Its points are on a coarse grid with many ties, on a fine one, on a line, or
+/// on a curve.
 fn table(seed: u64) -> (String, String) {
     let mut random = seeded(seed);
     let rows = random.random_range(65..400);
@@ -65,7 +65,7 @@ fn the_readings_that_decide_give_the_report_of_all() {
         };
         assert_eq!(texts(&few, &of_few), texts(&all, &of_all), "seed {seed}: {bound}\n{text}");
         assert_eq!(mending_rows(&few, &of_few), mending_rows(&all, &of_all), "seed {seed}");
-        // What names every reading is made of all.
+        // Documents that name every reading are made of all.
         let Some(measurements) = few.measurements.whole() else { continue };
         let whole = Problem { measurements, conditions: few.conditions.clone() };
         let json = |problem, fit| fit_json(problem, fit, None, None, &origin, &style);

@@ -50,7 +50,7 @@ impl Keep {
     /// All readings.
     pub const EVERY: Keep =
         Keep { most_rows: usize::MAX, most_of_line: usize::MAX, eui: true, most_bytes: None };
-    /// As by default, for reports that list no reading but those that decide: some dozen readings of a line as numbers.
+    /// The default for reports that list no reading but those that decide: only some dozen readings of a line are numbers.
     pub const DECIDING: Keep =
         Keep { most_rows: Keep::MOST_ROWS, most_of_line: 64, eui: true, most_bytes: None };
 }

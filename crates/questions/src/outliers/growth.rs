@@ -8,7 +8,8 @@ use boundfit_geometry::predicates::by_tightness;
 use boundfit_geometry::{LayerOf, Point};
 
 use super::kept::Kept;
-use super::lines::{Edge, FORBIDDEN, Line, Lines, Place, Visitor};
+use super::lines::{Edge, Line, Lines, Place, Visitor};
+use super::near::FORBIDDEN;
 use super::{NoOutliers, OutlierLimits, triangle};
 
 /// The q-relaxed set for one q: all θ that miss at most so many readings.

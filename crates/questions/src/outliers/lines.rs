@@ -8,9 +8,7 @@ use boundfit_geometry::constructions::{foot, meet};
 use boundfit_geometry::{Constraint, HalfPlane, Point};
 
 use super::kept::Kept;
-
-/// The weight of a missed condition: more than all readings.
-pub(super) const FORBIDDEN: u64 = 1 << 40;
+use super::near::FORBIDDEN;
 
 /// A boundary, and how many readings are missed beyond it.
 pub(super) struct Line {

@@ -7,7 +7,8 @@ use boundfit_geometry::predicates::{Side, side};
 use boundfit_geometry::{Farkas, LayerOf, Point, System, envelope};
 
 use super::kept::Kept;
-use super::lines::{Edge, FORBIDDEN, Lines, Place, Visitor};
+use super::lines::{Edge, Lines, Place, Visitor};
+use super::near::FORBIDDEN;
 use super::{NoOutliers, OutlierLimits};
 
 /// The result of the search.

@@ -2,13 +2,11 @@
 
 use std::sync::Arc;
 
-use boundfit_estimation::{ParameterInterval, central_of, parameter_intervals};
 use boundfit_geometry::predicates::{Side, side};
 use boundfit_geometry::{Constraint, Polyhedron, RegionKind, Vertex};
 
-use super::search::Goal;
+use super::answer::WindowFit;
 use super::store::{Id, Store};
-use super::{Window, WindowFit, WindowSet, contradiction_of};
 
 /// An answer with the half-planes that it was found from. All answers about these alone are those about the window, so that
 /// nothing changes as long as they stay and every other half-plane has the set of these strictly within.
@@ -21,38 +19,8 @@ pub(super) struct Known {
 }
 
 impl Known {
-    /// Finds the answer about a window, from few half-planes.
-    pub(super) fn of(window: &Window) -> Self {
-        let gap = window.gap();
-        let least = gap.value().and_then(|value| window.least(value));
-        let both = window.both();
-        let mut ids = gap.ids();
-        for goal in [Goal::Left, Goal::Right, Goal::Bottom, Goal::Top] {
-            let found = both.search(goal);
-            ids.extend(found.lower.into_iter().chain(found.upper));
-        }
-        let mut set = window.set_of(ids.clone());
-        if set.polyhedron.region().kind() != RegionKind::Polygon {
-            // The outermost ones tell in which directions the set goes on.
-            for part in both.parts {
-                for chain in [&part.lower, &part.upper] {
-                    ids.extend(chain.ids().first().into_iter().chain(chain.ids().last()));
-                }
-            }
-            set = window.set_of(ids.clone());
-        }
-        let WindowSet { polyhedron, names } = set;
-        let pui = parameter_intervals(&polyhedron);
-        let intervals = pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval));
-        let fit = WindowFit {
-            kind: polyhedron.region().kind(),
-            central: intervals.as_ref().and_then(central_of),
-            contradiction: contradiction_of(&polyhedron, &names),
-            least,
-            system: polyhedron.system().clone(),
-            pui,
-            names,
-        };
+    /// The answer that was found from the half-planes of this set.
+    pub(super) fn new(fit: WindowFit, ids: Vec<Id>, polyhedron: Polyhedron) -> Self {
         Known { fit: Arc::new(fit), ids, polyhedron }
     }
 

@@ -6,6 +6,7 @@
 //! newer ones become the older ones. Every reading is added twice and taken out once; questions look at both
 //! intersections at once (`search.rs`).
 
+mod answer;
 mod chain;
 mod gap;
 mod known;
@@ -17,53 +18,21 @@ mod store;
 use std::collections::VecDeque;
 use std::sync::{Arc, OnceLock};
 
-use boundfit_estimation::{BoundName, Bounds, Central, Condition, Measurement, ParameterInterval};
+use boundfit_estimation::{
+    BoundName, Bounds, Condition, Measurement, ParameterInterval, central_of, parameter_intervals,
+};
 use boundfit_exact::Rational;
 use boundfit_geometry::predicates::{Side as Where, side};
 use boundfit_geometry::{Inequality, Point, Polyhedron, RegionKind, System};
 
+use answer::contradiction_of;
+pub use answer::{Contradiction, WindowFit, WindowSet};
 use gap::Gap;
 use known::Known;
 pub use moving::{Extent, Moved, Moving, Turn};
 use part::{Part, Undo};
-use search::Both;
+use search::{Both, Goal};
 use store::{Id, Store};
-
-/// Positive multiples of at most three half-planes, in ≤ form, that add up to 0 ≤ b with b < 0: no θ meets all of them.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Contradiction {
-    /// Each half-plane with its multiplier, by name.
-    pub terms: Vec<(BoundName, Rational)>,
-}
-
-impl Contradiction {
-    /// The data rows that contradict each other, ascending.
-    pub fn rows(&self) -> Vec<usize> {
-        let mut rows: Vec<usize> = self.terms.iter().filter_map(|(name, _)| name.row()).collect();
-        rows.sort_unstable();
-        rows.dedup();
-        rows
-    }
-}
-
-/// The results about the set of a window.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct WindowFit {
-    /// The kind of the set.
-    pub kind: RegionKind,
-    /// The parameter uncertainty intervals; `None` when the set is empty. Their proofs are about [`WindowFit::system`].
-    pub pui: Option<[ParameterInterval; 2]>,
-    /// The central estimate; `None` unless both intervals are bounded.
-    pub central: Option<Central>,
-    /// The reason why the set is empty, if it is.
-    pub contradiction: Option<Contradiction>,
-    /// ε_min; `None` unless the readings are of a line under one error bound and there is no condition.
-    pub least: Option<Rational>,
-    /// The few half-planes that decide all this.
-    pub system: System,
-    /// The names of the bounds.
-    pub names: Vec<BoundName>,
-}
 
 /// The reason why a reading does not come to a window.
 #[derive(Debug)]
@@ -72,15 +41,6 @@ pub(crate) struct Refusal {
     /// The position of the oldest reading of the contradiction, or of the refused reading if it needs no other. As
     /// long as this reading is in the window, the refused one stays out.
     pub(crate) oldest: usize,
-}
-
-/// The irredundant half-planes of a window with the set that they bound.
-#[derive(Debug, Clone)]
-pub struct WindowSet {
-    /// The set.
-    pub polyhedron: Polyhedron,
-    /// The names of its inequalities, in order; of bounds that coincide the oldest one is there.
-    pub names: Vec<BoundName>,
 }
 
 /// The readings of a window that moves on, in the order in which they came, and their feasible set under conditions that stay.
@@ -121,6 +81,41 @@ pub struct Window {
 }
 
 impl Window {
+    /// Finds the answer from few half-planes.
+    fn known(&self) -> Known {
+        let gap = self.gap();
+        let least = gap.value().and_then(|value| self.least(value));
+        let both = self.both();
+        let mut ids = gap.ids();
+        for goal in [Goal::Left, Goal::Right, Goal::Bottom, Goal::Top] {
+            let found = both.search(goal);
+            ids.extend(found.lower.into_iter().chain(found.upper));
+        }
+        let mut set = self.set_of(ids.clone());
+        if set.polyhedron.region().kind() != RegionKind::Polygon {
+            // The outermost ones tell in which directions the set goes on.
+            for part in both.parts {
+                for chain in [&part.lower, &part.upper] {
+                    ids.extend(chain.ids().first().into_iter().chain(chain.ids().last()));
+                }
+            }
+            set = self.set_of(ids.clone());
+        }
+        let WindowSet { polyhedron, names } = set;
+        let pui = parameter_intervals(&polyhedron);
+        let intervals = pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval));
+        let fit = WindowFit {
+            kind: polyhedron.region().kind(),
+            central: intervals.as_ref().and_then(central_of),
+            contradiction: contradiction_of(&polyhedron, &names),
+            least,
+            system: polyhedron.system().clone(),
+            pui,
+            names,
+        };
+        Known::new(fit, ids, polyhedron)
+    }
+
     /// No readings, under these conditions.
     pub fn new(conditions: &[Condition]) -> Self {
         let store = Store::new(conditions);
@@ -231,7 +226,7 @@ impl Window {
     /// The kind of the set, its intervals and the central estimate, each equal to that of a fit of these readings. Exact.
     /// Cost: a squared logarithm, unless no reading that came or went since the last answer can have changed it.
     pub fn fit(&self) -> Arc<WindowFit> {
-        Arc::clone(&self.known.get_or_init(|| Known::of(self)).fit)
+        Arc::clone(&self.known.get_or_init(|| self.known()).fit)
     }
 
     /// The set with its vertices, from all half-planes that are not superfluous. Exact. Cost: k log k for k of them.
@@ -361,13 +356,4 @@ impl Window {
 fn set_of_named(named: Vec<(Id, (BoundName, Inequality))>) -> WindowSet {
     let (names, inequalities): (Vec<_>, Vec<_>) = named.into_iter().map(|(_, own)| own).unzip();
     WindowSet { polyhedron: Polyhedron::intersect(System::new(inequalities)), names }
-}
-
-/// Returns the reason why a set is empty, by name.
-fn contradiction_of(polyhedron: &Polyhedron, names: &[BoundName]) -> Option<Contradiction> {
-    let certificate = polyhedron.region().certificate()?;
-    let term = |m: &boundfit_geometry::Multiplier| (names[m.index], m.value.clone());
-    let mut terms: Vec<_> = certificate.multipliers().iter().map(term).collect();
-    terms.sort_by_key(|(name, _)| *name);
-    Some(Contradiction { terms })
 }

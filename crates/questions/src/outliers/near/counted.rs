@@ -4,8 +4,7 @@ use boundfit_estimation::{Bounds, Measurement, Ties};
 use boundfit_exact::{Integer, Rational, multiples};
 use boundfit_geometry::Inequality;
 
-use super::place::{MOST_BITS, Place, Side, bits};
-use crate::outliers::lines::FORBIDDEN;
+use super::place::{FORBIDDEN, MOST_BITS, Place, Side, bits};
 
 /// The number of pairs that are looked at.
 const MOST_PAIRS: usize = 2048;

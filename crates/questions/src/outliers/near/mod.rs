@@ -11,6 +11,7 @@ use boundfit_estimation::{Condition, Measurement, Ties, conditions_by_name};
 use boundfit_geometry::Inequality;
 
 use counted::Counted;
+pub(super) use place::FORBIDDEN;
 use place::Side;
 
 /// The number of rows below which all of them are looked at.

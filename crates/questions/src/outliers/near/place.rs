@@ -2,7 +2,8 @@
 
 use boundfit_exact::{Integer, Rational};
 
-use crate::outliers::lines::FORBIDDEN;
+/// The weight of a missed condition: more than all readings.
+pub(crate) const FORBIDDEN: u64 = 1 << 40;
 
 /// A box is divided into 2³ parts along each parameter.
 const PARTS: i128 = 8;
