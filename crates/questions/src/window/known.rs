@@ -45,10 +45,11 @@ impl Known {
 
 #[cfg(test)]
 mod tests {
-    use boundfit_estimation::{BoundName, Condition, Measurement, ParameterBound};
+    use boundfit_estimation::{BoundName, Condition, Measurement, ParameterBound, ParameterInterval};
     use boundfit_exact::Rational;
 
     use super::*;
+    use crate::Window;
 
     /// The ends of both intervals, each with the named bounds that prove it.
     fn proved(fit: &WindowFit) -> Vec<Option<Vec<(BoundName, Rational)>>> {
