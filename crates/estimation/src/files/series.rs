@@ -67,6 +67,13 @@ impl Series {
 
     /// Some of the numbers as integers on a power of ten, where they are kept as such: on the finest one of their segments.
     pub(super) fn counts(&self, rows: impl ExactSizeIterator<Item = usize> + Clone) -> Option<Counts> {
+        /// More numbers of several segments are not copied: what decides of so many is found where they are.
+        const MOST_SPREAD: usize = 4096;
+        let segment = |row: usize| row / SEGMENT;
+        let first = rows.clone().next()?;
+        if rows.len() > MOST_SPREAD && rows.clone().any(|row| segment(row) != segment(first)) {
+            return None;
+        }
         let mut exponents = rows.clone().map(|row| exponent(self.segments.get(row / SEGMENT)?));
         let first = exponents.next()??;
         let exponent_of_all = exponents.try_fold(first, |finest, own| Some(finest.min(own?)))?;
