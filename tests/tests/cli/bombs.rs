@@ -183,7 +183,7 @@ fn rows_without_an_end_are_refused_where_they_are_held() {
     for command in [
         "plot FILE --x x --y y --eps 9 -o a.svg --figure data",
         "outliers FILE --x x --y y --eps 9",
-        "fit FILE --x x --y y --eps 9 --x-eps 1",
+        "fit FILE --x x --y y --eps 9 --x-eps-column x",
         "fit FILE --x x --y y --eps 9 --by y",
         "linearity FILE --x x --y y",
     ] {
@@ -263,7 +263,7 @@ fn readings_take_no_more_memory_than_they_may() {
     for command in [
         "plot FILE --x x --y y --eps 9 -o a.svg --figure data",
         "outliers FILE --x x --y y --eps 9",
-        "fit FILE --x x --y y --eps 9 --x-eps 1",
+        "fit FILE --x x --y y --eps 9 --x-eps-column x",
         "linearity FILE --x x --y y",
         "range FILE --x x --y y --eps 9",
     ] {
