@@ -162,7 +162,7 @@ impl Asked {
         let are_alike = beside.is_empty() && matches!(columns.epsilon, EpsilonColumn::Uniform(_));
         let (measurements, mut further) = match keep_others {
             true => Measurements::read_beside(source, columns, &beside, &options.table)?,
-            // Of very many readings only those on the hulls decide.
+            // Only those on the hulls decide of very many readings.
             false if are_alike => {
                 let keep = Keep { eui: false, ..Keep::default() };
                 let options = self.held(Self::ROW_COST, shows);

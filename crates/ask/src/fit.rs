@@ -201,7 +201,7 @@ impl Ask for Fit {
     type Answer = Fitted;
 
     fn read(&self, asked: &Asked, source: Source, shows: Shows) -> Result<Fittable, Refusal> {
-        // What lists no other reading than those that decide needs no other as numbers.
+        // A form that lists no other reading than those that decide needs no other as numbers.
         self.read_listing(asked, source, shows, shows != Shows::Nothing)
     }
 

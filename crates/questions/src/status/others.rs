@@ -53,8 +53,8 @@ impl<'a> Others<'a> {
         }
     }
 
-    /// For each reading a number that its [margin](Standing::margin) certainly exceeds; -∞ where none above zero
-    /// is certain, for a reading with one bound or without width, too. Cost: some nanoseconds each.
+    /// Returns a number for each reading that its [margin](Standing::margin) certainly exceeds. It is -∞ where no
+    /// number above 0 is certain, as for a reading with one bound or without width. Cost: some nanoseconds each.
     fn margins(&self, strips: &RoundedStrips) -> Vec<f64> {
         /// The relative error of all terms together: regressors have 2⁻⁵⁰, bounds 2⁻⁴⁷, corners and operations 2⁻⁵³.
         const MARGIN: f64 = 1.0 / (1_u64 << 44) as f64;

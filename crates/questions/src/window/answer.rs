@@ -1,4 +1,4 @@
-//! What is found about a window.
+//! The answer about a window.
 
 use boundfit_estimation::{BoundName, Central, ParameterInterval};
 use boundfit_exact::Rational;

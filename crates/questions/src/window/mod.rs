@@ -308,7 +308,7 @@ impl Window {
 
     /// Makes the newer readings the older ones.
     fn turn(&mut self) {
-        // Of half-planes that coincide another one may be named.
+        // Another one of several half-planes that coincide may be named.
         self.known.take();
         self.older = Part::default();
         for position in (0..self.store.entries().len()).rev() {

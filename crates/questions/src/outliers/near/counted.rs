@@ -9,7 +9,7 @@ use super::place::{FORBIDDEN, MOST_BITS, Place, Side, bits};
 /// The number of pairs that are looked at.
 const MOST_PAIRS: usize = 2048;
 
-/// Of so many pairs one may be missed by every point that is looked for.
+/// The number of pairs of which every point that is looked for may miss one.
 const MISSED_PAIRS: usize = 4;
 
 /// A reading or a condition on integers: `form·τ` lies between two values.

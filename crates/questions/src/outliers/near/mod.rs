@@ -76,8 +76,8 @@ mod tests {
     use crate::outliers::kept::Kept;
     use crate::outliers::{OutlierLimits, Outliers};
 
-    /// Readings about a plane or a line, some of them far away, of six kinds: with few different numbers, repeated, with bounds of
-    /// their own, one-sided or crossed, and with a second regressor.
+    /// Readings about a plane or a line, some of them far away. They have few different numbers, are repeated, have bounds of their
+    /// own, are one-sided or crossed, or have a second regressor.
     fn readings(seed: &mut u64, kind: u64, count: usize) -> Vec<Measurement> {
         let mut next = |below: i64| {
             *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
