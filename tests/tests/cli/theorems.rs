@@ -244,7 +244,7 @@ fn other_answers_have_no_theorem() {
     refused(
         directory.path(),
         "predict a.csv --x x --y y --eps 1 --grid 0..1/1000 --proof a.v",
-        "a.csv: the proof would take more than 1000 values",
+        "a.csv: the proof would take more than 200 values",
     );
     refused(directory.path(), "linearity a.csv --x x --y y --proof a.v", NONE);
     refused(directory.path(), "fit a.csv --x x --y y --eps 1 --x-eps 1 --proof a.v", NONE);

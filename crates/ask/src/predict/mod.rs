@@ -24,6 +24,9 @@ use values::{ValueKey, Values};
 /// Values that a proof may be about.
 const MOST_PROVED: usize = 1_000;
 
+/// Values that a theorem may be about: Coq's time for its last step grows with their square, and these take some ten seconds.
+const MOST_IN_THEOREM: usize = 200;
+
 /// The question for the line at an x, for the place of a further reading there, and for the x that a reading may come
 /// from.
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -73,10 +76,10 @@ impl Predicted {
         }
     }
 
-    /// Refuses to prove what is said of too many values.
-    fn check_proof(&self) -> Result<(), Refusal> {
-        match self.at.len() + self.from.len() > MOST_PROVED {
-            true => Err(Refusal::NoProof(NoProof::TooMany { most: MOST_PROVED, of: "values" })),
+    /// Refuses to prove statements about too many values.
+    fn check_proof(&self, most: usize) -> Result<(), Refusal> {
+        match self.at.len() + self.from.len() > most {
+            true => Err(Refusal::NoProof(NoProof::TooMany { most, of: "values" })),
             false => Ok(()),
         }
     }
@@ -193,7 +196,7 @@ impl Ask for Predict {
                 buffer.flush()?;
             }
             Form::Proof => {
-                asked.check_proof()?;
+                asked.check_proof(MOST_PROVED)?;
                 let is_reduction = problem.measurements.is_of_reductions();
                 let why = if is_reduction { NoProof::Reduction } else { NoProof::NoText };
                 put(out, prediction_proof(&prediction, origin.reading).ok_or(Refusal::NoProof(why))?)?;
@@ -214,7 +217,7 @@ impl Ask for Predict {
         theory: Theory,
         _data: Option<(&[u8], &str)>,
     ) -> Result<String, Refusal> {
-        asked.check_proof()?;
+        asked.check_proof(MOST_IN_THEOREM)?;
         let (at, from) = (|| asked.at.iter(), || asked.from.iter());
         let origin = Origin { file: None, reading, is_stored: false };
         let prediction = asked.prediction(fit, origin, [&at, &from]);
