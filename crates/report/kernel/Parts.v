@@ -286,25 +286,33 @@ Section Parts.
   Qed.
 End Parts.
 
+Section Says.
+  Variables (point : Type) (meets keeps_as : form -> point -> Prop).
+  Hypothesis keeps_as_is : forall c p, keeps_as c p <-> meets c p.
+  Variables (rows : list row) (says : row -> point -> Prop) (of_row : row -> form) (part : Z -> row -> Prop) (p : point).
+  Hypothesis says_is : forall r, says r p <-> meets (of_row r) p.
+  Lemma part_says_alone :
+    (forall i r, In (i, r) (numbered rows) -> part i r -> says r p) <-> meets_part point meets rows of_row [] part p.
+  Proof.
+    unfold meets_part. split.
+    - intros K. split; [intros; apply says_is; eauto | intros c []].
+    - intros [K _] i r I T. apply says_is. eauto.
+  Qed.
+  Lemma part_says conditions :
+    ((forall i r, In (i, r) (numbered rows) -> part i r -> says r p) /\ (forall c, In c conditions -> keeps_as c p))
+    <-> meets_part point meets rows of_row conditions part p.
+  Proof.
+    unfold meets_part. split; intros [R C]; split; intros.
+    - apply says_is. eauto. - apply keeps_as_is. auto. - apply says_is. eauto. - apply keeps_as_is. auto.
+  Qed.
+End Says.
+
 (* Over the rational numbers. *)
 Lemma point_meets_q c v : meets_q c v <-> keeps_b c v = true.
 Proof. rewrite keeps_b_is. symmetry. apply keeps_is. Qed.
-Lemma part_alone (rows : list row) (says : row -> Q * Q -> Prop) (of_row : row -> form) (part : Z -> row -> Prop) p :
-  (forall r, says r p <-> meets_q (of_row r) p) ->
-  (forall i r, In (i, r) (numbered rows) -> part i r -> says r p) <-> meets_part (Q * Q) meets_q rows of_row [] part p.
-Proof.
-  intros H. unfold meets_part. split.
-  - intros K. split; [intros; apply H; eauto | intros c []].
-  - intros [K _] i r I T. apply H. eauto.
-Qed.
-Lemma part_is (rows : list row) (says : row -> Q * Q -> Prop) (of_row : row -> form) conditions (part : Z -> row -> Prop) p :
-  (forall r, says r p <-> meets_q (of_row r) p) ->
-  ((forall i r, In (i, r) (numbered rows) -> part i r -> says r p) /\ (forall c, In c conditions -> keeps c p))
-  <-> meets_part (Q * Q) meets_q rows of_row conditions part p.
-Proof.
-  intros H. unfold meets_part. split; intros [R C]; split; intros.
-  - apply H. eauto. - apply keeps_is. auto. - apply H. eauto. - apply keeps_is. auto.
-Qed.
+Definition part_alone := part_says_alone (Q * Q) meets_q.
+Definition part_is rows says of_row conditions part p H :=
+  part_says (Q * Q) meets_q keeps keeps_is rows says of_row part p H conditions.
 
 (* Over the real numbers. *)
 Definition real_point (v : Q * Q) : R * R := (Q2R (fst v), Q2R (snd v)).
@@ -315,19 +323,6 @@ Proof.
   assert (E : forall a b, (Q2R a <= Q2R b)%R <-> a <= b) by (intros; split; [apply Rle_Qle | apply Qle_Rle]).
   destruct (low c), (high c); rewrite ?E; tauto.
 Qed.
-Lemma part_aloneR (rows : list row) (says : row -> R * R -> Prop) (of_row : row -> form) (part : Z -> row -> Prop) p :
-  (forall r, says r p <-> meets_r (of_row r) p) ->
-  (forall i r, In (i, r) (numbered rows) -> part i r -> says r p) <-> meets_part (R * R) meets_r rows of_row [] part p.
-Proof.
-  intros H. unfold meets_part. split.
-  - intros K. split; [intros; apply H; eauto | intros c []].
-  - intros [K _] i r I T. apply H. eauto.
-Qed.
-Lemma part_isR (rows : list row) (says : row -> R * R -> Prop) (of_row : row -> form) conditions (part : Z -> row -> Prop) p :
-  (forall r, says r p <-> meets_r (of_row r) p) ->
-  ((forall i r, In (i, r) (numbered rows) -> part i r -> says r p) /\ (forall c, In c conditions -> keepsR c p))
-  <-> meets_part (R * R) meets_r rows of_row conditions part p.
-Proof.
-  intros H. unfold meets_part. split; intros [K C]; split; intros.
-  - apply H. eauto. - apply keepsR_is. auto. - apply H. eauto. - apply keepsR_is. auto.
-Qed.
+Definition part_aloneR := part_says_alone (R * R) meets_r.
+Definition part_isR rows says of_row conditions part p H :=
+  part_says (R * R) meets_r keepsR keepsR_is rows says of_row part p H conditions.

@@ -27,7 +27,7 @@ impl Parts {
         1..=self.rows.len()
     }
 
-    /// All sets of at most so many rows that leave something when they are out.
+    /// All sets of at most `most` rows that leave something when they are out.
     fn leaving(&self, most: usize) -> Vec<Vec<usize>> {
         let sets = (0_u32..1 << self.rows.len()).filter(|set| set.count_ones() as usize <= most);
         let rows = sets.map(|set| self.places().filter(|place| set >> (place - 1) & 1 == 1).collect());

@@ -4,17 +4,17 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
+use boundfit_ask::{Ask, Fit, Fittable, Refusal};
 use boundfit_check::{
     Answer, AskedDirections, CheckOptions, ClaimLimits, ClaimText, check, is_solution_name, parse_claim_pui,
     read_claims, source_names,
 };
-use boundfit_estimation::{Problem, fit};
+use boundfit_estimation::Problem;
 use boundfit_exact::{Foreign, Reading};
 use boundfit_lp::Verdict;
 use boundfit_report::{Theory, check_document, check_json};
 
-use super::fit::theorem as fit_theorem;
-use super::proof_file;
+use super::proof_file::{self, SmallFile};
 use crate::CommandResult;
 use crate::arguments::{CheckArguments, Format, Switch};
 use crate::exit::{Exit, Failure};
@@ -50,7 +50,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
             check_document(&check, measurements, arguments.data.file_name(), reading, &style).to_text()
         }
     };
-    let theorem = theory.map(|theory| theorem(arguments, &problem, (reading, theory))).transpose()?;
+    let theorem = theory.map(|theory| theorem(arguments, problem, (reading, theory))).transpose()?;
     let theorem = theorem.as_deref().map(|text| (text.as_bytes(), proof));
     let parts: Vec<_> = theorem.into_iter().chain([(report.as_bytes(), output)]).collect();
     output::write_together(&parts, &mut guard)?;
@@ -60,11 +60,14 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
 /// The theorem about the set, which states its four ends.
 fn theorem(
     arguments: &CheckArguments,
-    problem: &Problem,
+    problem: Problem,
     (reading, theory): (Reading, Theory),
 ) -> Result<String, Failure> {
-    let found = while_working("fitting", || fit(problem));
-    fit_theorem(problem, &found, (reading, theory), &arguments.data)
+    let (question, asked) = (Fit::default(), Fittable::from(problem));
+    let failed = |refusal: Refusal| Failure::of(&refusal, arguments.data.file_name());
+    let answer = while_working("fitting", || question.answer(&asked)).map_err(failed)?;
+    let small = proof_file::small_file(arguments.data.path());
+    question.theorem(&asked, &answer, reading, theory, small.as_ref().map(SmallFile::parts)).map_err(failed)
 }
 
 fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<CheckOptions, Failure> {

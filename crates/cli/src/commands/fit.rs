@@ -2,16 +2,15 @@
 
 use std::time::Duration;
 
-use boundfit_ask::{Form, NoProof, Refusal};
+use boundfit_ask::Form;
 use boundfit_check::{CheckOptions, EXACT_SIMPLEX, check, source_names};
-use boundfit_estimation::{Fit, Measurements, Problem};
+use boundfit_estimation::{Measurements, Problem};
 use boundfit_exact::{Rational, Reading};
-use boundfit_report::{NextStep, Theory, kernel_fit, verdict_line};
+use boundfit_report::{NextStep, verdict_line};
 
 use crate::CommandResult;
-use crate::arguments::{DataArguments, FitArguments, ReportFormat};
+use crate::arguments::{FitArguments, ReportFormat};
 use crate::commands::asked::Job;
-use crate::commands::proof_file::SmallFile;
 use crate::commands::{fleet, proof_file, window, x_errors};
 use crate::exit::Failure;
 
@@ -45,21 +44,6 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         answer.next_words = Some(next_words);
         Ok(None)
     })
-}
-
-/// The theorem about a fit.
-pub(super) fn theorem(
-    problem: &Problem,
-    fit: &Fit,
-    (reading, theory): (Reading, Theory),
-    data: &DataArguments,
-) -> Result<String, Failure> {
-    let small = proof_file::small_file(data.path());
-    let sha256 = problem.measurements.sha256();
-    let same = small.as_ref().map(SmallFile::parts).filter(|&(_, own)| sha256 == Some(own));
-    // Readings of a table are all in memory, as they are asked for.
-    kernel_fit(problem, fit, reading, same.map(|(bytes, _)| bytes), theory)
-        .ok_or_else(|| Failure::of(&Refusal::NoProof(NoProof::Reduction), data.file_name()))
 }
 
 impl FitArguments {

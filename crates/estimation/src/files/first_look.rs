@@ -5,12 +5,13 @@ use std::sync::Arc;
 use boundfit_exact::{Foreign, Rational};
 use boundfit_formats::{
     AskedBlock, Batch, ColumnSelector, HeldRows, InputError, Reductions, ScanOptions, Scanned, Source,
-    TableRow, open_reduction, scan,
+    open_reduction, scan,
 };
 
 use super::agreement::KeptRows;
 use super::columns::Columns;
 use super::fixed::{FixedBounds, FixedPart, FixedSummary};
+use super::in_columns::readings_of;
 use super::kept_columns::{KeptColumns, KeptPart};
 use super::scale::Scale;
 use super::seen::Seen;
@@ -224,7 +225,6 @@ impl Collected {
 
     /// All readings, where all are kept.
     pub(super) fn readings(&self, meaning: &Meaning) -> Vec<Measurement> {
-        let row = |row: TableRow| meaning.measurement(row.row, row.numbers.into_iter());
-        self.batches.iter().flat_map(Batch::table_rows).map(row).collect()
+        readings_of(&self.batches, meaning)
     }
 }

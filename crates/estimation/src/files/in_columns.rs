@@ -22,7 +22,12 @@ impl InColumns {
 
     /// The readings. Exact. Cost: linear.
     pub(crate) fn readings(&self, meaning: &Meaning) -> Vec<Measurement> {
-        let reading = |row: TableRow| meaning.measurement(row.row, row.numbers.into_iter());
-        self.0.iter().flat_map(Batch::table_rows).map(reading).collect()
+        readings_of(&self.0, meaning)
     }
+}
+
+/// The readings in some batches. Exact. Cost: linear.
+pub(super) fn readings_of(batches: &[Batch], meaning: &Meaning) -> Vec<Measurement> {
+    let reading = |row: TableRow| meaning.measurement(row.row, row.numbers.into_iter());
+    batches.iter().flat_map(Batch::table_rows).map(reading).collect()
 }

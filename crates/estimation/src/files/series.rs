@@ -67,7 +67,7 @@ impl Series {
 
     /// Some of the numbers as integers on a power of ten, where they are kept as such: on the finest one of their segments.
     pub(super) fn counts(&self, rows: impl ExactSizeIterator<Item = usize> + Clone) -> Option<Counts> {
-        /// More numbers of several segments are not copied: what decides of so many is found where they are.
+        /// The most numbers of several segments that are copied. A larger group finds its deciding readings without a copy.
         const MOST_SPREAD: usize = 4096;
         let segment = |row: usize| row / SEGMENT;
         let first = rows.clone().next()?;

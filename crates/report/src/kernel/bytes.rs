@@ -6,7 +6,7 @@ use boundfit_exact::{Limits, Rational, Reading};
 use super::numbers::{literals, read_literals};
 use crate::proof_question::ProofQuestion;
 
-/// The most bytes of data that a theorem holds. Coq reads so many in about a second.
+/// The most bytes of data that a theorem holds. Coq reads them in about a second.
 pub const MOST_THEOREM_BYTES: usize = 100_000;
 
 /// The most ranges of rows that the reader chooses from.

@@ -17,13 +17,13 @@ use place::Side;
 /// The number of rows below which all of them are looked at.
 const FEWEST: usize = 64;
 
-/// The rows that decide where at most so many readings are missed.
+/// The rows that decide around the points that miss at most `enough` readings.
 pub(super) struct Near {
     /// Positions of rows, ascending, and whether their upper and lower bounds decide. The other rows are met throughout the walls.
     pub(super) rows: Vec<(usize, [bool; 2])>,
     /// The number of readings that are missed at some point within the walls, of those that can be met.
     pub(super) enough: u64,
-    /// Every point that misses at most so many, and no condition, is strictly within these.
+    /// Every point that misses at most `enough` readings, and no condition, is strictly within these.
     pub(super) walls: Vec<Inequality>,
 }
 

@@ -44,7 +44,7 @@ pub(super) struct Place {
     /// Powers of two while the box is divided.
     pub(super) widths: [i128; 2],
     pub(super) scale: u32,
-    /// Every point outside the first box misses at least so many readings.
+    /// A lower bound on the number of readings that a point outside the first box misses.
     pub(super) certain: u64,
 }
 
