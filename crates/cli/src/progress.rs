@@ -1,5 +1,6 @@
 //! Progress on standard error: only on a terminal, and only of what takes longer than a second.
 
+use std::io::IsTerminal as _;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Arc, Mutex, OnceLock};
@@ -86,6 +87,10 @@ impl Drop for ReadingProgress {
 pub(crate) fn while_working<T>(name: &'static str, work: impl FnOnce() -> T) -> T {
     /// The time between turns of a spinner.
     const TURN: Duration = Duration::from_millis(100);
+    // A thread costs as much as a fit of some dozen readings.
+    if !std::io::stderr().is_terminal() {
+        return work();
+    }
     let (done, is_done) = mpsc::channel::<()>();
     thread::scope(|scope| {
         scope.spawn(move || {

@@ -7,7 +7,7 @@ use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, FromArgMatches};
 
-use crate::arguments::{Arguments, with_short_help};
+use crate::arguments::{Arguments, alone, with_short_help};
 
 /// The options that short options may be meant for. There are none for these, since a table may have columns of any
 /// name.
@@ -21,7 +21,11 @@ const PREDICTED: &str =
 pub(crate) fn parse() -> Arguments {
     // The short help has lines and groups of its own.
     let is_short = std::env::args_os().any(|word| word == "-h");
-    let command = if is_short { with_short_help(Arguments::command()) } else { Arguments::command() };
+    let named = || std::env::args_os().nth(1).and_then(|name| alone(name.to_str()?));
+    let command = match is_short {
+        true => with_short_help(Arguments::command()),
+        false => named().unwrap_or_else(Arguments::command),
+    };
     let parsed = command.try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
     parsed.unwrap_or_else(|error| visible(with_tips(error)).exit())
 }

@@ -1,10 +1,10 @@
 //! Records of delimited text, out of pieces of bytes of any size.
 //!
-//! `csv_core` knows the rules of quotes, delimiters and line ends. This module keeps lines, lengths and
-//! buffers, since messages name the line on which a record starts, and no record may grow without bound.
+//! `csv_core` knows the rules of quotes, delimiters and line ends; a line without quotes needs none but the delimiter. This module
+//! keeps lines, lengths and buffers, since messages name the line on which a record starts, and no record may grow without bound.
 
 use csv_core::{ReadRecordResult, Reader, ReaderBuilder};
-use memchr::{memchr2, memchr2_iter};
+use memchr::{memchr_iter, memchr2, memchr2_iter, memchr3};
 
 use crate::blanks::{BlankReader, Cells};
 use crate::blocks::Gap;
@@ -36,8 +36,35 @@ impl Syntax {
 
 /// The rules that separate records.
 enum Core {
-    Delimited(Box<Reader>),
+    Delimited(Delimited),
     Blanks(BlankReader),
+}
+
+/// The rules of a delimiter and of quotes.
+struct Delimited {
+    delimiter: u8,
+    /// The reader of the library. It is made for the first record with quotes: its table of states costs as much as reading some
+    /// hundred rows.
+    reader: Option<Box<Reader>>,
+}
+
+impl Delimited {
+    fn reader(&mut self) -> &mut Reader {
+        self.reader.get_or_insert_with(|| {
+            let mut reader = ReaderBuilder::new().delimiter(self.delimiter).build();
+            // The library passes over a byte order mark in front of the first bytes that it sees. Not every piece is the
+            // start of a file, where the mark has been passed over already; so let it see a line end first.
+            reader.read_record(b"\n", &mut [0], &mut [0]);
+            Box::new(reader)
+        })
+    }
+
+    /// The first line of a piece, if it ends there and has no quotes: at the start of a record it is the record.
+    fn plain_line<'a>(&self, piece: &'a [u8]) -> Option<&'a [u8]> {
+        let line = piece.get(..memchr3(b'"', b'\r', b'\n', piece)?)?;
+        let ends_there = piece.get(line.len()) != Some(&b'"');
+        (ends_there && !matches!(self.delimiter, b'"' | b'\r' | b'\n')).then_some(line)
+    }
 }
 
 /// The cells of a record, without their quotes.
@@ -84,13 +111,23 @@ impl Record {
         (self.bytes_used, self.cells) = (0, 0);
     }
 
+    /// Takes the cells of a line without quotes.
+    fn split(&mut self, line: &[u8], delimiter: u8) {
+        let mut start = 0;
+        for end in memchr_iter(delimiter, line).chain([line.len()]) {
+            self.extend(line.get(start..end).unwrap_or_default());
+            self.end_cell();
+            start = end + 1;
+        }
+    }
+
     /// Goes on with this record; gives how many bytes that took, and whether it is complete.
     fn go_on(&mut self, core: &mut Core, input: &[u8]) -> (usize, bool) {
         match core {
             Core::Blanks(core) => core.read(input, self),
             Core::Delimited(_) if self.is_too_wide() => (input.len(), false),
             Core::Delimited(core) => {
-                let (result, taken) = self.read(core, input);
+                let (result, taken) = self.read(core.reader(), input);
                 (taken, result == ReadRecordResult::Record)
             }
         }
@@ -110,6 +147,7 @@ impl Record {
                 is_within_quotes
             }
             Core::Delimited(core) => {
+                let core = core.reader();
                 // A line end ends a record, but within quotes it is a byte of the cell.
                 let mut taken = 0;
                 while taken == 0 {
@@ -209,11 +247,7 @@ impl<'a> Records<'a> {
         let core = if syntax.delimiter == BLANKS {
             Core::Blanks(BlankReader::default())
         } else {
-            let mut core = ReaderBuilder::new().delimiter(syntax.delimiter).build();
-            // The library passes over a byte order mark in front of the first bytes that it sees. Not every piece is the
-            // start of a file, where the mark has been passed over already; so let it see a line end first.
-            core.read_record(b"\n", &mut [0], &mut [0]);
-            Core::Delimited(Box::new(core))
+            Core::Delimited(Delimited { delimiter: syntax.delimiter, reader: None })
         };
         Records {
             file,
@@ -366,6 +400,14 @@ impl<'a> Records<'a> {
     fn go_on(&mut self, piece: &mut &[u8]) -> bool {
         let mut left = *piece;
         let mut is_complete = false;
+        if self.record_bytes == 0
+            && let Core::Delimited(core) = &self.core
+            && let Some(line) = core.plain_line(left)
+        {
+            self.record.split(line, core.delimiter);
+            left = left.get(line.len() + 1..).unwrap_or_default();
+            is_complete = true;
+        }
         while !is_complete && !left.is_empty() {
             let taken;
             (taken, is_complete) = self.record.go_on(&mut self.core, left);
@@ -463,6 +505,27 @@ mod tests {
         let expected = expected.map(|(line, cells)| (line, cells.into_iter().map(str::to_owned).collect()));
         for size in 1..=text.len() {
             assert_eq!(records(text, b',', size, 100).unwrap(), expected, "in pieces of {size} bytes");
+        }
+    }
+
+    #[test]
+    fn whole_lines_give_the_records_that_single_bytes_give() {
+        // A piece of one byte is no line, so that the library reads all of it.
+        let mut state = 1_u64;
+        let mut next = |below: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) % below
+        };
+        for _ in 0..20_000 {
+            let length = next(24);
+            let text: Vec<u8> = (0..length).map(|_| b"a1,,;\n\n\r\" #\t\xef"[next(12) as usize]).collect();
+            for delimiter in [b',', b';', b'\t'] {
+                let by_bytes = records(&text, delimiter, 1, 100).unwrap();
+                for size in [2, 5, 24] {
+                    let in_pieces = records(&text, delimiter, size, 100).unwrap();
+                    assert_eq!(in_pieces, by_bytes, "{} in pieces of {size}", text.escape_ascii());
+                }
+            }
         }
     }
 

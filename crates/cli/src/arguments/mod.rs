@@ -30,7 +30,7 @@ mod values;
 mod verify;
 mod x_errors;
 
-use clap::{Parser, Subcommand};
+use clap::{Args as _, Parser, Subcommand};
 use clap_complete::Shell;
 
 pub(crate) use check::CheckArguments;
@@ -111,6 +111,36 @@ pub(crate) enum Command {
     },
 }
 
+/// What gives a command its options.
+type WithOptions = fn(clap::Command) -> clap::Command;
+
+/// The commands whose command line stands by itself.
+const ALONE: [(&str, WithOptions); 16] = [
+    ("fit", FitArguments::augment_args),
+    ("predict", PredictArguments::augment_args),
+    ("next", NextArguments::augment_args),
+    ("linearity", LinearityArguments::augment_args),
+    ("range", RangeArguments::augment_args),
+    ("status", StatusArguments::augment_args),
+    ("outliers", OutliersArguments::augment_args),
+    ("reduce", ReduceArguments::augment_args),
+    ("check", CheckArguments::augment_args),
+    ("convert", ConvertArguments::augment_args),
+    ("verify", VerifyArguments::augment_args),
+    ("judge", JudgeArguments::augment_args),
+    ("polygon", PolygonArguments::augment_args),
+    ("plot", PlotArguments::augment_args),
+    ("lesson", LessonArguments::augment_args),
+    ("playground", PlaygroundArguments::augment_args),
+];
+
+/// Returns the command line with this command alone: those of all commands take longer than a fit of some dozen readings.
+pub(crate) fn alone(name: &str) -> Option<clap::Command> {
+    let (name, with_options) = ALONE.iter().find(|(own, _)| *own == name)?;
+    let command = with_options(clap::Command::new(*name));
+    Some(clap::Command::new("boundfit").bin_name("boundfit").max_term_width(100).subcommand(command))
+}
+
 const COMPLETIONS_NOTES: Notes = Notes {
     examples: &[("For every user of bash", "boundfit completions bash > /etc/bash_completion.d/boundfit")],
     statuses: &[],
@@ -144,4 +174,33 @@ pub(crate) fn notes(command: &str) -> Option<&'static Notes> {
         "man" => &MAN_NOTES,
         _ => return None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn a_command_alone_is_what_it_is_among_all() {
+        let mut whole = Arguments::command();
+        whole.build();
+        let mut among_all = Vec::new();
+        for command in whole.get_subcommands_mut() {
+            let name = command.get_name().to_owned();
+            let Some(mut alone) = alone(&name) else {
+                among_all.push(name);
+                continue;
+            };
+            alone.build();
+            let alone = alone.find_subcommand_mut(&name).unwrap();
+            assert_eq!(
+                alone.render_long_help().ansi().to_string(),
+                command.render_long_help().ansi().to_string()
+            );
+            assert_eq!(alone.render_usage().to_string(), command.render_usage().to_string());
+        }
+        assert_eq!(among_all, ["completions", "man", "help"]);
+    }
 }
