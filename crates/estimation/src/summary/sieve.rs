@@ -57,8 +57,14 @@ impl SharedSieve {
         (survivors.len() * RARE <= x.len()).then_some(survivors)
     }
 
-    /// Learns from the support rows of so many readings, whenever these have doubled.
+    /// Learns from the support rows of so many readings, whenever these have doubled. Where most readings support a hull, a sieve would
+    /// cost more than it spares.
     pub(super) fn learn(&self, support: &SupportRows, rows: usize) {
+        /// The number of readings of which at most one may support a hull.
+        const RARE: usize = 4;
+        if support.places() * RARE > rows {
+            return;
+        }
         let is_fresh =
             |current: &Option<Current>| current.as_ref().is_some_and(|current| rows < 2 * current.rows);
         if self.current.read().is_ok_and(|current| is_fresh(&current)) {

@@ -132,6 +132,15 @@ impl SupportRows {
         SupportRows { merged: vec![Rows::Places(rows).reduced(most)], ..SupportRows::default() }
     }
 
+    /// Returns the number of places at which there are readings.
+    pub(super) fn places(&self) -> usize {
+        let places = |part: &Rows| match part {
+            Rows::Grid { points, .. } => points.len(),
+            Rows::General(rows) | Rows::Places(rows) => rows.len(),
+        };
+        self.merged.iter().chain(&self.pending).map(places).sum()
+    }
+
     /// The rows of all readings that may turn out to be kept, in no order.
     #[cfg(feature = "files")]
     pub(super) fn row_numbers(&self) -> impl Iterator<Item = usize> + '_ {
