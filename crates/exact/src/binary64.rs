@@ -94,6 +94,9 @@ fn nearest_magnitude(numerator: &Integer, denominator: &Integer) -> f64 {
     if numerator.is_zero() {
         return 0.0;
     }
+    if let Some(nearest) = nearest_by_leading_bits(numerator, denominator) {
+        return nearest;
+    }
     // The leading bit of the quotient weighs 2^leading or 2^(leading - 1).
     let leading = numerator.bits() as i64 - denominator.bits() as i64;
     let mut exponent = (leading - SIGNIFICAND_BITS).max(LEAST_EXPONENT);
@@ -108,6 +111,28 @@ fn nearest_magnitude(numerator: &Integer, denominator: &Integer) -> f64 {
     }
     // Both factors are binary64 numbers and so is their product: this multiplication does not round.
     significand as f64 * power_of_two(exponent)
+}
+
+/// The nearest binary64 to a quotient of long positive numbers, where their leading bits decide; `None` for others, and for quotients
+/// near the ends of the range.
+///
+/// A numerator from n to n + 1 over a denominator from d to d + 1, with 126 and 62 bits, is from n/(d + 1) to (n + 1)/d: some of the
+/// last of 64 bits are open. Both ends decide if they have one nearest significand; a tie is left to others.
+fn nearest_by_leading_bits(numerator: &Integer, denominator: &Integer) -> Option<f64> {
+    const ABOVE: u64 = 126;
+    const BELOW: u64 = 62;
+    let without = numerator.bits().checked_sub(ABOVE)?;
+    let without_below = denominator.bits().checked_sub(BELOW)?;
+    let (above, below) = (numerator.leading(without)?, denominator.leading(without_below)?);
+    let [least, most] = [above / (below + 1), (above + 1) / below + 1];
+    let left = (u128::BITS - least.leading_zeros()).checked_sub(SIGNIFICAND_BITS as u32)?;
+    let half = 1 << left >> 1;
+    let (significand, same) = ((least + half) >> left, (most + half) >> left);
+    let is_open = significand != same || (least + half) & ((1 << left) - 1) == 0;
+    let exponent = without as i64 - without_below as i64 + i64::from(left);
+    // A significand of 54 bits, 2^53, is among those that may be too large.
+    (!is_open && (LEAST_EXPONENT..=970).contains(&exponent))
+        .then(|| significand as f64 * power_of_two(exponent))
 }
 
 /// `numerator / (denominator * 2^exponent)` to the nearest integer, ties to even; below 2^55 by the choice
@@ -154,6 +179,34 @@ mod tests {
             let exponent = (state >> 40) as i64 % 700 - 350;
             let text = format!("{}{digits}e{exponent}", if state & 1 == 0 { "-" } else { "" });
             assert_eq!(exact(&text).to_f64(), text.parse::<f64>().unwrap(), "{text}");
+        }
+    }
+
+    #[test]
+    fn long_numbers_are_rounded_as_their_text_is() {
+        let mut state: u64 = 0x1234_5678_9abc_def1;
+        let mut word = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state >> 33
+        };
+        for _ in 0..20_000 {
+            let digits: String = (0..1 + word() % 60).map(|_| (b'1' + (word() % 9) as u8) as char).collect();
+            let text = format!("{digits}e{}", word() as i64 % 700 - 380);
+            assert_eq!(exact(&text).to_f64(), text.parse::<f64>().unwrap(), "{text}");
+        }
+        // Ties, and what is just beside them, over long denominators.
+        for shift in [0, 1, 7] {
+            for (odd, apart) in (0..200).map(|k| (2 * k + 1, k % 5 - 2)) {
+                let tie = Rational::from((1_i128 << 53) + odd) * exact("1e-90");
+                let near = tie * exact("1e90") + Rational::from(apart) * exact(&format!("1e-{}", 60 + shift));
+                let rounded = Rational::from_f64(near.to_f64()).unwrap();
+                let even = Rational::from((1_i128 << 53) + odd / 2 * 2 + if odd % 4 == 3 { 2 } else { 0 });
+                let nearest = match apart {
+                    0 => even,
+                    apart => Rational::from((1_i128 << 53) + odd + if apart < 0 { -1 } else { 1 }),
+                };
+                assert_eq!(rounded, nearest, "{odd} {apart}");
+            }
         }
     }
 

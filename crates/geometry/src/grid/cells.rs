@@ -123,6 +123,51 @@ impl<C: Coordinate> Index<C> for Between<C> {
     }
 }
 
+/// Cells around and between ascending places that are rounded: a knot certainly left of each place, and one certainly right of it.
+pub(super) struct Around {
+    between: Between<f64>,
+    /// The difference from which on, relatively, one number is certainly on one side of another.
+    blur: f64,
+}
+
+impl Around {
+    /// Returns cells around some of ascending places, evenly chosen if there are many; `None` without any.
+    pub(super) fn places(places: &[f64], blur: f64) -> Option<Self> {
+        const MOST: usize = KNOTS / 2;
+        let last = places.len().checked_sub(1)?;
+        let chosen: Vec<f64> = match last < MOST {
+            true => places.to_vec(),
+            false => (0..MOST).map(|k| places[k * last / (MOST - 1)]).collect(),
+        };
+        let mut knots: Vec<f64> =
+            chosen.into_iter().flat_map(|place| [moved(place, -blur), moved(place, blur)]).collect();
+        knots.sort_unstable_by(f64::total_cmp);
+        Some(Around { between: Between::places(&knots)?, blur })
+    }
+}
+
+/// A number moved by a part of its magnitude.
+fn moved(number: f64, part: f64) -> f64 {
+    number + number.abs() * part
+}
+
+impl Index<f64> for Around {
+    const CELLS: usize = <Between<f64> as Index<f64>>::CELLS;
+
+    #[inline]
+    fn cell(&self, x: f64, offset: f64) -> usize {
+        self.between.cell(x, offset)
+    }
+
+    fn is_before(&self, x: f64, offset: f64, cell: usize) -> bool {
+        self.between.is_before(moved(x, self.blur), offset, cell)
+    }
+
+    fn is_after(&self, x: f64, offset: f64, cell: usize) -> bool {
+        self.between.is_after(moved(x, -self.blur), offset, cell)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,7 +6,7 @@
 //! certainly above the one chord and below the other is strictly between the hulls. (The idea is that of Akl and
 //! Toussaint 1978.)
 
-use super::cells::{Cell, Equal, Index, MOST_CELLS};
+use super::cells::{Cell, Index, MOST_CELLS};
 use super::coordinate::Coordinate;
 use super::sample::{Sample, Sampled};
 use super::strip::Strip;
@@ -150,12 +150,12 @@ pub(super) struct Filter<C, I> {
     cells: Box<[Cell; MOST_CELLS]>,
 }
 
-impl Filter<f64, Equal> {
-    /// Returns a filter of numbers that are rounded already.
-    pub(super) fn of_rounded(sample: &Sample<f64>) -> Option<Self> {
-        let filter = Filter::new(sample, sample.equal_cells()?);
+impl<I: Index<f64>> Filter<f64, I> {
+    /// Returns a filter of numbers that are rounded already, on an index that knows this.
+    pub(super) fn of_rounded(sample: &Sample<f64>, index: I) -> Self {
+        let filter = Filter::new(sample, index);
         let (least, greatest) = (filter.least + sample.blur(), filter.greatest - sample.blur());
-        Some(Filter { least, greatest, ..filter })
+        Filter { least, greatest, ..filter }
     }
 }
 
@@ -179,7 +179,7 @@ impl<C: Coordinate, I: Index<C>> Filter<C, I> {
     }
 
     #[inline]
-    fn discards(&self, x: C, y: f64) -> bool {
+    pub(super) fn discards(&self, x: C, y: f64) -> bool {
         let offset = x.offset(self.origin);
         let Cell { above, below } = &self.cells[self.index.cell(x, offset) % MOST_CELLS];
         // Not `&&`: a branch on each of these would be mispredicted too often.

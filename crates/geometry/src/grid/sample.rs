@@ -24,7 +24,7 @@ use std::cmp::Ordering;
 
 use boundfit_exact::Sign;
 
-use super::cells::{Between, Cell, Chord, Equal, Index, MOST_CELLS};
+use super::cells::{Around, Between, Cell, Chord, Equal, Index, MOST_CELLS};
 use super::coordinate::Coordinate;
 use crate::hull::{Hull, HullSide, Site};
 
@@ -72,6 +72,11 @@ pub(super) struct Sample<C> {
 }
 
 impl Sample<f64> {
+    /// Cells around the corners of both hulls, for numbers that are rounded already.
+    pub(super) fn cells_around_corners(&self) -> Option<Around> {
+        Around::places(&self.corners(), BLUR)
+    }
+
     /// Returns a sample of rows whose numbers are within 2^-50, relatively, of the true ones; `None` when the x are
     /// too near to each other for that.
     pub(super) fn of_rounded(x: &[f64], y: &[f64], size: usize) -> Option<Self> {
@@ -138,10 +143,15 @@ impl<C: Coordinate> Sample<C> {
 
     /// Cells between the corners of both hulls.
     pub(super) fn cells_between_corners(&self) -> Option<Between<C>> {
+        Between::places(&self.corners())
+    }
+
+    /// The x of the corners of both hulls, ascending.
+    fn corners(&self) -> Vec<C> {
         let mut corners: Vec<C> = self.lower.iter().chain(&self.upper).map(|corner| corner.x).collect();
         corners.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
         corners.dedup();
-        Between::places(&corners)
+        corners
     }
 
     /// The chords of all cells.
@@ -201,8 +211,48 @@ impl<C: Coordinate> Sample<C> {
     }
 }
 
-/// Rounded, for hulls that need not be convex: any points of the sample have a chord.
-fn rough_orientation<C>(p: &Sampled<C>, q: &Sampled<C>, r: &Sampled<C>) -> Sign {
-    let turn = (q.offset - p.offset) * (r.y - p.y) - (q.y - p.y) * (r.offset - p.offset);
-    turn.partial_cmp(&0.0).unwrap_or(Ordering::Equal).into()
+/// Rounded, for hulls that need not be convex: any points of the sample have a chord. Products that binary64 does not have are
+/// compared by their exponents, so that numbers of any size have hulls that are nearly right. A point that seems to be within an
+/// edge is left out: it has no other chord, and points that are one beside a far one would stay for good.
+fn rough_orientation<C: Coordinate>(p: &Sampled<C>, q: &Sampled<C>, r: &Sampled<C>) -> Sign {
+    let from = |to: &Sampled<C>| [to.x.offset(p.x), to.y - p.y];
+    let ([q_along, q_across], [r_along, r_across]) = (from(q), from(r));
+    let products = [[q_along, r_across], [q_across, r_along]];
+    let is_there = |[one, other]: [f64; 2]| (one * other).is_normal() || one == 0.0 || other == 0.0;
+    let is_left = if products.into_iter().all(is_there) {
+        let [left, right] = products.map(|[one, other]| one * other);
+        left > right
+    } else {
+        let [left, right] = products.map(|[one, other]| Product::of(one, other));
+        left > right
+    };
+    if is_left { Sign::Positive } else { Sign::Negative }
+}
+
+/// A product of two numbers by its sign, its exponent, towards the sign, and its rounded significand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Product {
+    sign: i8,
+    exponent: i32,
+    significand: i64,
+}
+
+impl Product {
+    fn of(one: f64, other: f64) -> Self {
+        // Numbers below the normal ones are as good as 0 here.
+        let exponent = |factor: f64| (factor.to_bits() >> 52 & 0x7ff) as i32;
+        let significand =
+            |factor: f64| f64::from_bits(factor.to_bits() & (u64::MAX >> 12) | 1.0_f64.to_bits());
+        if exponent(one) == 0 || exponent(other) == 0 {
+            return Product { sign: 0, exponent: 0, significand: 0 };
+        }
+        let product = significand(one) * significand(other);
+        let carry = i32::from(product >= 2.0);
+        let sign = if one.is_sign_negative() == other.is_sign_negative() { 1 } else { -1 };
+        Product {
+            sign,
+            exponent: i32::from(sign) * (exponent(one) + exponent(other) + carry),
+            significand: i64::from(sign) * (product.to_bits() & (u64::MAX >> 12)) as i64,
+        }
+    }
 }
