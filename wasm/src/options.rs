@@ -204,13 +204,13 @@ impl Options {
             ("rounding", self.rounding.is_some()),
             ("exact", self.exact),
             ("no_eui", self.question.contains_key("no_eui")),
-            ("ask", self.question.contains_key("ask")),
+            ("ask", self.question.get("ask").is_some_and(|ask| !ask.is_null() && ask != "fit")),
             ("x_eps", self.readings.x_eps.is_some()),
             ("x_eps_column", self.readings.x_eps_column.is_some()),
             ("strong", self.readings.strong),
         ];
         refuse_any(&asked, "is about a report, and this is a lesson")?;
-        Ok(refuse_unknown(self.question.keys(), known_keys)?)
+        Ok(refuse_unknown(self.question.keys().filter(|key| *key != "ask"), known_keys)?)
     }
 
     /// The name of the table in messages.

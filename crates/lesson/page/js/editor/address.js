@@ -4,7 +4,7 @@
 import { fragmentOf, linkOf } from "./fragment.js";
 import { isOtherLook, lookOf, stateOfLook } from "./look.js";
 import { refusalOf, refusedWords, sentenceOf } from "./refusals.js";
-import { csvOf, isSameSheet, lessonOptions, pageOf, requestOf, sheetOf } from "./sheet.js";
+import { csvOf, isSameSheet, pageOf, requestOf, sheetOf } from "./sheet.js";
 import { t } from "../texts.js";
 
 /** An address is not changed more often: browsers refuse that. */
@@ -109,7 +109,7 @@ async function sheetOfLink({ engine, own }, { request, table, page }) {
   if (Object.keys(request).length === 0 && table === null) return null;
   const words = { ...(table === null ? own.page : {}), ...pageOf(page) };
   try {
-    const data = JSON.parse(await engine.ask("lesson", table ?? csvOf(own), lessonOptions(request, words)));
+    const data = JSON.parse(await engine.ask("lesson", table ?? csvOf(own), { ...words, ...request }));
     return sheetOf(data, request);
   } catch (error) {
     return error instanceof Error ? error : new Error(`${error}`);

@@ -3,7 +3,7 @@
 // and one waits: while readings are dragged, what is overtaken is never asked.
 
 import { refusalOf } from "./refusals.js";
-import { csvOf, lessonOptions, problemOf, requestOf } from "./sheet.js";
+import { csvOf, problemOf, requestOf } from "./sheet.js";
 
 // So many steps can be undone.
 const MOST_STEPS = 200;
@@ -42,7 +42,7 @@ export function createSession(engine, first, firstData, { onLesson, onChange }) 
     const [asked, about] = [sheet, words];
     onChange();
     /** @type {LessonData | Error} */
-    const answer = asked === first ? firstData : await engine.ask("lesson", csvOf(asked), lessonOptions(requestOf(asked), asked.page)).then(JSON.parse).catch((error) => error);
+    const answer = asked === first ? firstData : await engine.ask("lesson", csvOf(asked), { ...asked.page, ...requestOf(asked) }).then(JSON.parse).catch((error) => error);
     isBusy = false;
     if (!(answer instanceof Error)) {
       right = asked;

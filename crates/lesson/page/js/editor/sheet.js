@@ -140,16 +140,6 @@ export function requestOf(sheet) {
 }
 
 /**
- * What the engine is given for a lesson: it takes the words of the page too, and has no other question than the fit.
- * @param {Record<string, any>} request
- * @param {Record<string, any>} page
- */
-export function lessonOptions(request, page) {
-  const { ask, ...readings } = request;
-  return { ...page, ...(ask === undefined || ask === "fit" ? readings : request) };
-}
-
-/**
  * A number or formula of a request as its text.
  * @param {Given | undefined} given
  */
