@@ -1,5 +1,6 @@
 //! The distance of a sensor from a straight line.
 
+use boundfit_estimation::Keep;
 use boundfit_exact::{Limits, Rational, Reading, Work};
 use boundfit_formats::{Again, ColumnSelector, Source, TableNotes, TableOptions};
 use boundfit_questions::{
@@ -33,6 +34,9 @@ pub struct Linearity {
     pub full_scale: Option<Given>,
     /// The point that the line of zero-based linearity goes through; 0,0 unless it is said.
     pub through: Option<Through>,
+    /// `true` keeps every reading, for a picture.
+    #[serde(skip)]
+    pub keeps_every: bool,
 }
 
 /// A point.
@@ -120,20 +124,26 @@ impl Ask for Linearity {
     fn read(&self, asked: &Asked, source: Source, shows: Shows) -> Result<Calibrated, Refusal> {
         /// Bytes that the budget counts for each reading (850).
         const ROW_COST: usize = 900;
+        const MOST_USUAL_BITS: u64 = 1_000;
         let columns = self.columns(asked)?;
         let options = self.options(&asked.options.table.limits)?;
         let again = source.again();
         if shows >= Shows::Rows && again.is_none() {
             return Err(Refusal::NoProof(NoProof::ReadOnce));
         }
-        let calibration = Calibration::read(source, &columns, &asked.held(ROW_COST, shows)).map_err(
-            |error| match error {
-                CalibrationError::Input(error) => Refusal::Input(error),
-                CalibrationError::Row { problem, .. } => Refusal::Readings(problem),
-            },
-        )?;
-        let mut work = Work::default();
         let given = [options.full_scale.as_ref(), Some(&options.through[0]), Some(&options.through[1])];
+        // Beside usual numbers, readings that do not decide make no work that is counted.
+        let is_usual = given.iter().flatten().map(|given| given.bits()).sum::<u64>() <= MOST_USUAL_BITS;
+        let held = asked.held(ROW_COST, shows);
+        let calibration = match is_usual && !self.keeps_every {
+            true => Calibration::read(source, &columns, &held),
+            false => Calibration::read_counted(source, &columns, &held, Keep::MOST_ROWS),
+        };
+        let calibration = calibration.map_err(|error| match error {
+            CalibrationError::Input(error) => Refusal::Input(error),
+            CalibrationError::Row { problem, .. } => Refusal::Readings(problem),
+        })?;
+        let mut work = Work::default();
         for reading in &calibration.readings {
             work.add(reading.row, [&reading.x, &reading.y].into_iter().chain(given.into_iter().flatten()));
         }
@@ -146,7 +156,7 @@ impl Ask for Linearity {
     }
 
     fn answer(&self, problem: &Calibrated) -> Result<Self::Answer, Refusal> {
-        let found = boundfit_questions::Linearity::new(&problem.calibration.readings, &problem.options);
+        let found = problem.calibration.linearity(&problem.options);
         found.ok_or_else(|| Refusal::Readings("there are no readings".to_owned()))
     }
 

@@ -234,6 +234,66 @@ fn the_linearity_of_counted_readings_is_that_of_each() {
     assert!(are_counted > 60, "{are_counted}");
 }
 
+/// Some hundred rows: noise about a line, few steps of x, all on a line, all at one x, or a curve. Numbers are short, long
+/// or very different, some rows are equal, and some tables have a fraction.
+fn plain_table(rng: &mut ChaCha8Rng, round: usize) -> String {
+    let mut text = "x,y\n".to_owned();
+    let count = rng.random_range(50..400);
+    let steps = [3, 40, 1_000, 1 << 40][rng.random_range(0..4)];
+    let noise = [1, 2, 50, 1 << 30][rng.random_range(0..4)];
+    let slope = rng.random_range(-3_i64..4);
+    let exponents = [[0, 0], [-4, 2], [-30, 30], [-17, -290]][rng.random_range(0..4)];
+    let mut lines: Vec<String> = Vec::new();
+    for k in 0..count {
+        if !lines.is_empty() && rng.random_range(0..10) < round % 4 {
+            lines.push(lines[rng.random_range(0..lines.len())].clone());
+            continue;
+        }
+        let x = match round % 7 {
+            0 => 5,
+            _ => rng.random_range(-steps..steps),
+        };
+        let curve = if round % 7 == 1 { k * k } else { 0 };
+        let y = slope * x + rng.random_range(0..noise) + curve;
+        let mut cells = [x, y].map(i128::from);
+        if round % 3 == 1 {
+            // Seventeen digits and more.
+            cells = cells.map(|number| number * 10_i128.pow(6) + rng.random_range(0_i128..1_000_000));
+        }
+        let fraction = if round % 11 == 10 && k == 70 { "/3" } else { "" };
+        let [x, y] = cells;
+        let [e, f] = exponents.map(|exponent| match (fraction, rng.random_bool(0.5)) {
+            ("", true) => format!("0e{}", exponent - 1),
+            ("", false) => format!("e{exponent}"),
+            _ => fraction.to_owned(),
+        });
+        lines.push(format!("{x}{e},{y}{f}"));
+    }
+    lines.iter().for_each(|line| writeln!(text, "{line}").unwrap());
+    text
+}
+
+#[test]
+fn the_readings_that_decide_linearity_tell_it_of_all() {
+    let mut rng = seeded(4_105);
+    let mut decided = 0;
+    for round in 0..400 {
+        let text = plain_table(&mut rng, round);
+        let columns = CalibrationColumns { x: named("x"), response: CalibrationResponse::One(named("y")) };
+        let options = ScanOptions { chunk_bytes: [300, 1 << 18][round % 2], ..ScanOptions::default() };
+        let few = Calibration::read(source(&text), &columns, &options).unwrap();
+        let each = Calibration::read_counted(source(&text), &columns, &options, usize::MAX).unwrap();
+        decided += usize::from(few.readings.len() < each.readings.len());
+        assert_eq!(format!("{:?}", few.input), format!("{:?}", each.input));
+        let through = [Rational::from(round as i64 % 2), Rational::from(round as i64 % 3)];
+        let full_scale = (round % 5 == 0).then(|| Rational::from(7));
+        let asked = LinearityOptions { full_scale, through };
+        let [one, other] = [&few, &each].map(|own| told(&own.linearity(&asked).unwrap()));
+        assert_eq!(one, other, "{round}: {text}");
+    }
+    assert!(decided > 200, "{decided}");
+}
+
 #[test]
 fn groups_of_equal_readings_are_fitted_like_others() {
     let mut rng = seeded(4_104);

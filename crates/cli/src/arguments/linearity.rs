@@ -88,6 +88,7 @@ impl LinearityArguments {
             direction: self.direction.clone(),
             full_scale: self.full_scale.clone().map(Given::Read),
             through: self.through.clone().map(Through::Text),
+            keeps_every: self.figure.is_some(),
         }
     }
 }

@@ -102,7 +102,7 @@ impl CountedBatch {
     }
 
     /// Returns whether of the first rows, and so maybe of all, at most one of `least` is different from those before it.
-    pub(super) fn are_few(columns: &[Column], least: usize) -> bool {
+    pub fn are_few(columns: &[Column], least: usize) -> bool {
         let rows = columns.first().map_or(0, Column::len).min(ENOUGH_TO_TELL);
         let part: Vec<Column> = columns.iter().map(|column| column.part(0..rows)).collect();
         let numbers = std::iter::once(1..rows + 1).collect();

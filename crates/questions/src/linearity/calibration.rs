@@ -9,9 +9,10 @@ use boundfit_formats::{
 };
 use thiserror::Error;
 
+use super::deciding::PlainReadings;
 use super::directions::{Directions, Word};
 use super::input::{LinearityInput, ResponseColumns};
-use super::{CalibrationReading, Pass};
+use super::{CalibrationReading, Linearity, LinearityOptions, Pass, Whole};
 
 /// The columns of a table that are a calibration.
 #[derive(Debug, Clone)]
@@ -48,10 +49,12 @@ pub enum CalibrationResponse {
 /// A calibration: its readings, and where they come from.
 #[derive(Debug, Clone)]
 pub struct Calibration {
-    /// The readings, in the order of the rows.
+    /// The readings, in the order of the rows: all, or those that decide.
     pub readings: Vec<CalibrationReading>,
     /// The input.
     pub input: LinearityInput,
+    /// The facts about all readings; `None` where these are all.
+    whole: Option<Whole>,
 }
 
 /// The reason why a table is no calibration.
@@ -70,17 +73,23 @@ pub enum CalibrationError {
     },
 }
 
-/// The rows of a batch, equal ones once, where each kind's word is one of a list.
-struct Rows {
-    batch: CountedBatch,
-    /// The different words, each with the first row that has it.
-    words: Vec<(String, usize)>,
-    /// The word of each kind.
-    word_of: Vec<usize>,
+/// The rows of a batch.
+enum Rows {
+    /// Each by itself.
+    Plain(PlainReadings),
+    /// Equal ones once, where each kind's word is one of a list.
+    Counted {
+        batch: CountedBatch,
+        /// The different words, each with the first row that has it.
+        words: Vec<(String, usize)>,
+        /// The word of each kind.
+        word_of: Vec<usize>,
+    },
 }
 
 impl Calibration {
-    /// Reads a calibration. Exact.
+    /// Reads a calibration. Of some dozen readings without directions or more, only those that decide its linearity
+    /// become readings, and the others are numbers in columns. Exact.
     ///
     /// # Errors
     /// The first thing wrong with the table; a row with a reading in neither direction, and words for three directions.
@@ -89,10 +98,11 @@ impl Calibration {
         columns: &CalibrationColumns,
         options: &ScanOptions,
     ) -> Result<Self, CalibrationError> {
-        Calibration::read_counted(source, columns, options, Keep::MOST_ROWS)
+        let most_plain = Keep::DECIDING.most_of_line;
+        Calibration::read_as(source, columns, options, (Keep::MOST_ROWS, most_plain))
     }
 
-    /// Reads as [`Calibration::read`] does. Keeps equal rows once if there are more than `most_rows` rows and at
+    /// Reads every reading of a calibration. Keeps equal rows once if there are more than `most_rows` rows and at
     /// least half of them equal an earlier row.
     ///
     /// # Errors
@@ -103,6 +113,15 @@ impl Calibration {
         options: &ScanOptions,
         most_rows: usize,
     ) -> Result<Self, CalibrationError> {
+        Calibration::read_as(source, columns, options, (most_rows, usize::MAX))
+    }
+
+    fn read_as(
+        source: Source,
+        columns: &CalibrationColumns,
+        options: &ScanOptions,
+        (most_rows, most_plain): (usize, usize),
+    ) -> Result<Self, CalibrationError> {
         let file = source.name().to_owned();
         let key = match &columns.response {
             CalibrationResponse::Directed { direction, .. } => Some(direction.clone()),
@@ -111,10 +130,27 @@ impl Calibration {
         let has_words = key.is_some();
         let mut options = ScanOptions { key, unbounded_rows: true, ..options.clone() };
         let held = HeldRows::limiting(&mut options);
+        let row_cost = options.table.row_cost as u64;
+        let is_plain = matches!(columns.response, CalibrationResponse::One(_)) && most_plain < usize::MAX;
+        let mut plain = PlainReadings::default();
         let mut counted = CountedRows::default();
         let mut directions = Directions::default();
         let mut wrong_word = None;
-        let scanned = scan(source, &columns.selectors(), &options, Rows::of, |rows: Rows| {
+        let look_for_equals = |plain: &mut PlainReadings, counted: &mut CountedRows| {
+            if plain.len() > 0 {
+                counted.push(std::mem::take(plain).counted(), None);
+                // Their number has been told.
+                held.add_bytes(0, 0, counted.kinds() as u64 * row_cost + counted.bytes() as u64);
+            }
+        };
+        let digest = |batch: Batch| Rows::of(batch, is_plain);
+        let scanned = scan(source, &columns.selectors(), &options, digest, |rows: Rows| {
+            if let (Rows::Plain(more), 0) = (&rows, counted.rows()) {
+                held.add_bytes(more.len(), more.len(), more.len() as u64 * PlainReadings::ROW_COST);
+                plain.append(more);
+                return;
+            }
+            look_for_equals(&mut plain, &mut counted);
             let before = (counted.rows(), counted.kinds(), counted.bytes());
             if let Err(problem) = rows.add_to(&mut counted, &mut directions, has_words) {
                 wrong_word = wrong_word.take().or(Some(problem));
@@ -124,6 +160,18 @@ impl Calibration {
         });
         held.check(file.raw()).map_err(CalibrationError::Input)?;
         let scanned = scanned.map_err(CalibrationError::Input)?;
+        let hold = |readings: usize| {
+            held.add_bytes(0, 0, readings as u64 * row_cost);
+            held.check(file.raw()).map_err(CalibrationError::Input)
+        };
+        if plain.len() > most_plain
+            && let Some((readings, whole)) = plain.deciding(hold)?
+        {
+            let input = columns.input(&options, scanned, (plain.len(), 0), directions.words());
+            return Ok(Calibration { readings, input, whole: Some(whole) });
+        }
+        look_for_equals(&mut plain, &mut counted);
+        held.check(file.raw()).map_err(CalibrationError::Input)?;
         let fail = |problem: String| CalibrationError::Row { file: file.clone(), problem };
         if let Some(problem) = wrong_word {
             return Err(fail(problem));
@@ -154,16 +202,25 @@ impl Calibration {
             }
         }
         let input = columns.input(&options, scanned, (counted.rows(), lacking), directions.words());
-        Ok(Calibration { readings, input })
+        Ok(Calibration { readings, input, whole: None })
+    }
+
+    /// Finds the linearity of all readings; `None` without any. Exact. Cost: O(n log n) in the readings kept.
+    pub fn linearity(&self, options: &LinearityOptions) -> Option<Linearity> {
+        Linearity::of(&self.readings, self.whole.as_ref(), options)
     }
 }
 
 impl Rows {
-    fn of(mut batch: Batch) -> Self {
+    /// Takes the rows of a batch: as they are where that is asked for and few are equal.
+    fn of(mut batch: Batch, is_plain: bool) -> Self {
         let columns = std::mem::take(&mut batch.columns);
+        if is_plain && !CountedBatch::are_few(&columns, 2) {
+            return Rows::Plain(PlainReadings::new(columns, batch.rows));
+        }
         let Some(keys) = &batch.keys else {
             let batch = CountedBatch::new(columns, &batch.rows, |_| None, 1);
-            return Rows { batch, words: Vec::new(), word_of: Vec::new() };
+            return Rows::Counted { batch, words: Vec::new(), word_of: Vec::new() };
         };
         let mut words: Vec<(String, usize)> = Vec::new();
         let mut numbers: HashMap<&str, usize> = HashMap::new();
@@ -178,7 +235,7 @@ impl Rows {
         let key = |row: usize| number_of.get(row).map(|&number| number as u32);
         let counted = CountedBatch::new(columns, &batch.rows, key, 1);
         let word_of = counted.positions().filter_map(|row| number_of.get(row).copied()).collect();
-        Rows { batch: counted, words, word_of }
+        Rows::Counted { batch: counted, words, word_of }
     }
 
     /// Adds these rows, each with the number of its word before its own numbers where there are words.
@@ -188,14 +245,18 @@ impl Rows {
         directions: &mut Directions,
         has_words: bool,
     ) -> Result<(), String> {
+        let (batch, words, word_of) = match self {
+            Rows::Plain(rows) => (rows.counted(), Vec::new(), Vec::new()),
+            Rows::Counted { batch, words, word_of } => (batch, words, word_of),
+        };
         if !has_words {
-            counted.push(self.batch, None);
+            counted.push(batch, None);
             return Ok(());
         }
-        let words = self.words.iter().map(|(word, row)| directions.word(word, *row).map(Word::number));
+        let words = words.iter().map(|(word, row)| directions.word(word, *row).map(Word::number));
         let words: Vec<i128> = words.collect::<Result<_, _>>()?;
-        let own: Vec<i128> = self.word_of.iter().filter_map(|&word| words.get(word).copied()).collect();
-        counted.push(self.batch, Some(&Column::of_counts(own.into_iter(), Unit::TenTo(0))));
+        let own: Vec<i128> = word_of.iter().filter_map(|&word| words.get(word).copied()).collect();
+        counted.push(batch, Some(&Column::of_counts(own.into_iter(), Unit::TenTo(0))));
         Ok(())
     }
 }

@@ -7,14 +7,16 @@ use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::Tally;
 use thiserror::Error;
 
-use super::LinearityOptions;
 use super::points::CalibrationPoint;
+use super::{LinearityOptions, Whole};
 
 /// A characteristic with its linearity.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Characteristic {
-    /// The points, by x and then by row; at least one.
+    /// The points, by x and then by row; at least one. Of many readings without directions, those that decide.
     pub points: Vec<CalibrationPoint>,
+    /// The number of points that are not among these.
+    others: usize,
     /// Largest less smallest y of its points.
     pub span: Rational,
     /// The full scale of percents: the span, or a given number.
@@ -89,11 +91,16 @@ impl LinearityLine {
 impl Characteristic {
     /// Returns the number of points; equal readings that are told once are points of their own.
     pub fn count(&self) -> usize {
-        self.points.iter().map(|point| point.count() as usize).sum()
+        count(&self.points) + self.others
     }
 
-    /// The linearity of points that are sorted by x; `None` without any. Exact. Cost: O(n log n).
-    pub(super) fn new(points: Vec<CalibrationPoint>, options: &LinearityOptions) -> Option<Self> {
+    /// The linearity of points that are sorted by x; `None` without any. Where facts about the whole are given, the points
+    /// are all that touch its hulls, and maybe others. Exact. Cost: O(n log n).
+    pub(super) fn new(
+        points: Vec<CalibrationPoint>,
+        whole: Option<&Whole>,
+        options: &LinearityOptions,
+    ) -> Option<Self> {
         let y = || points.iter().map(|point| &point.y);
         let span = y().max()? - y().min()?;
         let full_scale = options.full_scale.clone().unwrap_or_else(|| span.clone());
@@ -106,10 +113,19 @@ impl Characteristic {
         let (slope, is_only) = slope_through(&points, &options.through)?;
         let intercept = &options.through[1] - &slope * &options.through[0];
         let zero_based = measured([slope, intercept], is_only);
-        let terminal = terminal(&points).map(|theta| measured(theta, true));
-        let least_squares = LeastSquares::new(&measurements).map_err(|_| NoLine::OneX);
-        let least_squares = least_squares.map(|estimate| measured(estimate.theta, true));
+        let (terminal, least_squares) = match whole {
+            Some(whole) => (whole.terminal.clone(), whole.least_squares.clone()),
+            None => {
+                let estimate = LeastSquares::new(&measurements).ok();
+                (terminal(&points), estimate.map(|estimate| estimate.theta))
+            }
+        };
+        let line =
+            |theta: Option<[Rational; 2]>| theta.map(|theta| measured(theta, true)).ok_or(NoLine::OneX);
+        let [terminal, least_squares] = [terminal, least_squares].map(line);
+        let others = whole.map_or(0, |whole| whole.count.saturating_sub(count(&points)));
         Some(Characteristic {
+            others,
             span,
             full_scale,
             independent,
@@ -200,19 +216,25 @@ fn slope_through(points: &[CalibrationPoint], through: &[Rational; 2]) -> Option
     Some((slopes.midpoint()?, is_only))
 }
 
-/// The line through both ends of points that are sorted by x.
-fn terminal(points: &[CalibrationPoint]) -> Result<[Rational; 2], NoLine> {
+/// The number of points that some stand for.
+fn count(points: &[CalibrationPoint]) -> usize {
+    points.iter().map(|point| point.count() as usize).sum()
+}
+
+/// The line through both ends of points that are sorted by x; `None` where they have the same x.
+fn terminal(points: &[CalibrationPoint]) -> Option<[Rational; 2]> {
     let end = |x: &Rational| {
         let own = || points.iter().filter(|point| point.x == *x);
         let sum: Rational = own().map(|point| &point.y * Rational::from(point.count())).sum();
         sum.checked_div(&Rational::from(own().map(CalibrationPoint::count).sum::<u64>()))
     };
-    let ends = || {
-        let [from, to] = [&points.first()?.x, &points.last()?.x];
-        let [at_from, at_to] = [end(from)?, end(to)?];
-        let slope = (at_to - &at_from).checked_div(&(to - from))?;
-        let intercept = at_from - &slope * from;
-        Some([slope, intercept])
-    };
-    ends().ok_or(NoLine::OneX)
+    let [from, to] = [&points.first()?.x, &points.last()?.x];
+    line_through([from, &end(from)?], [to, &end(to)?])
+}
+
+/// The line through two points; `None` where they have the same x.
+pub(super) fn line_through([x1, y1]: [&Rational; 2], [x2, y2]: [&Rational; 2]) -> Option<[Rational; 2]> {
+    let slope = (y2 - y1).checked_div(&(x2 - x1))?;
+    let intercept = y1 - &slope * x1;
+    Some([slope, intercept])
 }

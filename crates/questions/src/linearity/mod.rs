@@ -12,6 +12,8 @@
 mod calibration;
 mod characteristic;
 #[cfg(feature = "files")]
+mod deciding;
+#[cfg(feature = "files")]
 mod directions;
 mod input;
 mod points;
@@ -25,6 +27,16 @@ pub use input::{LinearityInput, ResponseColumns};
 pub use points::{CalibrationPoint, CalibrationReading, Difference, Pass};
 
 use points::{Passes, points_of_passes, points_of_readings};
+
+/// The facts about all readings of a table without directions that those which decide do not tell.
+#[derive(Debug, Clone)]
+struct Whole {
+    count: usize,
+    /// The terminal and the least-squares line; `None` where all x are the same.
+    terminal: Option<[Rational; 2]>,
+    least_squares: Option<[Rational; 2]>,
+    repeatability: Option<Difference>,
+}
 
 /// The question of linearity.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -69,21 +81,31 @@ impl Linearity {
     /// assert_eq!(independent.rows(&linearity.average), [1, 2, 3]);
     /// ```
     pub fn new(readings: &[CalibrationReading], options: &LinearityOptions) -> Option<Self> {
+        Linearity::of(readings, None, options)
+    }
+
+    /// The linearity of readings, which are all or decide for all that these facts are about.
+    fn of(
+        readings: &[CalibrationReading],
+        whole: Option<&Whole>,
+        options: &LinearityOptions,
+    ) -> Option<Self> {
         let mut sorted: Vec<&CalibrationReading> = readings.iter().collect();
         sorted.sort_by(|one, other| (&one.x, one.row).cmp(&(&other.x, other.row)));
         let passes = Passes::new(&sorted);
-        let points = match passes.has_directions() {
-            true => points_of_passes(&passes),
-            false => points_of_readings(&sorted),
-        };
-        let average = Characteristic::new(points, options)?;
-        let of = |points: Vec<CalibrationPoint>| {
-            passes.has_directions().then(|| Characteristic::new(points, options)).flatten()
-        };
+        if !passes.has_directions() {
+            let average = Characteristic::new(points_of_readings(&sorted), whole, options)?;
+            let repeatability = match whole {
+                Some(whole) => whole.repeatability.clone(),
+                None => passes.repeatability(),
+            };
+            return Some(Linearity { average, up: None, down: None, hysteresis: None, repeatability });
+        }
+        let of = |pass| Characteristic::new(passes.averages(pass), None, options);
         Some(Linearity {
-            average,
-            up: of(passes.averages(Pass::Up)),
-            down: of(passes.averages(Pass::Down)),
+            average: Characteristic::new(points_of_passes(&passes), None, options)?,
+            up: of(Pass::Up),
+            down: of(Pass::Down),
             hysteresis: passes.hysteresis(),
             repeatability: passes.repeatability(),
         })

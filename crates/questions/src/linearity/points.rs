@@ -108,20 +108,20 @@ impl<'a> Passes<'a> {
     pub(super) fn hysteresis(&self) -> Option<Difference> {
         largest(self.places.iter().filter_map(|place| {
             let [up, down] = [place.average(Some(Pass::Up))?, place.average(Some(Pass::Down))?];
-            Some(((up.y - down.y).abs(), place.x, place.rows(|_| true)?))
+            Some(((up.y - down.y).abs(), place.x, move || place.rows(|_| true)))
         }))
     }
 
     /// The largest spread of readings at one x in one direction.
     pub(super) fn repeatability(&self) -> Option<Difference> {
         let each = self.places.iter().flat_map(|place| {
-            [None, Some(Pass::Up), Some(Pass::Down)].into_iter().filter_map(|pass| {
+            [None, Some(Pass::Up), Some(Pass::Down)].into_iter().filter_map(move |pass| {
                 let own = || place.readings.iter().filter(move |reading| reading.pass == pass);
                 let [least, most] =
                     [own().map(|reading| &reading.y).min()?, own().map(|reading| &reading.y).max()?];
                 let is_spread = own().map(|reading| reading.count()).sum::<u64>() > 1;
-                let rows = if is_spread { place.rows(|reading| reading.pass == pass) } else { None };
-                Some((most - least, place.x, rows?))
+                let rows = move || place.rows(|reading| reading.pass == pass);
+                is_spread.then(|| (most - least, place.x, rows))
             })
         });
         largest(each)
@@ -168,13 +168,19 @@ pub(super) fn points_of_readings(sorted: &[&CalibrationReading]) -> Vec<Calibrat
     sorted.iter().map(point).collect()
 }
 
-/// The largest of some differences, with each x where it is reached.
-fn largest<'a>(differences: impl Iterator<Item = (Rational, &'a Rational, Tally)>) -> Option<Difference> {
+/// The largest of some differences, with each x where it is reached. The data rows are asked for only where none before is
+/// larger.
+fn largest<'a>(
+    differences: impl Iterator<Item = (Rational, &'a Rational, impl FnOnce() -> Option<Tally>)>,
+) -> Option<Difference> {
     let mut found: Option<Difference> = None;
     for (value, x, rows) in differences {
+        if found.as_ref().is_some_and(|largest| value < largest.value) {
+            continue;
+        }
+        let Some(rows) = rows() else { continue };
         let point = CalibrationPoint { x: x.clone(), y: value.clone(), rows, equal: None };
         match &mut found {
-            Some(largest) if value < largest.value => {}
             Some(largest) if value == largest.value => largest.at.push(point),
             _ => found = Some(Difference { value, at: vec![point] }),
         }
