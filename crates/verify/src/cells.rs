@@ -1,7 +1,9 @@
 //! The way from the cells of a row to its half-planes (section 2).
 
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::io::Read;
+use std::iter::successors;
 use std::mem;
 
 use boundfit_exact::{
@@ -30,13 +32,19 @@ pub(crate) struct Model {
     x_error: Form,
     /// The denominator of all multiples.
     denominator: Integer,
-    /// The numbers that were read from the row, and the same over one denominator.
+    /// True if plain decimals keep to the limits of numbers, and are read as they are.
+    takes_plain: bool,
+    /// The numbers that were read from the row where all are plain decimals: mantissas and places.
+    plain: Vec<(i64, u32)>,
+    /// The numbers of any other row.
     numbers: Vec<Option<Number>>,
-    integers: Vec<Integer>,
-    /// The common denominator.
-    one: Integer,
-    /// The powers of ten that rows need again and again.
+    /// Plain decimals over one denominator, if they are machine words there; none otherwise.
+    words: Vec<i64>,
+    /// The same in integers of any size, for a row of which something is asked that words do not tell.
+    exact: OnceCell<Exact>,
+    /// The powers of ten that rows need again and again, and those that are machine words.
     powers: Vec<Integer>,
+    word_powers: Vec<i64>,
     /// The number of bits that a row's numbers are multiplied by, the work so far, and its limit.
     longest_vertex: u64,
     work: Work,
@@ -56,6 +64,21 @@ pub(crate) struct Row {
     pub(crate) times: Integer,
 }
 
+/// The numbers of a row over one denominator.
+struct Exact {
+    integers: Vec<Integer>,
+    one: Integer,
+}
+
+/// What a row says in machine words, all of them the numbers of the data times the same positive number.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct WordRow {
+    pub(crate) phi: [i64; 2],
+    /// The bounds of φ·θ, as far as they exist.
+    pub(crate) lower: Option<i64>,
+    pub(crate) upper: Option<i64>,
+}
+
 /// Vertices of fewer bits cost nothing worth counting beside rows of usual numbers.
 const FREE_BITS: u64 = 1 << 12;
 
@@ -69,8 +92,17 @@ struct Source {
     is_optional: bool,
 }
 
-/// A sum: an index of `integers`, and how many times it is taken.
-type Form = Vec<(usize, Integer)>;
+/// A sum of multiples of a row's numbers.
+type Form = Vec<Term>;
+
+/// A multiple of a number.
+struct Term {
+    /// The index of the number.
+    index: usize,
+    times: Integer,
+    /// The multiplier once more, if it is a machine word.
+    word: Option<i64>,
+}
 
 enum Bounds {
     /// Bounds around y.
@@ -127,7 +159,8 @@ impl Model {
         let form = |terms: Vec<(Quantity, u64, Rational)>, sources: &mut Vec<Source>| {
             let term = |(quantity, column, times): (Quantity, u64, Rational)| {
                 let index = index_of(sources, Source::new(quantity, column));
-                (index, times.numerator() * denominator.quotient(&times.denominator()))
+                let times = times.numerator() * denominator.quotient(&times.denominator());
+                Term { index, word: times.to_i64(), times }
             };
             terms.into_iter().map(term).collect::<Form>()
         };
@@ -144,6 +177,10 @@ impl Model {
             }
         };
         let x_error = form(x_error, &mut sources);
+        let Limits { digits, exponent } = limits.number;
+        // Plain numbers keep to these.
+        let takes_plain =
+            about.reading == Reading::Decimal && digits >= PLAIN_DIGITS && exponent >= PLAIN_EXPONENT;
         let (reading, most_work, limits, phi) = (about.reading, limits.work, limits.number, [phi1, phi2]);
         let powers = (0..=PLAIN_DIGITS as u32).map(Integer::power_of_ten).collect();
         Model {
@@ -154,10 +191,13 @@ impl Model {
             bounds,
             x_error,
             denominator,
+            takes_plain,
+            plain: Vec::new(),
             numbers: Vec::new(),
-            integers: Vec::new(),
-            one: Integer::one(),
+            words: Vec::new(),
+            exact: OnceCell::new(),
             powers,
+            word_powers: successors(Some(1_i64), |power| power.checked_mul(10)).collect(),
             longest_vertex,
             work: Work::default(),
             most_work,
@@ -166,15 +206,24 @@ impl Model {
 
     /// Reads a row. Nothing else is computed of it but that its error bound is not negative.
     pub(crate) fn read_row(&mut self, row: u64, cells: Cells<'_>) -> Result<(), Failure> {
-        let mut numbers = mem::take(&mut self.numbers);
-        numbers.clear();
-        for source in &self.sources {
-            numbers.push(self.read(*source, row, cells)?);
+        self.numbers.clear();
+        if self.read_plain(cells).is_none() {
+            self.plain.clear();
+            let mut numbers = mem::take(&mut self.numbers);
+            for source in &self.sources {
+                numbers.push(self.read(*source, row, cells)?);
+            }
+            self.numbers = numbers;
         }
-        self.numbers = numbers;
         self.count_work(row)?;
-        self.one = over_one_denominator(&self.numbers, &self.powers, &mut self.integers);
-        let is_negative = |form: &Form| self.sum(form).is_negative();
+        self.exact.take();
+        if words_over_one_denominator(&self.plain, &self.word_powers, &mut self.words).is_none() {
+            self.words.clear();
+        }
+        let is_negative = |form: &Form| match self.word_sum(form) {
+            Some(sum) => sum < 0,
+            None => self.sum(form).is_negative(),
+        };
         let is_wrong = match &self.bounds {
             Bounds::Around { above, below, .. } => is_negative(above) || is_negative(below),
             Bounds::Between { .. } => false,
@@ -183,6 +232,20 @@ impl Model {
             return Err(Falsehood::NegativeErrorBound(row).into());
         }
         Ok(())
+    }
+
+    /// Reads a row of plain decimals, as almost all are; `None` where something in it is none.
+    fn read_plain(&mut self, cells: Cells<'_>) -> Option<()> {
+        self.plain.clear();
+        for Source { quantity, column, .. } in &self.sources {
+            let (mantissa, exponent) = match (quantity, column) {
+                (Quantity::Number | Quantity::Abs, 0) => (1, 0),
+                (Quantity::Number, column) if self.takes_plain => plain_decimal(cells.get(*column)?)?,
+                _ => return None,
+            };
+            self.plain.push((mantissa, u32::try_from(-exponent).ok()?));
+        }
+        Some(())
     }
 
     /// Adds the row that was read to the work on all of them, and refuses what passes the limit.
@@ -203,7 +266,9 @@ impl Model {
 
     /// Returns whether the row that was read says something from below, and from above.
     pub(crate) fn sides(&self) -> [bool; 2] {
-        let is_there = |index: usize| self.numbers.get(index).is_some_and(Option::is_some);
+        let is_there = |index: usize| {
+            self.plain.get(index).is_some() || self.numbers.get(index).is_some_and(Option::is_some)
+        };
         match &self.bounds {
             Bounds::Around { .. } => [true; 2],
             Bounds::Between { lower, upper } => [lower, upper].map(|side| side.is_some_and(is_there)),
@@ -240,6 +305,33 @@ impl Model {
         }
     }
 
+    /// The row that was read in machine words; `None` where a number or a sum does not fit.
+    pub(crate) fn word_row(&self) -> Option<WordRow> {
+        let [phi1, phi2] = self.phi.each_ref().map(|form| self.word_sum(form));
+        let [lower, upper] = match &self.bounds {
+            Bounds::Around { y, above, below } => {
+                let y = self.word_sum(y)?;
+                [Some(y.checked_sub(self.word_sum(below)?)?), Some(y.checked_add(self.word_sum(above)?)?)]
+            }
+            Bounds::Between { lower, upper } => {
+                let denominator = self.denominator.to_i64()?;
+                let bound = |side: &Option<usize>| match side {
+                    None => Some(None),
+                    Some(index) => self.words.get(*index)?.checked_mul(denominator).map(Some),
+                };
+                [bound(lower)?, bound(upper)?]
+            }
+        };
+        Some(WordRow { phi: [phi1?, phi2?], lower, upper })
+    }
+
+    /// A sum in machine words; `None` where something does not fit.
+    fn word_sum(&self, form: &Form) -> Option<i64> {
+        form.iter().try_fold(0_i64, |sum, term| {
+            sum.checked_add(self.words.get(term.index)?.checked_mul(term.word?)?)
+        })
+    }
+
     fn lower_bound(&self) -> Integer {
         match &self.bounds {
             Bounds::Around { y, below, .. } => self.sum(y) - self.sum(below),
@@ -254,20 +346,29 @@ impl Model {
         }
     }
 
+    /// The numbers of the row that was read, in integers of any size.
+    fn exact(&self) -> &Exact {
+        self.exact.get_or_init(|| {
+            let decimal = |&(mantissa, places): &(i64, u32)| Some(Number::Decimal { mantissa, places });
+            let plain: Vec<Option<Number>> = self.plain.iter().map(decimal).collect();
+            over_one_denominator(if plain.is_empty() { &self.numbers } else { &plain }, &self.powers)
+        })
+    }
+
     /// Returns the factor that multiplies all numbers of the row.
     fn times(&self) -> Integer {
-        &self.denominator * &self.one
+        &self.denominator * &self.exact().one
     }
 
     /// A bound that is read itself.
     fn bound(&self, index: Option<usize>) -> Integer {
-        let integer = index.and_then(|index| self.integers.get(index));
+        let integer = index.and_then(|index| self.exact().integers.get(index));
         integer.map_or_else(Integer::zero, |integer| integer * &self.denominator)
     }
 
     fn sum(&self, form: &Form) -> Integer {
-        let term =
-            |(index, times): &(usize, Integer)| self.integers.get(*index).map(|integer| integer * times);
+        let integers = &self.exact().integers;
+        let term = |Term { index, times, .. }: &Term| integers.get(*index).map(|integer| integer * times);
         let mut terms = form.iter().filter_map(term);
         let first = terms.next().unwrap_or_default();
         terms.fold(first, |sum, term| sum + term)
@@ -303,11 +404,7 @@ impl Model {
 
     /// The number that a cell spells.
     fn number(&self, cell: &[u8]) -> Result<Number, ParseNumberError> {
-        let Limits { digits, exponent } = self.limits;
-        // Plain numbers keep to these.
-        let is_fast =
-            self.reading == Reading::Decimal && digits >= PLAIN_DIGITS && exponent >= PLAIN_EXPONENT;
-        match plain_decimal(cell).filter(|_| is_fast) {
+        match plain_decimal(cell).filter(|_| self.takes_plain) {
             Some((mantissa, exponent)) => Ok(Number::decimal(mantissa, exponent.into())),
             None => self.reading.read(&String::from_utf8_lossy(cell), &self.limits).map(Number::Fraction),
         }
@@ -315,15 +412,20 @@ impl Model {
 }
 
 impl About {
-    /// Hands over each half-plane of the wanted rows, then of the conditions, by its name and what computes it (section 2).
+    /// Hands over each half-plane of the wanted rows, but of those that may be passed over, then of the conditions, by its name
+    /// and what computes it (section 2).
     pub(crate) fn for_each_half_plane<R: Read>(
         &self,
         rows: &mut Rows<R>,
         limits: &DataLimits,
         longest_vertex: u64,
+        mut passes_over: impl FnMut(u64, &Model) -> bool,
         mut take: impl FnMut(Name, &dyn Fn() -> HalfPlane) -> Result<(), Falsehood>,
     ) -> Result<(), Failure> {
         self.for_each_row(rows, limits, longest_vertex, |row, model| {
+            if passes_over(row, model) {
+                return Ok(());
+            }
             let [lower, upper] = model.sides();
             if lower {
                 take(Name::Lower(row), &|| model.lower())?;
@@ -383,12 +485,18 @@ fn index_of(sources: &mut Vec<Source>, source: Source) -> usize {
     })
 }
 
-/// Multiplies numbers, 0 in place of one that is not there, by a common denominator, which it gives back.
-fn over_one_denominator(
-    numbers: &[Option<Number>],
-    powers: &[Integer],
-    integers: &mut Vec<Integer>,
-) -> Integer {
+/// Multiplies decimals by a power of ten with which they are machine words; `None` where there is none.
+fn words_over_one_denominator(plain: &[(i64, u32)], powers: &[i64], words: &mut Vec<i64>) -> Option<()> {
+    let most = plain.iter().map(|(_, places)| *places).max()?;
+    words.clear();
+    for (mantissa, places) in plain {
+        words.push(mantissa.checked_mul(*powers.get((most - places) as usize)?)?);
+    }
+    Some(())
+}
+
+/// Multiplies numbers, 0 in place of one that is not there, by a common denominator.
+fn over_one_denominator(numbers: &[Option<Number>], powers: &[Integer]) -> Exact {
     let power = |places: u32| match powers.get(places as usize) {
         Some(power) => Cow::Borrowed(power),
         None => Cow::Owned(Integer::power_of_ten(places)),
@@ -401,8 +509,7 @@ fn over_one_denominator(
         }
     }
     let is_whole = divisor == Integer::one();
-    integers.clear();
-    integers.extend(numbers.iter().map(|number| match number {
+    let integers = numbers.iter().map(|number| match number {
         None => Integer::zero(),
         Some(Number::Decimal { mantissa, places: own }) => {
             let integer = Integer::from(*mantissa) * &*power(places - own);
@@ -411,6 +518,6 @@ fn over_one_denominator(
         Some(Number::Fraction(number)) => {
             number.numerator() * &*power(places) * divisor.quotient(&number.denominator())
         }
-    }));
-    &*power(places) * divisor
+    });
+    Exact { integers: integers.collect(), one: &*power(places) * &divisor }
 }

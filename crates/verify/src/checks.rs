@@ -1,6 +1,6 @@
 //! The checks, in the order of `docs/proof.md`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Read};
 
 use boundfit_exact::Foreign;
@@ -60,17 +60,25 @@ impl Proof {
         match &self.body {
             Body::Whole(set) => {
                 let wanted = set.names();
-                let (mut half_planes, mut count) = (BTreeMap::new(), 0);
+                let mut half_planes = BTreeMap::new();
+                let mut count = about.conditions_by_name().count();
                 let longest = longest(&set.vertices);
                 let take = |name, half_plane: &dyn Fn() -> HalfPlane| {
-                    count += 1;
                     if wanted.contains(&name) {
                         half_planes.insert(name, half_plane());
                     }
                     Ok(())
                 };
+                let wanted_rows: BTreeSet<u64> = wanted.iter().filter_map(|name| name.row()).collect();
+                let mut wanted_rows = wanted_rows.into_iter().peekable();
+                let is_unwanted = |row, model: &Model| {
+                    count += model.sides().into_iter().filter(|is_there| *is_there).count();
+                    // Rows come in ascending order.
+                    while wanted_rows.next_if(|wanted| *wanted < row).is_some() {}
+                    wanted_rows.peek() != Some(&row)
+                };
                 let (rows_total, names) = data.first_look(open()?, limits, |about, rows| {
-                    about.for_each_half_plane(rows, limits, longest, take)
+                    about.for_each_half_plane(rows, limits, longest, is_unwanted, take)
                 })?;
                 let found = Found::Set(set.check(data, &HalfPlanes(half_planes), open, limits)?);
                 Ok(Statement { about, rows_total, names, half_planes: count, found })

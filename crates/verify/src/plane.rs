@@ -88,15 +88,26 @@ struct Near {
     shift: u32,
 }
 
+/// The largest shift, up to 60, for which a point has less than 2^61 units of 2^-shift in each coordinate; `None` of a point so far
+/// away that there is none.
+fn room(numerators: &[Integer; 2], denominator: &Integer) -> Option<u32> {
+    let bits = numerators.iter().map(Integer::bits).max()?;
+    u32::try_from((denominator.bits() + 60).checked_sub(bits)?.min(60)).ok()
+}
+
+/// A point from below, in units of 2^-shift.
+fn units(numerators: &[Integer; 2], denominator: &Integer, shift: u32) -> Option<[i64; 2]> {
+    let unit = Integer::power_of_two(shift.into());
+    let units = numerators.each_ref().map(|own| (own * &unit).div_rem_floor(denominator).0.to_i64());
+    let [Some(x), Some(y)] = units else { return None };
+    Some([x, y])
+}
+
 impl Near {
     /// Returns the point with as many bits as there is room for.
     fn new(numerators: &[Integer; 2], denominator: &Integer) -> Option<Self> {
-        let bits = numerators.iter().map(Integer::bits).max()?;
-        let shift = (denominator.bits() + 60).checked_sub(bits)?.min(60);
-        let unit = Integer::power_of_two(shift);
-        let units = numerators.each_ref().map(|own| (own * &unit).div_rem_floor(denominator).0.to_i64());
-        let [Some(x), Some(y)] = units else { return None };
-        Some(Near { units: [x, y], shift: u32::try_from(shift).ok()? })
+        let shift = room(numerators, denominator)?;
+        Some(Near { units: units(numerators, denominator, shift)?, shift })
     }
 
     /// Returns whether a·p < b for sure: where a·θ < b holds with a unit's worth of each coordinate to spare. Few integers are so long
@@ -114,6 +125,17 @@ impl Point {
         let (numerators, denominator) = Rational::over_common_denominator([x, y]);
         let near = Near::new(&numerators, &denominator);
         Point { numerators, denominator, near }
+    }
+
+    /// The largest shift for which the point's [units](Point::units) are small.
+    pub(crate) fn room(&self) -> Option<u32> {
+        room(&self.numerators, &self.denominator)
+    }
+
+    /// The point from below: each coordinate is at least this many units of 2^-shift, and less than one more. With no larger shift
+    /// than there is [room](Point::room) for, they are at most 2^61 in size.
+    pub(crate) fn units(&self, shift: u32) -> Option<[i64; 2]> {
+        units(&self.numerators, &self.denominator, shift)
     }
 
     /// Compares u·self with u·other.

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use boundfit_exact::Integer;
 
+use crate::cells::WordRow;
 use crate::falsehood::Falsehood;
 use crate::found::Extent;
 use crate::half_planes::HalfPlanes;
@@ -32,7 +33,48 @@ pub(crate) struct Support {
     pub(crate) vertices: [Option<usize>; 2],
 }
 
+/// The vertices of a bounded set on a grid, to tell of almost every row of many that the set is clear of its bounds.
+pub(crate) struct Clearance {
+    /// The vertices from below: each coordinate is at least this many units of 2^-shift, and less than one more.
+    corners: Vec<[i64; 2]>,
+    shift: u32,
+}
+
+impl Clearance {
+    /// Returns whether φ·θ is strictly between the row's bounds for each θ of the set, for sure. Then both half-planes contain the
+    /// set, and touch it nowhere. Exact in this sense.
+    ///
+    /// On a bounded set φ·θ is largest and smallest at vertices. With v = (u + f)/2^shift and f in [0, 1)², φ·v·2^shift is
+    /// φ·u + φ·f, and |φ·f| is not above |φ1| + |φ2|: the margin.
+    pub(crate) fn is_clear(&self, row: &WordRow) -> bool {
+        let [phi1, phi2] = row.phi.map(i128::from);
+        // |φ| is at most 2^63 and |u| at most 2^61: nothing here reaches 2^126.
+        let along = |[x, y]: &[i64; 2]| phi1 * i128::from(*x) + phi2 * i128::from(*y);
+        let (mut least, mut most) = (i128::MAX >> 1, i128::MIN >> 1);
+        for corner in &self.corners {
+            let along = along(corner);
+            (least, most) = (least.min(along), most.max(along));
+        }
+        let margin = phi1.abs() + phi2.abs();
+        let scaled = |bound: i64| i128::from(bound) << self.shift;
+        row.upper.is_none_or(|upper| most + margin < scaled(upper))
+            && row.lower.is_none_or(|lower| least - margin > scaled(lower))
+    }
+}
+
 impl<'a> Sides<'a> {
+    /// The vertices for a filter; `None` of a set that is not bounded, or has so many that a search for the one that matters
+    /// takes less time.
+    pub(crate) fn clearance(&self) -> Option<Clearance> {
+        const MOST: usize = 64;
+        if self.extent() != Extent::Bounded || self.vertices.len() > MOST {
+            return None;
+        }
+        let shift = self.vertices.iter().map(Point::room).min()??;
+        let corners = self.vertices.iter().map(|vertex| vertex.units(shift)).collect::<Option<_>>()?;
+        Some(Clearance { corners, shift })
+    }
+
     /// Takes sides by their names and checks that they are in order, meet, and name every vertex.
     pub(crate) fn of(
         vertices: &[Vector],
@@ -148,4 +190,82 @@ fn compare_parallel(one: &HalfPlane, other: &HalfPlane) -> Ordering {
     let index = usize::from(one.a[0].is_zero());
     let length = |half_plane: &HalfPlane| half_plane.a.get(index).map_or_else(Integer::zero, Integer::abs);
     (&one.b * length(other)).cmp(&(&other.b * length(one)))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use boundfit_exact::Rational;
+
+    use super::*;
+
+    fn word(state: &mut u64) -> i64 {
+        *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (*state >> 33) as i64 - (1 << 30)
+    }
+
+    /// Boxes from (x, y) to (x + w, y + h), of any size and anywhere, against rows of which many touch them.
+    #[test]
+    fn bounds_that_are_clear_are_so_exactly() {
+        let mut state = 11;
+        let [mut clear, mut strict, mut touching] = [0; 3];
+        for case in 0..3_000 {
+            let denominator = [1, 7, 1000, 1 << 30][case % 4];
+            let number = |state: &mut u64, size: i64| Rational::ratio(word(state) % size, denominator);
+            let size = [2, 100, 1 << 29][case % 3];
+            let (x, y) = (number(&mut state, size), number(&mut state, size));
+            let (w, h) = (number(&mut state, size).abs(), number(&mut state, size).abs());
+            if w.is_zero() || h.is_zero() {
+                continue;
+            }
+            let (right, top) = (&x + w, &y + h);
+            let vertices =
+                [[&right, &top], [&x, &top], [&x, &y], [&right, &y]].map(|own| own.map(Clone::clone));
+            let of = |a: [i64; 2], b: Rational| HalfPlane::new(&[a[0].into(), a[1].into(), b]);
+            let half_planes =
+                [of([1, 0], right.clone()), of([0, 1], top.clone()), of([-1, 0], -&x), of([0, -1], -&y)];
+            let half_planes: BTreeMap<Name, HalfPlane> = (1..).map(Name::Where).zip(half_planes).collect();
+            let half_planes = HalfPlanes(half_planes);
+            let sides: Vec<_> = (1..=4).map(|own| (Named::A(Name::Where(own)), Some(own - 1))).collect();
+            let sides = Sides::of(&vertices, &sides, &half_planes).unwrap();
+            let clearance = sides.clearance().unwrap();
+            for _ in 0..20 {
+                let phi = [word(&mut state) % size, word(&mut state) % size];
+                // On the grid of the box, so that bounds can touch it.
+                let along = |own: &[Rational; 2]| {
+                    let [a, b] = phi.map(|phi| Rational::from(phi * denominator));
+                    (a * &own[0] + b * &own[1]).numerator().to_i64()
+                };
+                let along: Option<Vec<i64>> = vertices.iter().map(along).collect();
+                let Some((least, most)) =
+                    along.and_then(|all| Some((*all.iter().min()?, *all.iter().max()?)))
+                else {
+                    continue;
+                };
+                let room = [word(&mut state) % 3, word(&mut state) % size];
+                let bounds = [Some(least.saturating_sub(room[0])), Some(most.saturating_add(room[1]))];
+                let [lower, upper] = if word(&mut state) % 5 == 0 { [None, bounds[1]] } else { bounds };
+                let row = WordRow { phi: phi.map(|phi| phi * denominator), lower, upper };
+                let own = |a: [i64; 2], b: i64| {
+                    let half_plane = HalfPlane::new(&[a[0].into(), a[1].into(), b.into()]);
+                    sides.support(&half_plane).unwrap().against_b
+                };
+                let phi = row.phi;
+                let above = row.upper.map(|upper| own(phi, upper));
+                let below = row.lower.map(|lower| own(phi.map(|phi| -phi), -lower));
+                let is_strict = [above, below].into_iter().flatten().all(Ordering::is_lt);
+                let is_clear = clearance.is_clear(&row);
+                assert!(is_strict || !is_clear, "{vertices:?} {row:?}");
+                clear += usize::from(is_clear);
+                strict += usize::from(is_strict);
+                touching += usize::from(!is_strict);
+            }
+        }
+        assert!(
+            clear > 5_000 && 100 * clear > 95 * strict && touching > 10_000,
+            "{clear} {strict} {touching}"
+        );
+    }
 }

@@ -5,6 +5,7 @@ use std::io::Read;
 
 use boundfit_exact::Rational;
 
+use crate::cells::Model;
 use crate::data::Data;
 use crate::failure::{DataLimits, Failure};
 use crate::falsehood::Falsehood;
@@ -107,8 +108,13 @@ impl WholeSet {
             Ok(())
         };
         let longest = longest(&self.vertices);
+        let clearance = sides.clearance();
+        let is_clear = |_, model: &Model| {
+            let clearance = clearance.as_ref().zip(model.word_row());
+            clearance.is_some_and(|(clearance, row)| clearance.is_clear(&row))
+        };
         data.look_again(reader, limits, |about, rows| {
-            about.for_each_half_plane(rows, limits, longest, take)
+            about.for_each_half_plane(rows, limits, longest, is_clear, take)
         })?;
         match self.active.iter().zip(is_found).find(|(_, is_found)| !is_found) {
             None => Ok(()),
