@@ -114,10 +114,11 @@ impl<'a> Data<'a> {
     }
 
     /// Reads what [`Data::problem_with_others`] does, without the hash of the data: in less memory where no reading may be left out.
-    pub(crate) fn shown_problem(self) -> Result<Problem, Failure> {
+    /// More readings of a line than so many wait in their columns.
+    pub(crate) fn shown_problem(self, most_of_line: usize) -> Result<Problem, Failure> {
         match self.asked.options.table.selects_rows() {
             true => self.problem_with_others(),
-            false => self.whole_problem(),
+            false => self.scanned(Keep { most_of_line, ..Keep::EVERY }, Shows::Nothing),
         }
     }
 

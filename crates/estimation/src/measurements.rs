@@ -282,6 +282,61 @@ impl Measurements {
         None
     }
 
+    /// The columns in which readings wait, others than those in memory.
+    #[cfg(feature = "files")]
+    fn waiting(&self) -> Option<&InColumns> {
+        self.origin.in_columns.as_ref().filter(|_| matches!(self.readings, Readings::Supporting { .. }))
+    }
+
+    /// The number of readings that can be shown: all that are fitted, where others than those in memory wait in their columns, else
+    /// those in memory.
+    pub fn shown(&self) -> usize {
+        #[cfg(feature = "files")]
+        if self.waiting().is_some() {
+            return self.fitted();
+        }
+        self.kept().len()
+    }
+
+    /// A reading that can be shown, by its position; positions ascend with rows. Exact.
+    pub fn shown_at(&self, position: usize) -> Option<Cow<'_, Measurement>> {
+        #[cfg(feature = "files")]
+        if let Some(columns) = self.waiting() {
+            return columns.reading(position, &self.meaning).map(Cow::Owned);
+        }
+        self.kept().get(position).map(Cow::Borrowed)
+    }
+
+    /// The position of a row among the readings that can be shown.
+    pub fn position_of(&self, row: usize) -> Option<usize> {
+        #[cfg(feature = "files")]
+        if let Some(columns) = self.waiting() {
+            return columns.position_of(row);
+        }
+        self.kept().binary_search_by_key(&row, |reading| reading.row).ok()
+    }
+
+    /// x, y and ε of each reading of a line that can be shown, by [`Rational::near_f64`]. Returns `None` of other models, and
+    /// of bounds that do not lie around y. Cost: linear.
+    pub fn near_f64(&self) -> Option<Vec<[f64; 3]>> {
+        if self.meaning.regressors() != 1 {
+            return None;
+        }
+        #[cfg(feature = "files")]
+        if let Some(columns) = self.waiting() {
+            let epsilon = self.meaning.error_bound.uniform()?.near_f64();
+            let readings = columns.near_f64(&self.meaning).into_iter();
+            return Some(readings.map(|[x, y]| [x, y, epsilon]).collect());
+        }
+        let near = |reading: &Measurement| match &reading.bounds {
+            Bounds::Around { response, epsilon } => {
+                Some([&reading.regressor[0], response, epsilon].map(Rational::near_f64))
+            }
+            Bounds::Between { .. } => None,
+        };
+        self.kept().iter().map(near).collect()
+    }
+
     /// Every reading that is fitted, equal ones maybe once, with what these stand for; `None` when only those that support a hull
     /// are in memory.
     pub fn every(&self) -> Option<(&[Measurement], Cow<'_, Ties>)> {

@@ -52,6 +52,15 @@ impl Rational {
         }
     }
 
+    /// The number to within three roundings, several times faster than the nearest where numerator and denominator are words.
+    #[inline]
+    pub fn near_f64(&self) -> f64 {
+        match self.to_words() {
+            Some((numerator, denominator)) => numerator as f64 / denominator as f64,
+            None => self.to_f64(),
+        }
+    }
+
     /// The number that [`Rational::to_f64`] gives, if it is a finite one.
     pub fn to_finite_f64(&self) -> Option<f64> {
         Some(self.to_f64()).filter(|double| double.is_finite())

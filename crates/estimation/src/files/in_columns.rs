@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use boundfit_exact::Rational;
 use boundfit_formats::{Batch, TableRow};
 
 use crate::meaning::Meaning;
@@ -24,6 +25,48 @@ impl InColumns {
     pub(crate) fn readings(&self, meaning: &Meaning) -> Vec<Measurement> {
         readings_of(&self.0, meaning)
     }
+
+    /// The reading at a position. Exact. Cost: that of a look at each batch.
+    pub(crate) fn reading(&self, mut position: usize, meaning: &Meaning) -> Option<Measurement> {
+        for batch in self.0.iter() {
+            match position.checked_sub(batch.rows.len()) {
+                Some(further) => position = further,
+                None => {
+                    return Some(meaning.of_columns(&batch.columns, position, batch.rows.get(position)));
+                }
+            }
+        }
+        None
+    }
+
+    /// The position of a row.
+    pub(crate) fn position_of(&self, row: usize) -> Option<usize> {
+        let mut before = 0;
+        self.0.iter().find_map(|batch| {
+            let own = batch.rows.position(row).map(|position| before + position);
+            before += batch.rows.len();
+            own
+        })
+    }
+
+    /// x and y of each reading of a line by [`Rational::near_f64`]. Cost: some nanoseconds for
+    /// short decimals.
+    pub(crate) fn near_f64(&self, meaning: &Meaning) -> Vec<[f64; 2]> {
+        let of_batch = |batch: &Batch| -> Vec<[f64; 2]> {
+            match batch.columns.as_slice() {
+                [x, y] if meaning.form.x_origin.is_zero() => {
+                    x.near_f64().into_iter().zip(y.near_f64()).map(<[f64; 2]>::from).collect()
+                }
+                _ => readings_of(std::slice::from_ref(batch), meaning).iter().map(near_f64).collect(),
+            }
+        };
+        self.0.iter().flat_map(of_batch).collect()
+    }
+}
+
+/// x and y of a reading of a line.
+fn near_f64(reading: &Measurement) -> [f64; 2] {
+    [&reading.regressor[0], reading.y_and_epsilon().0].map(Rational::near_f64)
 }
 
 /// The readings in some batches. Exact. Cost: linear.

@@ -47,36 +47,47 @@ pub(super) fn legend() -> impl Iterator<Item = LegendEntry> {
 /// Counts the fitted readings in each square, column by column.
 fn counted(view: &View, panel: &Panel, [columns, lines]: [f64; 2]) -> Vec<Vec<u32>> {
     let mut counts = vec![vec![0_u32; lines as usize + 1]; columns as usize + 1];
-    let [across, up] = panel.coordinates();
-    let measurements = &view.scene.problem.measurements;
-    let x_of = |reading: &Measurement| match view.scene.is_line() {
-        true => reading.regressor[0].clone(),
-        false => Rational::from(reading.row),
-    };
-    let theta = view.reference.map(|reference| reference.theta.each_ref().map(float));
-    // The rest of a level after a line is subtracted has the error of the level.
-    let largest = measurements.kept().iter().map(|reading| float(&level(reading)).abs()).fold(0.0, f64::max);
-    let rough = Rough::new(across, 0.0).zip(Rough::new(up, largest));
-    for reading in measurements.kept() {
-        let [x, y] = match &rough {
-            Some((across, up)) => {
-                let base = theta.map_or(0.0, |[theta1, theta2]| {
-                    theta1 * float(&reading.regressor[0]) + theta2 * float(&reading.regressor[1])
-                });
-                [across.fraction(float(&x_of(reading))), up.fraction(float(&level(reading)) - base)]
-            }
-            None => {
-                let value = level(reading) - view.reference_at(reading);
-                [across.fraction(&x_of(reading)), up.fraction(&value)]
-            }
-        };
+    let mut count = |[x, y]: [f64; 2]| {
         if !((0.0..=1.0).contains(&x) && (0.0..=1.0).contains(&y)) {
-            continue;
+            return;
         }
         let count = counts.get_mut((x * columns) as usize).and_then(|c| c.get_mut((y * lines) as usize));
         if let Some(count) = count {
             *count = count.saturating_add(1);
         }
+    };
+    let [across, up] = panel.coordinates();
+    let theta = view.reference.map(|reference| reference.theta.each_ref().map(Rational::near_f64));
+    if let Some(floats) = &view.scene.floats {
+        // The rest of a level after a line is subtracted has the error of the level.
+        let largest = floats.iter().map(|[_, y, _]| y.abs()).fold(0.0, f64::max);
+        if let Some((across, up)) = Rough::new(across, 0.0).zip(Rough::new(up, largest)) {
+            for [x, y, _] in floats {
+                let base = theta.map_or(0.0, |[theta1, theta2]| theta1 * x + theta2);
+                count([across.fraction(*x), up.fraction(y - base)]);
+            }
+            return counts;
+        }
+    }
+    let x_of = |reading: &Measurement| match view.scene.is_line() {
+        true => reading.regressor[0].clone(),
+        false => Rational::from(reading.row),
+    };
+    let largest = view.scene.fitted().map(|reading| level(&reading).near_f64().abs()).fold(0.0, f64::max);
+    let rough = Rough::new(across, 0.0).zip(Rough::new(up, largest));
+    for reading in view.scene.fitted() {
+        count(match &rough {
+            Some((across, up)) => {
+                let base = theta.map_or(0.0, |[theta1, theta2]| {
+                    theta1 * reading.regressor[0].near_f64() + theta2 * reading.regressor[1].near_f64()
+                });
+                [across.fraction(x_of(&reading).near_f64()), up.fraction(level(&reading).near_f64() - base)]
+            }
+            None => {
+                let value = level(&reading) - view.reference_at(&reading);
+                [across.fraction(&x_of(&reading)), up.fraction(&value)]
+            }
+        });
     }
     counts
 }
@@ -90,20 +101,13 @@ struct Rough {
 impl Rough {
     /// `None` where floats do not tell neighbouring pixels apart, of numbers up to `largest`.
     fn new(axis: &Axis, largest: f64) -> Option<Self> {
-        let [lower, width] = [axis.lower(), axis.width()].map(float);
+        let [lower, width] = [axis.lower(), axis.width()].map(Rational::near_f64);
         let is_fine = width.is_normal() && lower.is_finite() && width > NARROW * lower.abs().max(largest);
         is_fine.then_some(Rough { lower, width })
     }
 
     fn fraction(&self, value: f64) -> f64 {
         (value - self.lower) / self.width
-    }
-}
-
-fn float(value: &Rational) -> f64 {
-    match value.to_words() {
-        Some((numerator, denominator)) => numerator as f64 / denominator as f64,
-        None => value.to_f64(),
     }
 }
 

@@ -3,7 +3,6 @@
 //! Thinned out, a panel shows of each column the reading that reaches lowest and the one that reaches highest. Floats leave out
 //! what is certain to be neither, by a margin a thousand times wider than all their roundings; what is left is placed exactly.
 
-use boundfit_estimation::{Bounds, Measurement};
 use boundfit_exact::Rational;
 
 /// The width of a column in which the extreme readings are kept, in pixels.
@@ -16,6 +15,9 @@ const EDGE: f64 = 1e-3;
 const MARGIN: f64 = 1e-12;
 /// Numbers below this lose digits in a float.
 const LEAST: f64 = 1e-290;
+
+/// x, y and ε of a reading of a line.
+pub(super) type Floats = [f64; 3];
 
 /// The reach of a column: with levels down and up, and with distances down and up, all taken as "down".
 type Depths = [f64; 4];
@@ -36,37 +38,37 @@ pub(super) fn columns(length: f64) -> f64 {
 }
 
 /// Returns whether each reading may be the lowest or the highest of its column on a panel, by its level or by its
-/// distance from a line. Returns `None` where every reading needs a look. Cost: some hundred instructions for each.
+/// distance from a line. Returns `None` where every reading needs a look. The floats are those of
+/// [`Measurements::near_f64`](boundfit_estimation::Measurements::near_f64); whether two readings are the same is asked of few. Cost: some hundred instructions for each.
 pub(super) fn may_be_seen(
-    readings: &[Measurement],
+    floats: &[Floats],
+    are_same: impl Fn(usize, usize) -> bool,
     theta: Option<&[Rational; 2]>,
     abscissas: &[Rational; 2],
     columns: f64,
 ) -> Option<Vec<bool>> {
-    if readings.len() < FEW {
+    if floats.len() < FEW {
         return None;
     }
-    let rough = Rough::new(readings, theta, abscissas, columns)?;
+    let rough = Rough::new(floats, theta, abscissas, columns)?;
     let mut deepest = vec![[f64::INFINITY; 4]; columns as usize + 2];
-    for reading in readings {
-        let (column, depths) = rough.place(reading)?;
+    for reading in floats {
+        let (column, depths) = rough.place(reading);
         let deepest = deepest.get_mut(column as usize)?;
         deepest.iter_mut().zip(depths).for_each(|(deepest, depth)| *deepest = deepest.min(depth));
     }
     // Readings that are the same are in the same place: of those the first is seen.
-    let mut last: Vec<[Option<&Measurement>; 4]> = vec![[None; 4]; deepest.len()];
-    let mut seen = Vec::with_capacity(readings.len());
-    for reading in readings {
-        let (column, depths) = rough.place(reading)?;
+    let mut last: Vec<[Option<usize>; 4]> = vec![[None; 4]; deepest.len()];
+    let mut seen = Vec::with_capacity(floats.len());
+    for (position, reading) in floats.iter().enumerate() {
+        let (column, depths) = rough.place(reading);
         let (deepest, last) = (deepest.get(column as usize)?, last.get_mut(column as usize)?);
         let from_end = (column - column.round()).abs();
         let mut is_seen = from_end <= EDGE;
         for ((depth, deepest), last) in depths.iter().zip(deepest).zip(last) {
-            let is_same = |other: &Measurement| {
-                (&other.regressor, &other.bounds) == (&reading.regressor, &reading.bounds)
-            };
+            let is_same = |other: usize| floats.get(other) == Some(reading) && are_same(other, position);
             if *depth <= deepest + rough.margin && !last.is_some_and(is_same) {
-                *last = Some(reading);
+                *last = Some(position);
                 is_seen = true;
             }
         }
@@ -77,7 +79,7 @@ pub(super) fn may_be_seen(
 
 impl Rough {
     fn new(
-        readings: &[Measurement],
+        floats: &[Floats],
         theta: Option<&[Rational; 2]>,
         abscissas: &[Rational; 2],
         columns: f64,
@@ -85,9 +87,8 @@ impl Rough {
         let theta = theta.map_or([0.0; 2], |theta| theta.each_ref().map(Rational::to_f64));
         let [lower, upper] = abscissas.each_ref().map(Rational::to_f64);
         let mut most = [lower.abs().max(upper.abs()), 0.0, 0.0];
-        for reading in readings {
-            let (_, y, epsilon) = numbers(reading)?;
-            most = [most[0], most[1].max(y.abs()), most[2].max(epsilon)];
+        for [_, y, epsilon] in floats {
+            most = [most[0], most[1].max(y.abs()), most[2].max(*epsilon)];
         }
         let [x, y, epsilon] = most;
         let size = y + epsilon + theta[0].abs() * x + theta[1].abs();
@@ -98,30 +99,17 @@ impl Rough {
     }
 
     /// Returns the place of a reading along the axis of x, in columns, and its depths.
-    fn place(&self, reading: &Measurement) -> Option<(f64, Depths)> {
-        let (x, y, epsilon) = numbers(reading)?;
+    fn place(&self, [x, y, epsilon]: &Floats) -> (f64, Depths) {
         let distance = y - (self.theta[0] * x + self.theta[1]);
         let column = (x - self.lower) * self.scale;
-        Some((column, [y - epsilon, -(y + epsilon), distance - epsilon, -(distance + epsilon)]))
-    }
-}
-
-/// x, y and ε of a reading of a line; `None` if it has other bounds.
-fn numbers(reading: &Measurement) -> Option<(f64, f64, f64)> {
-    let Bounds::Around { response, epsilon } = &reading.bounds else { return None };
-    Some((float(&reading.regressor[0]), float(response), float(epsilon)))
-}
-
-/// The number to within three roundings.
-fn float(value: &Rational) -> f64 {
-    match value.to_words() {
-        Some((numerator, denominator)) => numerator as f64 / denominator as f64,
-        None => value.to_f64(),
+        (column, [y - epsilon, -(y + epsilon), distance - epsilon, -(distance + epsilon)])
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use boundfit_estimation::{Bounds, Measurement};
+
     use super::*;
 
     /// Numbers that look random, the same on every run.
@@ -188,7 +176,18 @@ mod tests {
             let half = Rational::ratio(1, 2);
             let ends = if least == most { [&least - &half, &most + &half] } else { [least, most] };
             let theta = [Rational::from(slope), Rational::ratio(1, 3)];
-            let Some(seen) = may_be_seen(&readings, Some(&theta), &ends, 50.0) else { continue };
+            let floats = |own: &Measurement| {
+                let Bounds::Around { response, epsilon } = &own.bounds else {
+                    unreachable!("bounds around y")
+                };
+                [&own.regressor[0], response, epsilon].map(Rational::near_f64)
+            };
+            let floats: Vec<Floats> = readings.iter().map(floats).collect();
+            let are_same = |one: usize, other: usize| {
+                let [one, other] = [one, other].map(|own| &readings[own]);
+                (&one.regressor, &one.bounds) == (&other.regressor, &other.bounds)
+            };
+            let Some(seen) = may_be_seen(&floats, are_same, Some(&theta), &ends, 50.0) else { continue };
             left_out += seen.iter().filter(|&&is_seen| !is_seen).count();
             for index in outermost(&readings, &theta, &ends, 50) {
                 assert!(seen[index], "{index} of {places} {steps} {offset} {slope}");

@@ -7,7 +7,7 @@ use boundfit_estimation::{BoundName, Fit, Measurement, Model, Problem};
 use boundfit_exact::Rational;
 
 use super::frames::frames;
-use super::sample::{columns, may_be_seen};
+use super::sample::{Floats, columns, may_be_seen};
 use crate::axis::Axis;
 use crate::extent::Extent;
 use crate::figure::{Figure, PlotOptions};
@@ -72,6 +72,8 @@ pub(crate) struct Scene<'a> {
     pub(crate) readings: Vec<Shown>,
     /// The number of readings there.
     pub(crate) count: usize,
+    /// The fitted readings of a line as floats, where there are too many to be told apart.
+    pub(super) floats: Option<Vec<Floats>>,
     /// The ends of the axis of x.
     pub(crate) abscissas: [Rational; 2],
 }
@@ -81,23 +83,36 @@ impl<'a> Scene<'a> {
         let conflict = Conflict::of(problem, fit);
         let reference = reference(problem, fit, figure);
         let others = if figure == Figure::Corridor { &[] } else { problem.measurements.others() };
-        let fitted = problem.measurements.kept();
+        let measurements = &problem.measurements;
         let asked = options.x_range.clone();
-        let abscissas = asked.unwrap_or_else(|| abscissas([others, fitted], is_line(problem)));
+        // The readings on the hulls of all include the ends of x.
+        let abscissas = asked.unwrap_or_else(|| abscissas([others, measurements.kept()], is_line(problem)));
         let frame = frames(options)[0];
         let columns = columns(if options.flip { frame.height } else { frame.width });
         let theta = reference.as_ref().map(|reference| &reference.theta);
-        let seen = match others {
+        let is_crowded = measurements.shown() > MOST_MARKS;
+        let floats = is_crowded.then(|| measurements.near_f64()).flatten();
+        let are_same = |one: usize, other: usize| {
+            let [one, other] = [one, other].map(|position| measurements.shown_at(position));
+            let both = one.as_deref().zip(other.as_deref());
+            both.is_some_and(|(one, other)| {
+                (&one.regressor, &one.bounds) == (&other.regressor, &other.bounds)
+            })
+        };
+        let seen = match (others, &floats) {
             // Only of a line they are beside each other.
-            [] if is_line(problem) && fitted.len() > MOST_MARKS => {
-                may_be_seen(fitted, theta, &abscissas, columns)
-            }
+            ([], Some(floats)) => may_be_seen(floats, are_same, theta, &abscissas, columns),
             _ => None,
         };
-        let readings =
-            readings(problem, fit, &conflict, [others, fitted], reference.as_ref(), seen.as_deref());
-        let count = others.len() + fitted.len();
-        Scene { problem, fit, figure, options, conflict, reference, readings, count, abscissas }
+        let readings = readings(problem, fit, &conflict, others, reference.as_ref(), seen.as_deref());
+        let count = others.len() + measurements.shown();
+        Scene { problem, fit, figure, options, conflict, reference, readings, count, floats, abscissas }
+    }
+
+    /// Every fitted reading that can be shown.
+    pub(crate) fn fitted(&self) -> impl Iterator<Item = Cow<'a, Measurement>> {
+        let measurements = &self.problem.measurements;
+        (0..measurements.shown()).filter_map(|position| measurements.shown_at(position))
     }
 
     /// Returns whether the model is a line.
@@ -160,7 +175,7 @@ fn readings(
     problem: &Problem,
     fit: &Fit,
     conflict: &Conflict,
-    [others, fitted]: [&[Measurement]; 2],
+    others: &[Measurement],
     reference: Option<&Reference>,
     seen: Option<&[bool]>,
 ) -> Vec<Shown> {
@@ -179,13 +194,18 @@ fn readings(
             measurement: measurement.clone(),
         }
     };
-    let is_kept = |(index, reading): &(usize, &Measurement)| {
-        seen.is_none_or(|seen| seen.get(*index) != Some(&false))
-            || active.contains(&reading.row)
-            || is_conflicting(&reading.row)
+    let measurements = &problem.measurements;
+    let positions: Vec<usize> = match seen {
+        None => (0..measurements.shown()).collect(),
+        Some(seen) => {
+            let seen = seen.iter().enumerate().filter(|(_, is_seen)| **is_seen).map(|(position, _)| position);
+            let kept = active.iter().chain(&conflict.rows).filter_map(|row| measurements.position_of(*row));
+            let positions: BTreeSet<usize> = seen.chain(kept).collect();
+            positions.into_iter().collect()
+        }
     };
-    let fitted = fitted.iter().enumerate().filter(is_kept).map(|(_, reading)| shown(reading, true));
-    others.iter().map(|row| shown(row, false)).chain(fitted).collect()
+    let fitted = positions.into_iter().filter_map(|position| measurements.shown_at(position));
+    others.iter().map(|row| shown(row, false)).chain(fitted.map(|reading| shown(&reading, true))).collect()
 }
 
 /// The rows whose bounds pass through a vertex: the first of each vertex, when there are many.

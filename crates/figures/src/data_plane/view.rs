@@ -1,5 +1,7 @@
 //! The part of the data plane that a panel shows, and the lines on it.
 
+use std::borrow::Cow;
+
 use boundfit_estimation::{Bounds, Measurement};
 use boundfit_exact::Rational;
 
@@ -99,7 +101,7 @@ impl View<'_> {
             return None;
         }
         let others = if *figure == Figure::Corridor { &[] } else { problem.measurements.others() };
-        let all = others.iter().chain(problem.measurements.kept());
+        let all = others.iter().map(Cow::Borrowed).chain(self.scene.fitted());
         let stands = |reading: &Measurement| {
             let level = level(reading);
             let value = if self.reference.is_some() { level - self.reference_at(reading) } else { level };

@@ -139,6 +139,42 @@ fn many_rows_make_no_large_files() {
     }
 }
 
+/// All of very many readings wait in their columns. Where rows are chosen, even if these are all, each reading is held as numbers.
+#[test]
+fn readings_that_wait_in_columns_are_drawn_as_others_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("many.csv");
+    let count = 10_500_usize;
+    let noise = |k: usize| (k * 7919 + k * k % 104_729) % 4001;
+    // Short decimals, few steps of x with equal rows, seventeen digits, one x, and numbers that a float does not tell apart.
+    let rows: [&dyn Fn(usize) -> String; 5] = [
+        &|k| format!("{}e-3,{}e-4", k * 31 % 10_007, k * 31 % 10_007 * 18 + noise(k)),
+        &|k| format!("{},{}", k % 7, k % 7 * 2_000 + noise(k) % 50 * 80),
+        &|k| {
+            format!(
+                "0.{:017},1.{:016}",
+                k * 7_919_000_000_017 % 99_999_999_999_999_999,
+                noise(k) * 1_000_000_007
+            )
+        },
+        &|k| format!("5,{}", noise(k)),
+        &|k| format!("1000000000000000000{:05},{}", k * 31 % 10_007, noise(k)),
+    ];
+    for (own, (row, bound)) in rows.iter().zip(["0.25", "2500", "0.5", "2100", "2500"]).enumerate() {
+        let rows: String = (0..count).map(|k| row(k) + "\n").collect();
+        fs::write(&data, format!("t,U\n{rows}")).unwrap();
+        // The second bound leaves nothing.
+        for (bound, status) in [(bound, 0), ("0.0001", 3)] {
+            for options in ["--figure data --flip", "--figure corridor", "--figure data --x-range 0..3"] {
+                let fit = format!("{} --x t --y U --eps {bound} {options}", data.display());
+                let [waiting, held] = [svg(&fit, status), svg(&format!("{fit} --rows 1..{count}"), status)];
+                assert!(waiting == held, "{own}: {fit}");
+                assert!(waiting.contains("counted in squares"), "{own}: {fit}");
+            }
+        }
+    }
+}
+
 #[test]
 fn all_figures_go_into_a_folder() {
     let folder = tempfile::tempdir().unwrap();

@@ -6,7 +6,7 @@ use std::io::{self, IsTerminal};
 use std::path::Path;
 
 use boundfit_ask::{Factors, Refusal};
-use boundfit_estimation::{Family, Problem, fit};
+use boundfit_estimation::{Family, Keep, Problem, fit};
 use boundfit_exact::Foreign;
 use boundfit_figures::{
     Figure, FigureError, Picture, PictureFormat, PlotOptions, draw, draw_boxes, draw_outliers, draw_sweep,
@@ -91,7 +91,12 @@ impl Job<'_> {
 
     /// Any figure of a fit.
     fn run(&self) -> CommandResult {
-        let problem = problem(self.arguments, 1)?;
+        // These show counts of very many readings, for which floats are enough, and the bounds that fix the set.
+        let most_of_line = match self.figure {
+            Figure::Data | Figure::Pui | Figure::Corridor => Keep::MOST_ROWS,
+            _ => usize::MAX,
+        };
+        let problem = problem(self.arguments, 1, most_of_line)?;
         self.draw(&problem)
     }
 
@@ -106,7 +111,7 @@ impl Job<'_> {
 
     /// Draws the set that remains without outliers.
     fn run_with_outliers(&self) -> CommandResult {
-        let problem = problem(self.arguments, 1)?;
+        let problem = problem(self.arguments, 1, usize::MAX)?;
         let (file, table) = (self.arguments.data.file_name(), &self.arguments.data.table);
         refuse_long_outliers(file, &problem, &table.limits)?;
         let limits = OutlierLimits::default();
@@ -134,7 +139,7 @@ impl Job<'_> {
     /// Draws sets, or their corridors, under growing error bounds, one in another.
     fn run_with_factors(&self, factors: &Factors) -> CommandResult {
         let data = &self.arguments.data;
-        let problem = problem(self.arguments, 1)?;
+        let problem = problem(self.arguments, 1, usize::MAX)?;
         let checked = factors.check(&problem, data.table.limits.sizes().work);
         checked.map_err(|refusal| Failure::of(&refusal, data.file_name()))?;
         let Factors { from, to } = factors;
@@ -154,14 +159,15 @@ impl Job<'_> {
     }
 }
 
-/// Reads the readings, those that are not fitted too, of which so many figures will be drawn.
-fn problem(arguments: &PlotArguments, figures: u64) -> Result<Problem, Failure> {
+/// Reads the readings, those that are not fitted too, of which so many figures will be drawn. More readings of a line than
+/// `most_of_line` wait in their columns.
+fn problem(arguments: &PlotArguments, figures: u64, most_of_line: usize) -> Result<Problem, Failure> {
     let problem = arguments
         .data
         .words_with(&arguments.x_errors)
         .open()?
         .holding(memory::OF_A_FIGURE)
-        .shown_problem()?;
+        .shown_problem(most_of_line)?;
     let limits = &arguments.data.table.limits;
     input::say_table(arguments.data.file_name(), problem.measurements.table());
     refuse_long_problem(arguments.data.file_name(), &problem, figures * times::PLOT, limits)?;
@@ -175,7 +181,7 @@ fn run_with_folder(
     folder: &str,
     guard: &Guard,
 ) -> CommandResult {
-    let problem = problem(arguments, Figure::OF_FIT.len() as u64)?;
+    let problem = problem(arguments, Figure::OF_FIT.len() as u64, usize::MAX)?;
     let fit = while_working("fitting", || fit(&problem));
     let options = options(arguments, &problem);
     let file = |figure: Figure| {
