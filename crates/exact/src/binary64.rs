@@ -125,8 +125,8 @@ fn nearest_magnitude(numerator: &Integer, denominator: &Integer) -> f64 {
 /// The nearest binary64 to a quotient of long positive numbers, where their leading bits decide; `None` for others, and for quotients
 /// near the ends of the range.
 ///
-/// A numerator from n to n + 1 over a denominator from d to d + 1, with 126 and 62 bits, is from n/(d + 1) to (n + 1)/d: some of the
-/// last of 64 bits are open. Both ends decide if they have one nearest significand; a tie is left to others.
+/// The leading 126 and 62 bits say that the numerator is from n to n + 1 and the denominator from d to d + 1. Their quotient is then
+/// from n/(d + 1) to (n + 1)/d. Both ends decide if they have one nearest significand; a tie is left to others.
 fn nearest_by_leading_bits(numerator: &Integer, denominator: &Integer) -> Option<f64> {
     const ABOVE: u64 = 126;
     const BELOW: u64 = 62;

@@ -111,7 +111,7 @@ pub(crate) enum Command {
     },
 }
 
-/// What gives a command its options.
+/// The function that gives a command its options.
 type WithOptions = fn(clap::Command) -> clap::Command;
 
 /// The commands whose command line stands by itself.
