@@ -282,7 +282,9 @@ fn is_blank(line: &[u8], asked: &AskedDialect) -> bool {
 fn cells_of(line: &[u8], delimiter: u8) -> Vec<Vec<u8>> {
     let sizes = SizeLimits { line: usize::MAX, columns: MOST_CELLS, ..SizeLimits::default() };
     let mut records = Records::new("", Syntax { delimiter, comment: None }, 1, &sizes, false);
-    let mut rest = line;
+    // Without quotes a line lacks nothing but its end to be a record.
+    let ended = if line.contains(&b'"') { line.to_vec() } else { [line, b"\n"].concat() };
+    let mut rest = ended.as_slice();
     if !matches!(records.next(&mut rest), Ok(true)) && !records.finish() {
         return Vec::new();
     }
