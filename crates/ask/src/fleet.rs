@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use boundfit_estimation::{GroupFit, Question};
+use boundfit_estimation::{GroupFit, GroupLine, Question};
 use boundfit_exact::{Foreign, Rational, Work};
 use boundfit_formats::{ColumnSelector, Source, TableNotes};
 use boundfit_questions::times;
@@ -106,7 +106,19 @@ impl Groups {
         put(out, header.into_bytes())?;
         let rows = |groups| {
             let mut rows = FleetCsv::new();
-            let summary = self.each(groups, |key, group| rows.group(key, group, style));
+            let mut summary = FleetSummary::default();
+            for group in groups {
+                let key = self.fleet.key(group);
+                let line = self.question.line_of_group(&self.fleet, group);
+                match line.filter(|line| rows.line(key, line, style)) {
+                    Some(line) => summary.add(key, line.rows, GroupLine::KIND),
+                    None => {
+                        let line = self.question.of_group(&self.fleet, group);
+                        summary.add(key, line.rows, line.kind);
+                        rows.group(key, &line, style);
+                    }
+                }
+            }
             (rows.into_bytes(), summary)
         };
         self.fleet.in_order(rows, |(rows, summary)| {
@@ -139,7 +151,7 @@ impl Groups {
         let mut summary = FleetSummary::default();
         for group in groups {
             let line = self.question.of_group(&self.fleet, group);
-            summary.add(self.fleet.key(group), &line);
+            summary.add(self.fleet.key(group), line.rows, line.kind);
             show(self.fleet.key(group), &line);
         }
         summary
@@ -152,7 +164,7 @@ impl Groups {
             let problem = self.question.of_measurements(self.fleet.measurements(group));
             let fit = problem.fit();
             let line = GroupFit::of(&problem, &fit);
-            summary.add(self.fleet.key(group), &line);
+            summary.add(self.fleet.key(group), line.rows, line.kind);
             show(GroupReport { key: self.fleet.key(group), problem: &problem, fit: &fit, line: &line });
         }
         summary

@@ -102,32 +102,38 @@ impl Ask for Window {
         paper: &Paper<'_>,
         out: &mut Out<'_>,
     ) -> Result<Written, Refusal> {
+        /// Bytes that are written at once.
+        const READY: usize = 1 << 16;
         let style = &paper.style;
         let (mut summary, mut table) = (WindowSummary::default(), FleetTable::of_windows());
         let taken_for = TableJson::of_measurements(&problem.measurements);
         let mut last_answer = None;
+        // A call of the system for each line would take longer than the line.
+        let mut ready = Vec::new();
         if form == Form::Csv {
-            put(out, WindowReport::CSV_HEADER)?;
+            ready.extend_from_slice(WindowReport::CSV_HEADER.as_bytes());
         }
         let take = |turn: Turn<'_>| {
             let Some(window) = WindowReport::new(&turn, problem) else { return Ok(()) };
             summary.add(&window);
             match form {
-                Form::Json => {
-                    let mut line = Vec::new();
-                    write_window_json(&mut line, &window, taken_for.as_ref(), style);
-                    put(out, line)
-                }
-                Form::Csv => put(out, window.csv(style, &mut last_answer)),
+                Form::Json => write_window_json(&mut ready, &window, taken_for.as_ref(), style),
+                Form::Csv => ready.extend_from_slice(window.csv(style, &mut last_answer).as_bytes()),
                 Form::Text => {
                     let mut text = String::new();
                     table.push(window.cells(style), &mut text);
-                    put(out, text)
+                    ready.extend_from_slice(text.as_bytes());
                 }
-                _ => Err(Self::no_form(form)),
+                _ => return Err(Self::no_form(form)),
             }
+            if ready.len() < READY {
+                return Ok(());
+            }
+            put(out, std::mem::take(&mut ready))
         };
-        let moved = moving.each(problem, take)?;
+        let moved = moving.each(problem, take);
+        put(out, ready)?;
+        let moved = moved?;
         let to_text = summary.to_text(moving, &moved, style);
         let is_empty = summary.has_empty();
         if form != Form::Text {

@@ -1,6 +1,6 @@
 //! The line that a report about a fleet has for each group.
 
-use boundfit_exact::{Interval, Rational};
+use boundfit_exact::{Interval, Rational, WideQuotient};
 use boundfit_geometry::RegionKind;
 
 use crate::bounds::{Central, ParameterInterval};
@@ -39,4 +39,25 @@ impl GroupFit {
             least: fit.minimax.as_ref().map(|minimax| minimax.least.clone()),
         }
     }
+}
+
+/// The parts of a fit whose FPS is a polygon, as quotients that nobody has reduced: to be rounded only. The central estimate and its error
+/// bounds are those of [`WideQuotient::middle`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct GroupLine {
+    /// The number of readings there are.
+    pub rows: usize,
+    /// The row of the first of them in the file.
+    pub first_row: Option<usize>,
+    /// The lower and upper ends of the parameter uncertainty intervals.
+    pub pui: [[WideQuotient; 2]; 2],
+    /// The least-squares estimate.
+    pub least_squares: [WideQuotient; 2],
+    /// ε_min.
+    pub least: WideQuotient,
+}
+
+impl GroupLine {
+    /// The kind of set that the FPS is.
+    pub const KIND: RegionKind = RegionKind::Polygon;
 }

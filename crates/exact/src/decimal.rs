@@ -2,6 +2,7 @@
 
 mod finite;
 mod plus_minus;
+mod quotient;
 mod words;
 
 use std::fmt;
@@ -10,6 +11,7 @@ use crate::short_text::ShortText;
 use crate::{Integer, Rational};
 
 pub use plus_minus::{PlacedDecimal, PlusMinus};
+pub use quotient::WideQuotient;
 
 /// The direction in which a printed decimal may differ from the exact value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,11 +26,11 @@ pub enum Rounding {
 
 impl Rounding {
     /// Returns whether a value that needs rounding is rounded away from zero; `None` when that depends on what is cut off.
-    fn away_from_zero(self, value: &Rational) -> Option<bool> {
+    fn away_from_zero(self, is_negative: bool) -> Option<bool> {
         match self {
             Rounding::Nearest => None,
-            Rounding::Down => Some(value.is_negative()),
-            Rounding::Up => Some(value.is_positive()),
+            Rounding::Down => Some(is_negative),
+            Rounding::Up => Some(!is_negative),
         }
     }
 }
@@ -168,7 +170,7 @@ fn significand_of(value: &Rational, digits: usize, rounding: Rounding) -> Signif
 fn long_significand(value: &Rational, digits: usize, rounding: Rounding) -> Significand<Integer> {
     let magnitude = value.abs();
     let mut exponent = exponent_of(&magnitude);
-    let away_from_zero = rounding.away_from_zero(value);
+    let away_from_zero = rounding.away_from_zero(value.is_negative());
     let (mut significand, exact) = significand(&magnitude, exponent, digits, away_from_zero);
     if significand == Integer::power_of_ten(digits as u32) {
         significand = Integer::power_of_ten(digits as u32 - 1);

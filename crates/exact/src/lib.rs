@@ -39,13 +39,14 @@ mod serial;
 mod short_text;
 mod shortest;
 mod sum;
+mod wide;
 mod wide_sum;
 mod work;
 mod written;
 
 pub use binary64::{nearest_double, plain_double, significand_and_exponent};
 pub use column::{Column, Count, Long, LongProducts, LongTotal, Scaled, Unit, compare_words};
-pub use decimal::{Decimal, PlacedDecimal, PlusMinus, Rounding};
+pub use decimal::{Decimal, PlacedDecimal, PlusMinus, Rounding, WideQuotient};
 pub use double_sum::DoubleSum;
 pub use dyadic::Dyadic;
 pub use foreign::Foreign;
@@ -60,6 +61,7 @@ pub use parse::{Limits, ParseNumberError, ParseNumberErrorKind, Reading, charact
 pub use plain::{PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, exponent_prefix, plain_decimal, plain_prefix};
 pub use shortest::{Shortest, shortest_decimal, shortest_decimal_of_f32};
 pub use sum::Sum;
+pub use wide::Wide;
 pub use wide_sum::{WideProducts, WideSum};
 pub use work::{LongNumbers, MOST_WORK, TooMuchWork, Work, WorkMeter};
 pub use written::WrittenDigits;

@@ -127,6 +127,11 @@ pub const MISSING_WORDS: [&str; 14] =
 /// assert!(!["0", "-1", "inf", "error", "#1", "#!", "# no!", "Err:", "Err:x"].into_iter().any(is_missing));
 /// ```
 pub fn is_missing(text: &str) -> bool {
+    // Most texts are numbers, and no word begins with a digit, nor with a sign and a digit.
+    let unsigned = text.strip_prefix('-').unwrap_or(text);
+    if unsigned.starts_with(|first: char| first.is_ascii_digit()) {
+        return false;
+    }
     let text = trim_number(text);
     text.is_empty()
         || MISSING_WORDS.iter().any(|word| word.eq_ignore_ascii_case(text))

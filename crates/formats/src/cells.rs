@@ -1,5 +1,7 @@
 //! Cells of tables that are not text, on their way into columns.
 
+use std::ops::Range;
+
 use boundfit_exact::{
     Column, DecimalMark, PLAIN_DIGITS, PLAIN_EXPONENT, ParseNumberError, ParseNumberErrorKind, Rational,
     Reading, Shortest, Unit, WorkMeter, plain_decimal,
@@ -58,6 +60,38 @@ impl CellReader<'_> {
             self.add(text.as_ref(), &mut column).map_err(|problem| (index, problem))?;
         }
         Ok(column)
+    }
+
+    /// The numbers of a range of cells, with 0 where there is none.
+    pub(crate) fn optional(
+        &self,
+        range: Range<usize>,
+        is_missing: impl Fn(usize) -> bool,
+        given: impl Fn(Range<usize>) -> Result<Column, BadIndex>,
+    ) -> Result<Column, BadIndex> {
+        let mut column = Column::default();
+        for index in range.clone() {
+            if is_missing(index) {
+                match self.options.reading {
+                    Reading::Binary64 => column.push_double(0.0),
+                    Reading::Decimal => column.push_decimal(0, 0),
+                }
+            } else {
+                let own = given(index..index + 1);
+                column.append(&own.map_err(|(_, problem)| (index - range.start, problem))?, 0..1);
+            }
+        }
+        Ok(column)
+    }
+
+    /// The column, unless it has a negative number and may have none.
+    pub(crate) fn refusing_negative(&self, column: Column) -> Result<Column, BadIndex> {
+        match column.first_negative() {
+            Some(index) if self.selector.is_non_negative() => {
+                Err((index, InputErrorKind::NegativeErrorBound))
+            }
+            _ => Ok(column),
+        }
     }
 
     /// Returns whether what `plain_decimal` reads keeps to the limits.

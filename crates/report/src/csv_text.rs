@@ -18,6 +18,16 @@ pub(crate) fn csv_text<'a>(text: Foreign<&'a str>) -> Cow<'a, str> {
     if begins_formula && !is_number(raw) { Cow::Owned(format!("'{text}")) } else { text }
 }
 
+/// Appends a cell to a row of CSV, in quotes where it needs them.
+pub(crate) fn push_quoted(row: &mut String, cell: &str) {
+    if !cell.contains([',', '"', '\r', '\n']) {
+        return row.push_str(cell);
+    }
+    row.push('"');
+    row.extend(cell.split('"').enumerate().flat_map(|(at, part)| [if at == 0 { "" } else { "\"\"" }, part]));
+    row.push('"');
+}
+
 /// The text with control characters as `\u{1b}`, so that no terminal runs them; tabs and line ends stay.
 fn without_controls(text: &str) -> Cow<'_, str> {
     let is_run = |character: char| character.is_control() && !matches!(character, '\t' | '\n' | '\r');
@@ -53,6 +63,19 @@ mod tests {
     fn read_back(cell: &str) -> &str {
         let shorter = cell.strip_prefix('\'').filter(|text| csv_text(Foreign::of(text)) != *text);
         shorter.unwrap_or(cell)
+    }
+
+    #[test]
+    fn cells_are_quoted_as_the_library_for_csv_quotes_them() {
+        for cell in ["", "a", " a b ", "a,b", "\"", "a\"\"b\"", "l\nf", "c\rr", "#", "'=1", "\u{e4},", ";\t|"]
+        {
+            let mut row = String::new();
+            push_quoted(&mut row, cell);
+            let mut writer = csv::Writer::from_writer(Vec::new());
+            writer.write_record([cell, "1"]).unwrap();
+            let expected = String::from_utf8(writer.into_inner().unwrap()).unwrap();
+            assert_eq!(row + ",1\n", expected, "{cell:?}");
+        }
     }
 
     #[test]

@@ -41,11 +41,11 @@ pub struct FleetSummary {
 }
 
 impl FleetSummary {
-    /// Counts a group with this key.
-    pub fn add(&mut self, key: Foreign<&str>, group: &GroupFit) {
+    /// Counts a group with this key, so many rows and this kind of FPS.
+    pub fn add(&mut self, key: Foreign<&str>, rows: usize, kind: RegionKind) {
         self.groups += 1;
-        self.rows += group.rows;
-        match group.kind {
+        self.rows += rows;
+        match kind {
             RegionKind::Empty => {
                 self.empty += 1;
                 if self.first_empty.len() < MOST_NAMED {

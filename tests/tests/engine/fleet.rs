@@ -10,6 +10,7 @@ use boundfit_estimation::{
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, ScanOptions, Source, TableOptions};
 use boundfit_geometry::RegionKind;
+use boundfit_report::{FleetCsv, Style};
 use boundfit_tests::generate::{seeded, shuffled};
 use boundfit_tests::readings::{problem, rebuilt, y_and_epsilon};
 use rand::RngExt;
@@ -189,7 +190,8 @@ fn small_groups(rng: &mut ChaCha8Rng, is_long: bool) -> String {
 #[test]
 fn the_line_of_a_group_is_that_of_its_fit() {
     let mut rng = seeded(1511);
-    let mut lines = [0, 0];
+    let (mut lines, mut rows) = ([0, 0], [0, 0]);
+    let styles = [None, Some(1), Some(3), Some(9)].map(|digits| Style { digits, ..Style::default() });
     for (round, epsilon) in
         ["0", "1", "1.5", "3", "1/3", "0.75", "2"].into_iter().cycle().take(42).enumerate()
     {
@@ -209,9 +211,22 @@ fn the_line_of_a_group_is_that_of_its_fit() {
                 }
                 None => assert!(!is_polygon || epsilon == "1/3", "{:?}", problem.measurements.kept()),
             }
+            let line = fleet.group_line(group);
+            assert_eq!(line.is_some(), fleet.group_fit(group).is_some(), "{:?}", problem.measurements.kept());
+            // Rounded, the quotients are what the numbers of the fit are.
+            for style in &styles {
+                let (mut own, mut of_fit) = (FleetCsv::new(), FleetCsv::new());
+                if line.is_some_and(|line| own.line(fleet.key(group), &line, style)) {
+                    rows[usize::from(is_long)] += 1;
+                    of_fit.group(fleet.key(group), &expected, style);
+                }
+                let [own, of_fit] = [own, of_fit].map(|rows| String::from_utf8(rows.into_bytes()).unwrap());
+                assert_eq!(own, of_fit, "{epsilon} {:?}", problem.measurements.kept());
+            }
         }
     }
     assert!(lines.iter().all(|&count| count > 1000), "{lines:?}");
+    assert!(rows.iter().all(|&count| count > 3000), "{rows:?}");
 }
 
 #[test]

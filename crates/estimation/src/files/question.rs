@@ -6,7 +6,7 @@ use boundfit_formats::{ColumnSelector, InputError, ScanOptions, Source};
 use super::{Columns, EpsilonColumn, Fleet, ReducedTable};
 use crate::asked_bound::AskedBound;
 use crate::condition::Condition;
-use crate::group_fit::GroupFit;
+use crate::group_fit::{GroupFit, GroupLine};
 use crate::line_form::LineForm;
 use crate::measurements::Measurements;
 use crate::problem::Problem;
@@ -179,6 +179,14 @@ impl Question {
             let problem = self.of_measurements(fleet.measurements(group));
             GroupFit::of(&problem, &problem.fit())
         })
+    }
+
+    /// Returns what [`Question::of_group`] does, to be rounded only; `None` where the fit itself must answer: see [`Fleet::group_line`].
+    ///
+    /// # Panics
+    /// When there are not that many groups.
+    pub fn line_of_group(&self, fleet: &Fleet, group: usize) -> Option<GroupLine> {
+        self.is_plain().then(|| fleet.group_line(group)).flatten()
     }
 
     /// The readings that decide, as a text that files of readings may be in the place of: see [`ReducedTable::scan`].

@@ -65,6 +65,22 @@ impl Series {
         self.segments[index / SEGMENT].get(index % SEGMENT)
     }
 
+    /// Some numbers one after the other as [`Series::counts`] has them.
+    pub(super) fn counts_of_run(&self, rows: Range<usize>) -> Option<Counts> {
+        let first = rows.start / SEGMENT;
+        let within = rows.start % SEGMENT..rows.start % SEGMENT + rows.len();
+        if within.end > SEGMENT || rows.is_empty() {
+            return self.counts(rows);
+        }
+        let segment = self.segments.get(first)?;
+        let counts = match segment {
+            Column::Narrow(scaled) => scaled.counts().get(within)?.iter().copied().map(i128::from).collect(),
+            Column::Wide(scaled) => scaled.counts().get(within)?.to_vec(),
+            Column::Long(_) | Column::Doubles(_) | Column::Fractions(_) => return None,
+        };
+        Some(Counts { counts, exponent: exponent(segment)? })
+    }
+
     /// Some of the numbers as integers on a power of ten, where they are kept as such: on the finest one of their segments.
     pub(super) fn counts(&self, rows: impl ExactSizeIterator<Item = usize> + Clone) -> Option<Counts> {
         /// The most numbers of several segments that are copied. A larger group finds its deciding readings without a copy.
@@ -165,10 +181,18 @@ mod tests {
         let rows = [0, 7, SEGMENT, SEGMENT + 3, 2 * SEGMENT, 3 * SEGMENT - 1];
         for some in [&rows[..], &rows[..2], &rows[2..4], &rows[1..4], &rows[3..]] {
             let counts = series.counts(some.iter().copied()).expect("decimals");
+            for run in [some[0]..some[0] + 1, some[0]..some[0] + 5] {
+                let [own, by_row] =
+                    [series.counts_of_run(run.clone()), series.counts(run)].map(Option::unwrap);
+                assert_eq!((own.counts, own.exponent), (by_row.counts, by_row.exponent));
+            }
             let number = |count: &i128| Rational::scientific(*count, counts.exponent);
             let found: Vec<Rational> = counts.counts.iter().map(number).collect();
             assert_eq!(found, some.iter().map(|&row| series.get(row)).collect::<Vec<_>>());
         }
+        let across = series.counts_of_run(SEGMENT - 2..SEGMENT + 2).expect("decimals");
+        assert_eq!(across.counts, series.counts(SEGMENT - 2..SEGMENT + 2).expect("decimals").counts);
+        assert!(series.counts_of_run(3 * SEGMENT..3 * SEGMENT + 1).is_none());
         assert!(series.counts([0, 3 * SEGMENT].into_iter()).is_none());
         assert!(series.counts([0, 5 * SEGMENT].into_iter()).is_none());
     }

@@ -278,6 +278,12 @@ impl Column {
         match (&mut *self, other) {
             (own, other) if own.is_empty() => *own = other.part(range),
             (Column::Doubles(own), Column::Doubles(other)) => own.extend_from_slice(&other[range]),
+            (Column::Narrow(own), Column::Narrow(other)) if own.unit() == other.unit() => {
+                own.append_counts(&other.counts()[range]);
+            }
+            (Column::Wide(own), Column::Wide(other)) if own.unit() == other.unit() => {
+                own.append_counts(&other.counts()[range]);
+            }
             (_, Column::Narrow(other)) => {
                 self.append_counts(other.counts()[range].iter().map(|&count| count.into()), other.unit());
             }

@@ -165,6 +165,11 @@ impl<I: Count> Scaled<I> {
         Some(())
     }
 
+    /// Adds so many units each, as they are. Cost: a copy.
+    pub(super) fn append_counts(&mut self, counts: &[I]) {
+        self.counts.extend_from_slice(counts);
+    }
+
     /// Makes another unit a multiple of that of the column, which at least halves, so that this happens rarely.
     #[cold]
     fn refine(&mut self, unit: Unit) -> Option<()> {

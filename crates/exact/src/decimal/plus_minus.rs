@@ -3,13 +3,14 @@
 use std::fmt;
 
 use super::{LEAST_PLAIN, Parts, Rounding, significand};
+use crate::short_text::ShortText;
 use crate::{Integer, Rational};
 
 /// The most digits of an estimate that its error bound asks for.
 const MOST_DIGITS: usize = 40;
 
 /// The least exponent down to which an error bound has no power of ten, beside an estimate without one.
-const LEAST_PLAIN_BESIDE_PLAIN: i64 = -9;
+pub(super) const LEAST_PLAIN_BESIDE_PLAIN: i64 = -9;
 
 /// An estimate c and its error bound g as decimals c' and g' with the same last place.
 ///
@@ -25,13 +26,13 @@ pub struct PlusMinus {
 /// A decimal whose last digit has a given place. [`Display`](fmt::Display) omits the zeros at its end where it is exact.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlacedDecimal {
-    is_negative: bool,
+    pub(super) is_negative: bool,
     /// The size of the number in units of the last place.
-    units: Integer,
+    pub(super) units: Integer,
     /// The last place, as a power of ten.
-    place: i64,
-    is_exact: bool,
-    least_plain: i64,
+    pub(super) place: i64,
+    pub(super) is_exact: bool,
+    pub(super) least_plain: i64,
 }
 
 impl PlusMinus {
@@ -87,7 +88,7 @@ fn last_place(centre: &Rational, error: &Rational, digits: usize) -> i64 {
 
 impl PlacedDecimal {
     fn rounded(value: &Rational, place: i64, rounding: Rounding) -> Self {
-        let away_from_zero = rounding.away_from_zero(value);
+        let away_from_zero = rounding.away_from_zero(value.is_negative());
         let (units, is_exact) = significand(&value.abs(), place, 1, away_from_zero);
         PlacedDecimal { is_negative: value.is_negative(), units, place, is_exact, least_plain: LEAST_PLAIN }
     }
@@ -105,7 +106,7 @@ impl PlacedDecimal {
     }
 
     /// Returns whether a rounded one is written without a power of ten.
-    fn is_plain(&self) -> bool {
+    pub(super) fn is_plain(&self) -> bool {
         let first = self.units.to_string().len() as i64 - 1 + self.place;
         self.place <= 0 && (self.units.is_zero() || first >= LEAST_PLAIN)
     }
@@ -120,12 +121,22 @@ impl fmt::Display for PlacedDecimal {
                 _ => f.write_str("0"),
             };
         }
-        let digits = self.units.to_string();
-        let first = digits.len() as i64 - 1 + self.place;
-        let mut text = String::new();
-        Parts::new(&digits, first, self.is_exact, self.least_plain)
-            .write(self.is_negative, |part| text.push_str(part));
-        f.write_str(&text)
+        let parts = |digits: &str, write: &mut dyn FnMut(&str)| {
+            let first = digits.len() as i64 - 1 + self.place;
+            Parts::new(digits, first, self.is_exact, self.least_plain).write(self.is_negative, write);
+        };
+        match self.units.to_u64() {
+            Some(units) => {
+                let mut text = ShortText::new();
+                parts(itoa::Buffer::new().format(units), &mut |part| text.push(part));
+                f.write_str(text.as_str()?)
+            }
+            None => {
+                let mut text = String::new();
+                parts(&self.units.to_string(), &mut |part| text.push_str(part));
+                f.write_str(&text)
+            }
+        }
     }
 }
 

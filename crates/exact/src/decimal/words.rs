@@ -7,7 +7,7 @@ use super::{Rounding, Significand};
 use crate::Rational;
 
 /// The most digits of a significand that fits into 64 bits, whatever they are.
-const MOST_DIGITS: usize = 18;
+pub(super) const MOST_DIGITS: usize = 18;
 
 /// Numerator and denominator of |value|, when both fit.
 fn terms(value: &Rational) -> Option<(u128, u128)> {
@@ -19,29 +19,53 @@ pub(super) fn significand(value: &Rational, digits: usize, rounding: Rounding) -
     if digits > MOST_DIGITS {
         return None;
     }
-    let found = terms(value).and_then(|(numerator, denominator)| scaled(numerator, denominator, digits));
-    let Some(scaled) = found else {
-        return bracketed(value, digits, rounding);
-    };
+    let away_from_zero = rounding.away_from_zero(value.is_negative());
+    terms(value)
+        .and_then(|(numerator, denominator)| of_terms(numerator, denominator, digits, away_from_zero))
+        .or_else(|| bracketed(value, digits, away_from_zero))
+}
+
+/// The rounded significand of a quotient of positive numbers, of at most 18 digits; `None` where it takes longer numbers to tell.
+pub(super) fn of_terms(
+    numerator: u128,
+    denominator: u128,
+    digits: usize,
+    away_from_zero: Option<bool>,
+) -> Option<Significand<u64>> {
+    let scaled = scaled(numerator, denominator, digits)?;
     if scaled.remainder == 0 {
         return Some(Significand { digits: scaled.quotient, exponent: scaled.exponent, exact: true });
     }
-    let up = rounding.away_from_zero(value).unwrap_or_else(|| {
+    let up = away_from_zero.unwrap_or_else(|| {
         let half = scaled.against_half();
         half.is_gt() || (half.is_eq() && !scaled.quotient.is_multiple_of(2))
     });
     Some(scaled.rounded(up, digits))
 }
 
-/// Computes [`significand`] from the leading bits of both terms alone. The least and the largest number with these
-/// bits must have the same digits before the cut, and lie on one side of a half where that matters. Then every number
-/// between them has the same digits, too.
-fn bracketed(value: &Rational, digits: usize, rounding: Rounding) -> Option<Significand<u64>> {
-    // Room for the power of ten by which either is multiplied: four bits hold a digit.
-    let room = 4 * (digits as u64 + 2);
+/// Computes [`significand`] from the leading bits of both terms alone.
+fn bracketed(value: &Rational, digits: usize, away_from_zero: Option<bool>) -> Option<Significand<u64>> {
     let (numerator, denominator) = value.terms();
-    let beyond = numerator.bits().max(denominator.bits()).saturating_sub(u64::from(u128::BITS) - room);
-    let (numerator, denominator) = (numerator.leading(beyond)?, denominator.leading(beyond)?);
+    let beyond = bits_beyond(numerator.bits().max(denominator.bits()), digits);
+    of_leading(numerator.leading(beyond)?, denominator.leading(beyond)?, digits, away_from_zero)
+}
+
+/// Returns how many of so many bits are to go, for the rest to leave room for the power of ten that so many digits take.
+pub(super) fn bits_beyond(bits: u64, digits: usize) -> u64 {
+    // Four bits hold a digit.
+    let room = 4 * (digits as u64 + 2);
+    bits.saturating_sub(u64::from(u128::BITS).saturating_sub(room))
+}
+
+/// The rounded significand of a quotient of positive numbers that begin with these bits; `None` where that does not tell. The least
+/// and the largest number with these bits must have the same digits before the cut, and lie on one side of a half where that
+/// matters. Then every number between them has the same digits, too.
+pub(super) fn of_leading(
+    numerator: u128,
+    denominator: u128,
+    digits: usize,
+    away_from_zero: Option<bool>,
+) -> Option<Significand<u64>> {
     // One so much shorter than the other leaves nothing to tell by.
     if numerator == 0 || denominator == 0 {
         return None;
@@ -51,7 +75,7 @@ fn bracketed(value: &Rational, digits: usize, rounding: Rounding) -> Option<Sign
     if (least.exponent, least.quotient) != (most.exponent, most.quotient) || least.remainder == 0 {
         return None;
     }
-    let up = match rounding.away_from_zero(value) {
+    let up = match away_from_zero {
         Some(up) => up,
         None if least.against_half().is_gt() => true,
         None if most.against_half().is_lt() => false,
@@ -96,9 +120,7 @@ impl Scaled {
 
 #[allow(clippy::indexing_slicing, reason = "from 1 to 18 digits are asked for, and there are 39 powers")]
 fn scaled(numerator: u128, denominator: u128, digits: usize) -> Option<Scaled> {
-    // Both logarithms are right to a few units of their last place, so that the guess is off by one at most, and only
-    // next to a power of ten. The quotient decides.
-    let mut exponent = (numerator as f64 / denominator as f64).log10().floor() as i64;
+    let mut exponent = likely_exponent(numerator, denominator);
     for _ in 0..3 {
         let shift = digits as i64 - 1 - exponent;
         let power = *powers_of_ten::OF_U128.get(usize::try_from(shift.unsigned_abs()).ok()?)?;
@@ -119,8 +141,22 @@ fn scaled(numerator: u128, denominator: u128, digits: usize) -> Option<Scaled> {
     None
 }
 
+/// Guesses `floor(log10(numerator / denominator))` of positive integers. The quotient and the powers of ten are right to a few units of
+/// their last place, so that the guess is off by one at most, and only next to a power of ten.
+fn likely_exponent(numerator: u128, denominator: u128) -> i64 {
+    let rounded = |term: u128| u64::try_from(term).map_or(term as f64, |term| term as f64);
+    let quotient = rounded(numerator) / rounded(denominator);
+    // log10(2) is 1233/4096 and less than 10⁻⁵ more.
+    let binary = (quotient.to_bits() >> 52) as i64 - 1023;
+    let least = (binary * 1233) >> 12;
+    let next = usize::try_from(least + 1 - powers_of_ten::LEAST_OF_F64).ok();
+    let reaches_next =
+        next.and_then(|next| powers_of_ten::OF_F64.get(next)).is_some_and(|next| quotient >= *next);
+    least + i64::from(reaches_next)
+}
+
 /// A division of 64 bits is several times faster than one of 128.
-fn divided(dividend: u128, divisor: u128) -> (u128, u128) {
+pub(super) fn divided(dividend: u128, divisor: u128) -> (u128, u128) {
     match (u64::try_from(dividend), u64::try_from(divisor)) {
         (Ok(dividend), Ok(divisor)) => (u128::from(dividend / divisor), u128::from(dividend % divisor)),
         _ => {

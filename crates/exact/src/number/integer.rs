@@ -8,6 +8,7 @@ use super::gcd::gcd;
 use super::lehmer::long_gcd;
 use super::library::{BigInt, BigSign, DivisionAndGcd as _, ToPrimitive as _};
 use super::{Sign, number, operators};
+use crate::Wide;
 
 /// An integer of any size. Every operation is exact.
 #[derive(Clone, PartialEq, Eq, Hash)]
@@ -130,6 +131,17 @@ macro_rules! from_primitive {
 }
 
 from_primitive!(i32, i64, i128, u32, u64, u128, usize);
+
+impl From<Wide> for Integer {
+    #[inline]
+    fn from(value: Wide) -> Self {
+        let (high, low) = value.halves();
+        match i128::try_from(low) {
+            Ok(low) if high == 0 => Integer::of_word(low),
+            _ => Integer::from(high) * Integer::power_of_two(128) + Integer::from(low),
+        }
+    }
+}
 
 impl Integer {
     /// The number 0.

@@ -4,25 +4,31 @@
 //! 0.1 is 1/10. A missing value is `null` or a key that a record lacks; a text is a cell. Records are read
 //! some at a time, whatever the size of the file. The first part of the file tells which columns there are.
 
+mod lane;
+mod records;
 mod rows;
 mod tokens;
 
+use std::borrow::Cow;
 use std::io::Read;
+use std::ops::Range;
 
-use boundfit_exact::{Foreign, Notation};
+use boundfit_exact::{Column, Foreign, Notation, Reading};
 
-use crate::columns::ColumnSelector;
+use crate::cells::CellReader;
+use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::decoding::TextReader;
 use crate::dialect::{Dialect, Encoding, Missing};
 use crate::error::{InputError, InputErrorKind};
 use crate::lacking::Lacking;
-use crate::memory::{MemoryNumbers, MemoryTable, Part};
+use crate::memory::{BadNumber, Cells, Part, TextCells};
 use crate::notes::{HeaderNote, Skipped, TableNotes};
 use crate::scan::check_rows;
 use crate::scan::{Batch, ScanOptions, Scanned};
 use crate::wanted::WantedColumns;
 
-use rows::{JsonRows, Record};
+use records::Records;
+use rows::JsonRows;
 use tokens::NESTED;
 
 /// Returns whether a text that starts like this is JSON: an object with a key, or an array of objects or arrays.
@@ -66,8 +72,8 @@ pub(crate) fn scan_json<T: Send>(
     let mut lacking = Lacking::default();
     let read = loop {
         let (records, failure) = part;
-        let is_at_end = records.is_empty();
-        let handed_out = hand_out(records, &names, &wanted, rows, &mut lacking, &work, &mut take);
+        let is_at_end = records.lines().is_empty();
+        let handed_out = hand_out(&records, &names, &wanted, rows, &mut lacking, &work, &mut take);
         match handed_out {
             Ok(counts) => (rows, used) = (rows + counts.0, used + counts.1),
             Err(error) => break Err(error),
@@ -114,9 +120,49 @@ fn notes(encoding: Encoding, missing: Missing) -> TableNotes {
     }
 }
 
+/// The texts of the columns that are wanted, by their positions from 0.
+struct Texts<'a>(Vec<Option<Vec<&'a str>>>);
+
+impl Texts<'_> {
+    fn cells(&self, place: &ColumnPlace) -> TextCells<'_, &str> {
+        TextCells(self.0.get(place.position - 1).and_then(Option::as_deref).unwrap_or_default())
+    }
+}
+
+impl Cells<ColumnPlace> for Texts<'_> {
+    fn has_missing(&self, place: &ColumnPlace) -> bool {
+        self.cells(place).has_missing()
+    }
+
+    fn is_missing(&self, place: &ColumnPlace, index: usize) -> bool {
+        self.cells(place).is_missing(index)
+    }
+
+    fn text(&self, place: &ColumnPlace, index: usize, _: Reading) -> String {
+        self.cells(place).text(index).to_owned()
+    }
+
+    fn key(&self, place: &ColumnPlace, index: usize, _: Reading) -> Cow<'_, str> {
+        self.cells(place).key(index).into()
+    }
+
+    fn column(
+        &self,
+        place: &ColumnPlace,
+        range: Range<usize>,
+        reader: CellReader,
+    ) -> Result<Column, BadNumber> {
+        let cells = self.cells(place);
+        cells.column(range.clone(), reader).map_err(|(index, problem)| {
+            let index = range.start + index;
+            BadNumber { index, text: cells.text(index).to_owned(), problem }
+        })
+    }
+}
+
 /// Hands out records that come after so many others; gives how many there are, and how many of them are used.
 fn hand_out<T: Send>(
-    records: Vec<Record>,
+    records: &Records,
     names: &[Foreign],
     wanted: &WantedColumns,
     before: usize,
@@ -124,19 +170,18 @@ fn hand_out<T: Send>(
     work: &(impl Fn(Batch) -> T + Sync),
     take: &mut impl FnMut(T),
 ) -> Result<(usize, usize), InputError> {
-    let lines: Vec<u64> = records.iter().map(|record| record.line).collect();
-    let mut table = MemoryTable::default();
-    let mut cells: Vec<Option<Vec<String>>> = vec![None; names.len()];
+    let lines = records.lines();
+    let mut columns: Vec<Option<Vec<&str>>> = vec![None; names.len()];
     for position in wanted.all().map(|place| place.position) {
-        if let Some(column) = cells.get_mut(position - 1) {
-            *column = Some(vec![String::new(); lines.len()]);
+        if let Some(column) = columns.get_mut(position - 1) {
+            *column = Some(vec![""; lines.len()]);
         }
     }
     let mut seen: Vec<Option<usize>> = vec![None; names.len()];
-    for (row, record) in records.into_iter().enumerate() {
-        for (column, text) in record.cells {
+    for ((row, &line), cells) in lines.iter().enumerate().zip(records.iter()) {
+        for (column, text) in cells {
             let Some(cell) =
-                cells.get_mut(column).and_then(Option::as_mut).and_then(|cells| cells.get_mut(row))
+                columns.get_mut(column).and_then(Option::as_mut).and_then(|cells| cells.get_mut(row))
             else {
                 continue;
             };
@@ -146,14 +191,11 @@ fn hand_out<T: Send>(
             {
                 let wanted_name = names.get(column).cloned().unwrap_or_default();
                 let problem = InputErrorKind::AmbiguousColumn { wanted: wanted_name };
-                return Err(InputError::of_line(wanted.file, record.line, problem));
+                return Err(InputError::of_line(wanted.file, line, problem));
             }
         }
     }
-    for (name, cells) in names.iter().zip(cells) {
-        table.push(name.clone(), MemoryNumbers::Texts(cells.unwrap_or_default()));
-    }
-    let part = Part { table: &table, wanted, before, lines: &lines };
+    let part = Part { table: &Texts(columns), wanted, before, lines };
     let used = part.hand_out(lines.len(), lacking, work, take).map_err(about_nested)?;
     Ok((lines.len(), used))
 }

@@ -5,6 +5,8 @@ use std::io::Read;
 
 use boundfit_exact::Foreign;
 
+use super::lane::Shape;
+use super::records::Records;
 use super::tokens::Tokens;
 use crate::budget::HeldMemory;
 use crate::error::{InputError, InputErrorKind};
@@ -29,12 +31,6 @@ enum Form {
     End,
 }
 
-/// Cells of a record by the number of their column, from 0, as they come.
-pub(super) struct Record {
-    pub(super) line: u64,
-    pub(super) cells: Vec<(usize, String)>,
-}
-
 /// Records on their way.
 pub(super) struct JsonRows<'a, R> {
     file: &'a str,
@@ -46,6 +42,8 @@ pub(super) struct JsonRows<'a, R> {
     /// `true` if columns may be added.
     is_open: bool,
     most_columns: usize,
+    /// That of the last object that was read token by token.
+    shape: Option<Shape>,
     /// The memory of the records that were read together.
     memory: HeldMemory,
 }
@@ -60,6 +58,7 @@ impl<'a, R: Read> JsonRows<'a, R> {
             columns: HashMap::new(),
             is_open: true,
             most_columns: sizes.columns,
+            shape: None,
             memory: sizes.memory.nothing(),
         }
     }
@@ -71,22 +70,25 @@ impl<'a, R: Read> JsonRows<'a, R> {
     }
 
     /// The records in about so many bytes, none at the end, and what stopped the reader before.
-    pub(super) fn part(&mut self, bytes: usize) -> (Vec<Record>, Option<InputError>) {
+    pub(super) fn part(&mut self, bytes: usize) -> (Records, Option<InputError>) {
         self.memory.give_back();
         let start = self.tokens.passed();
-        let mut records = Vec::new();
+        let mut records = Records::default();
         while self.tokens.passed() - start < bytes as u64 {
-            match self.record() {
-                Ok(Some(record)) => records.push(record),
-                Ok(None) => break,
-                Err(error) => return (records, Some(error)),
+            match self.record(&mut records) {
+                Ok(true) => {}
+                Ok(false) => break,
+                Err(error) => {
+                    records.drop_open();
+                    return (records, Some(error));
+                }
             }
         }
         (records, None)
     }
 
-    /// The next record; nothing at the end.
-    fn record(&mut self) -> Result<Option<Record>, InputError> {
+    /// Adds the next record; `false` at the end.
+    fn record(&mut self, records: &mut Records) -> Result<bool, InputError> {
         loop {
             match self.form {
                 Form::Start => self.form = self.start()?,
@@ -102,20 +104,19 @@ impl<'a, R: Read> JsonRows<'a, R> {
                         self.tokens.must(b',', "',' or ']'")?;
                     }
                     self.form = Form::Array { is_first: false };
-                    match self.row()? {
-                        Some(record) => return Ok(Some(record)),
-                        None => continue,
+                    if self.row(records)? {
+                        return Ok(true);
                     }
                 }
                 Form::Lines => match self.tokens.next()? {
                     None => self.form = Form::End,
                     Some(_) => {
-                        if let Some(record) = self.row()? {
-                            return Ok(Some(record));
+                        if self.row(records)? {
+                            return Ok(true);
                         }
                     }
                 },
-                Form::End => return Ok(None),
+                Form::End => return Ok(false),
             }
         }
     }
@@ -135,56 +136,80 @@ impl<'a, R: Read> JsonRows<'a, R> {
         }
     }
 
-    /// A record, unless it names the columns: an object with keys, or an array.
-    fn row(&mut self) -> Result<Option<Record>, InputError> {
+    /// Adds a record, an object with keys or an array, unless it names the columns.
+    fn row(&mut self, records: &mut Records) -> Result<bool, InputError> {
         self.tokens.begin_record();
         let first = self.tokens.next()?;
         let line = self.tokens.line();
-        match first {
-            Some(b'{') => self.object(line).map(Some),
-            Some(b'[') => self.array(line),
-            _ => Err(self.tokens.wrong("an object such as {\"x\": 1.5}")),
+        let is_record = match first {
+            Some(b'{') if self.like_the_last(records) => true,
+            Some(b'{') => {
+                records.drop_open();
+                self.object(line, records)?;
+                true
+            }
+            Some(b'[') => self.array(line, records)?,
+            _ => return Err(self.tokens.wrong("an object such as {\"x\": 1.5}")),
+        };
+        if is_record {
+            records.close(line);
         }
+        Ok(is_record)
     }
 
-    fn object(&mut self, line: u64) -> Result<Record, InputError> {
-        let mut cells = Vec::new();
+    /// Adds the cells of an object like the last one, if it is one. Otherwise nothing has been passed over.
+    fn like_the_last(&mut self, records: &mut Records) -> bool {
+        let Some(passed) = self.shape.as_ref().and_then(|shape| shape.read(self.tokens.at_hand(), records))
+        else {
+            return false;
+        };
+        let bytes = (OF_A_CELL * records.open_cells() + records.open_bytes()) as u64;
+        // What is too much is told of the cell that is too much.
+        passed.held <= self.tokens.longest_record()
+            && self.memory.ask(bytes, MemoryUse::Records).is_ok()
+            && self.tokens.advance(passed)
+    }
+
+    fn object(&mut self, line: u64, records: &mut Records) -> Result<(), InputError> {
+        let mut keys = Vec::new();
         self.tokens.must(b'{', "'{'")?;
-        if self.tokens.take(b'}')? {
-            return Ok(Record { line, cells });
-        }
-        loop {
+        let mut is_at_end = self.tokens.take(b'}')?;
+        while !is_at_end {
             let key = self.tokens.string()?;
             self.tokens.must(b':', "':'")?;
             let cell = self.tokens.cell()?;
-            if let Some(column) = self.column(key, line)? {
-                self.hold(&cells, &cell, line)?;
-                cells.push((column, cell));
+            let column = self.column(&key, line)?;
+            if let Some(column) = column {
+                self.hold(records, &cell, line)?;
+                records.push(column, cell.as_bytes());
             }
-            if self.tokens.take(b'}')? {
-                return Ok(Record { line, cells });
+            keys.push((key, column));
+            is_at_end = self.tokens.take(b'}')?;
+            if !is_at_end {
+                self.tokens.must(b',', "',' or '}'")?;
             }
-            self.tokens.must(b',', "',' or '}'")?;
         }
+        self.shape = Shape::new(keys);
+        Ok(())
     }
 
     /// The number of the column with this name, from 0, if there is one.
-    fn column(&mut self, key: String, line: u64) -> Result<Option<usize>, InputError> {
-        if let Some(&column) = self.columns.get(&key) {
+    fn column(&mut self, key: &str, line: u64) -> Result<Option<usize>, InputError> {
+        if let Some(&column) = self.columns.get(key) {
             return Ok(Some(column));
         }
         if !self.is_open {
             return Ok(None);
         }
-        self.add_name(&key, line)?;
-        self.columns.insert(key, self.names.len() - 1);
+        self.add_name(key, line)?;
+        self.columns.insert(key.to_owned(), self.names.len() - 1);
         Ok(Some(self.names.len() - 1))
     }
 
-    /// Asks for memory for one more cell of a record with these, of which there may be as many as columns.
-    fn hold(&self, cells: &[(usize, String)], cell: &str, line: u64) -> Result<(), InputError> {
+    /// Asks for memory for one more cell of a record, of which there may be as many as columns.
+    fn hold(&self, records: &Records, cell: &str, line: u64) -> Result<(), InputError> {
         let limit = self.most_columns;
-        let asked = match cells.len() < limit {
+        let asked = match records.open_cells() < limit {
             true => self.memory.ask((OF_A_CELL + cell.len()) as u64, MemoryUse::Records),
             false => Err(InputErrorKind::TooManyColumns { limit }),
         };
@@ -200,27 +225,31 @@ impl<'a, R: Read> JsonRows<'a, R> {
         Ok(())
     }
 
-    /// A row without keys. The first one names the columns if it has texts only.
-    fn array(&mut self, line: u64) -> Result<Option<Record>, InputError> {
-        let mut cells = Vec::new();
+    /// Adds a row without keys. The first one names the columns if it has texts only.
+    fn array(&mut self, line: u64, records: &mut Records) -> Result<bool, InputError> {
         let mut are_texts = true;
         self.tokens.must(b'[', "'['")?;
         let mut is_at_end = self.tokens.take(b']')?;
         while !is_at_end {
             are_texts &= self.tokens.next()? == Some(b'"');
             let cell = self.tokens.cell()?;
-            self.hold(&cells, &cell, line)?;
-            cells.push((cells.len(), cell));
+            self.hold(records, &cell, line)?;
+            records.push(records.open_cells(), cell.as_bytes());
             is_at_end = self.tokens.take(b']')?;
             if !is_at_end {
                 self.tokens.must(b',', "',' or ']'")?;
             }
         }
-        let is_header = self.is_open && self.names.is_empty() && are_texts && !cells.is_empty();
-        while self.is_open && self.names.len() < cells.len() {
-            let name = cells.get(self.names.len()).filter(|_| is_header);
-            self.add_name(&name.map(|(_, name)| name.clone()).unwrap_or_default(), line)?;
+        let cells = records.open_cells();
+        let is_header = self.is_open && self.names.is_empty() && are_texts && cells > 0;
+        if self.is_open && self.names.len() < cells {
+            for name in records.open().skip(self.names.len()) {
+                self.add_name(if is_header { name } else { "" }, line)?;
+            }
         }
-        Ok((!is_header).then_some(Record { line, cells }))
+        if is_header {
+            records.drop_open();
+        }
+        Ok(!is_header)
     }
 }

@@ -2,6 +2,7 @@
 
 use std::io::{self, Read};
 
+use super::lane::{Passed, is_of_word};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::limits::SizeLimits;
 
@@ -44,6 +45,24 @@ impl<'a, R: Read> Tokens<'a, R> {
     /// Returns the number of bytes that were passed over.
     pub(super) fn passed(&self) -> u64 {
         self.passed
+    }
+
+    /// The bytes that were read and come next.
+    pub(super) fn at_hand(&self) -> &[u8] {
+        self.buffer.get(self.at..).unwrap_or_default()
+    }
+
+    /// Passes over some of the bytes at hand, as one of them after the other would; `true`.
+    pub(super) fn advance(&mut self, passed: Passed) -> bool {
+        self.at += passed.bytes;
+        self.passed += passed.bytes as u64;
+        self.line += passed.lines;
+        true
+    }
+
+    /// Returns the most bytes of keys and values that a record may have.
+    pub(super) fn longest_record(&self) -> usize {
+        self.sizes.line
     }
 
     /// Begins a record: what one holds is limited.
@@ -104,7 +123,7 @@ impl<'a, R: Read> Tokens<'a, R> {
 
     /// The error for what comes next, where something else belongs.
     pub(super) fn wrong(&self, expected: &'static str) -> InputError {
-        let rest = self.buffer.get(self.at..).unwrap_or_default();
+        let rest = self.at_hand();
         let shown = rest.get(..SHOWN).unwrap_or(rest);
         let shown = String::from_utf8_lossy(shown);
         let shown = shown.lines().next().unwrap_or_default().trim_end_matches(char::REPLACEMENT_CHARACTER);
@@ -135,7 +154,7 @@ impl<'a, R: Read> Tokens<'a, R> {
                     .unwrap_or_default()
                     .to_owned())
             }
-            Some(first) if first.is_ascii_alphanumeric() || b"-+.".contains(&first) => {
+            Some(first) if is_of_word(first) => {
                 let word = self.word()?;
                 Ok(if word == "null" { String::new() } else { word })
             }
@@ -147,7 +166,7 @@ impl<'a, R: Read> Tokens<'a, R> {
     fn word(&mut self) -> Result<String, InputError> {
         let mut word = String::new();
         while let Some(byte) = self.peek()? {
-            if !(byte.is_ascii_alphanumeric() || b"-+.".contains(&byte)) {
+            if !is_of_word(byte) {
                 break;
             }
             self.hold(1)?;

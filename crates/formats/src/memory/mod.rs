@@ -2,6 +2,7 @@
 
 mod numbers;
 mod part;
+mod texts;
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -17,6 +18,7 @@ use crate::wanted::WantedColumns;
 
 pub(crate) use numbers::BadNumber;
 pub(crate) use part::{Cells, Part};
+pub(crate) use texts::TextCells;
 
 /// A table whose columns are in memory. [`Source::of_table`](crate::Source::of_table) makes an input of it, which
 /// [`scan`](crate::scan) hands out as it does a file's: what reads files reads it, and refuses the same things.
@@ -156,7 +158,7 @@ impl Cells<ColumnPlace> for MemoryTable {
 
     fn key(&self, place: &ColumnPlace, index: usize, reading: Reading) -> Cow<'_, str> {
         match self.cells(place) {
-            Some(MemoryNumbers::Texts(texts)) => texts.get(index).map_or("", |text| trimmed(text)).into(),
+            Some(MemoryNumbers::Texts(texts)) => TextCells(texts).key(index).into(),
             _ => self.text(place, index, reading).into(),
         }
     }
@@ -169,9 +171,4 @@ impl Cells<ColumnPlace> for MemoryTable {
     ) -> Result<Column, BadNumber> {
         self.cells(place).map_or_else(|| Ok(Column::default()), |cells| cells.column(range, reader))
     }
-}
-
-/// A key without the spaces and tabs around it.
-fn trimmed(key: &str) -> &str {
-    key.trim_matches([' ', '\t'])
 }

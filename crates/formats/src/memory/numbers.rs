@@ -2,15 +2,13 @@
 
 use std::ops::Range;
 
-use boundfit_exact::{Column, DecimalMark, Rational, Reading, Shortest, Unit, is_missing};
+use boundfit_exact::{Column, Reading, Shortest, Unit};
 
 use super::MemoryNumbers;
+use super::texts::TextCells;
 use crate::cells::{BadIndex, CellReader};
-use crate::columns::ColumnSelector;
 use crate::columns::Role;
-use crate::dialect::MissingWords;
 use crate::error::InputErrorKind;
-use crate::roles::instead_of_number;
 
 /// A cell that cannot be used: which one from 0, its text, and why.
 pub(crate) struct BadNumber {
@@ -45,7 +43,7 @@ impl MemoryNumbers {
             }
             MemoryNumbers::Floats(floats) => floats.iter().fold(false, |found, float| found | float.is_nan()),
             MemoryNumbers::Integers(_) | MemoryNumbers::Exact(_) => false,
-            MemoryNumbers::Texts(texts) => texts.iter().any(|text| is_missing(text)),
+            MemoryNumbers::Texts(texts) => TextCells(texts).has_missing(),
         }
     }
 
@@ -55,7 +53,7 @@ impl MemoryNumbers {
             MemoryNumbers::Doubles(doubles) => doubles.get(index).is_some_and(|double| double.is_nan()),
             MemoryNumbers::Floats(floats) => floats.get(index).is_some_and(|float| float.is_nan()),
             MemoryNumbers::Integers(_) | MemoryNumbers::Exact(_) => false,
-            MemoryNumbers::Texts(texts) => texts.get(index).is_some_and(|text| is_missing(text)),
+            MemoryNumbers::Texts(texts) => TextCells(texts).is_missing(index),
         }
     }
 
@@ -77,14 +75,17 @@ impl MemoryNumbers {
 
     /// The values that a column takes from the cells in a range.
     pub(crate) fn column(&self, range: Range<usize>, reader: CellReader) -> Result<Column, BadNumber> {
-        let column = match reader.selector.role() {
-            Role::Number | Role::NonNegative => self.given(range.clone(), reader),
-            Role::Presence => {
+        let column = match (self, reader.selector.role()) {
+            (MemoryNumbers::Texts(texts), _) => TextCells(texts).column(range.clone(), reader),
+            (_, Role::Number | Role::NonNegative) => self.given(range.clone(), reader),
+            (_, Role::Presence) => {
                 let counts = range.clone().map(|index| i128::from(!self.is_missing(index)));
                 Ok(Column::of_counts(counts, Unit::TenTo(0)))
             }
-            Role::Optional => self.optional(range.clone(), reader),
-            Role::HalfUnit => self.half_units(range.clone(), reader.selector),
+            (_, Role::Optional) => self.optional(range.clone(), reader),
+            (_, Role::HalfUnit) => {
+                Err((0, InputErrorKind::NoDigits { format: "a column that is not of texts" }))
+            }
         };
         column.map_err(|(index, problem)| {
             let index = range.start + index;
@@ -119,12 +120,7 @@ impl MemoryNumbers {
             }
             MemoryNumbers::Texts(texts) => reader.texts(part(texts, range).iter())?,
         };
-        match column.first_negative() {
-            Some(index) if reader.selector.is_non_negative() => {
-                Err((index, InputErrorKind::NegativeErrorBound))
-            }
-            _ => Ok(column),
-        }
+        reader.refusing_negative(column)
     }
 
     /// The numbers in a range, with 0 where there is none.
@@ -138,39 +134,7 @@ impl MemoryNumbers {
             let filled = MemoryNumbers::Doubles(filled.collect());
             return filled.given(0..filled.len(), reader);
         }
-        let mut column = Column::default();
-        for index in range.clone() {
-            if self.is_missing(index) {
-                match reader.options.reading {
-                    Reading::Binary64 => column.push_double(0.0),
-                    Reading::Decimal => column.push_decimal(0, 0),
-                }
-            } else {
-                let own = self.given(index..index + 1, reader);
-                column.append(&own.map_err(|(_, problem)| (index - range.start, problem))?, 0..1);
-            }
-        }
-        Ok(column)
-    }
-
-    /// Half a unit of the last digit of each cell, where the cells have digits.
-    fn half_units(&self, range: Range<usize>, selector: &ColumnSelector) -> Result<Column, BadIndex> {
-        let texts = match self {
-            MemoryNumbers::Texts(texts) => part(texts, range),
-            _ => return Err((0, InputErrorKind::NoDigits { format: "a column that is not of texts" })),
-        };
-        let mut column = Column::default();
-        for (index, text) in texts.iter().enumerate() {
-            let value = instead_of_number(
-                text.as_bytes(),
-                selector,
-                Some(DecimalMark::Point),
-                &MissingWords::default(),
-            );
-            let (mantissa, exponent) = value.map_err(|problem| (index, problem))?.unwrap_or_default();
-            column.push(Rational::scientific(mantissa, exponent));
-        }
-        Ok(column)
+        reader.optional(range, |index| self.is_missing(index), |range| self.given(range, reader))
     }
 }
 

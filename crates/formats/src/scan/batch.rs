@@ -52,6 +52,14 @@ impl Pieces<String> {
         self.buffer.push_str(piece);
         self.ends.push(self.buffer.len());
     }
+
+    /// Adds the last piece once more, if there is one.
+    pub(crate) fn push_again(&mut self) {
+        if let Some(last) = self.ends.len().checked_sub(1) {
+            self.buffer.extend_from_within(self.range(last));
+            self.ends.push(self.buffer.len());
+        }
+    }
 }
 
 impl Pieces<Vec<u8>> {

@@ -401,9 +401,17 @@ impl Lane<'_> {
             .is_none_or(|&byte| byte == self.layout.syntax.delimiter || byte == b'\n' || byte == b'\r')
     }
 
+    /// The end of the cell that starts here, if its text is that of another cell and a further cell comes behind it.
+    #[inline]
+    pub(super) fn end_of_same(&self, at: usize, other: &Range<usize>) -> Option<usize> {
+        let text = self.chunk.get(other.clone())?;
+        let behind = self.chunk.get(at..)?.strip_prefix(text)?;
+        (behind.first() == Some(&self.layout.syntax.delimiter)).then_some(at + text.len())
+    }
+
     /// The contents of the cell that starts here, and its end; `None` when it has quotes that are not just around it, or goes on
     /// in another line.
-    fn cell(&self, at: usize) -> Option<(Range<usize>, usize)> {
+    pub(super) fn cell(&self, at: usize) -> Option<(Range<usize>, usize)> {
         let rest = self.chunk.get(at..)?;
         if self.is_quoted && rest.first() == Some(&b'"') {
             let length = memchr3(b'"', b'\n', b'\r', rest.get(1..)?)?;

@@ -458,6 +458,6 @@ fn is_half(cell: &[u8]) -> bool {
 }
 
 /// The key in a cell without quotes: the blanks around it set columns off from each other.
-fn unquoted_key(cell: &str) -> &str {
+pub(super) fn unquoted_key(cell: &str) -> &str {
     cell.trim_matches([' ', '\t'])
 }

@@ -1,8 +1,13 @@
-//! Rows of which nothing but decimals is wanted: as many as possible in one loop.
+//! Rows of which nothing but decimals is wanted, and a key before one of them: as many as possible in one loop.
+
+use std::ops::Range;
 
 use boundfit_exact::{Column, Scaled};
 
+use super::batch::Pieces;
 use super::lane::{Lane, Plain, Step, What};
+use super::layout::unquoted_key;
+use crate::columns::decode;
 
 /// The way through a row to up to four numbers.
 pub(super) struct Straight {
@@ -21,8 +26,18 @@ enum To {
 /// The way to so many numbers, in the order in which they stand in a row.
 pub(super) struct Way<const N: usize> {
     cells: [Cell; N],
+    key: Option<Key>,
     /// The number of cells after the last of these.
     behind: usize,
+}
+
+/// The cell with the key.
+#[derive(Clone, Copy)]
+struct Key {
+    /// The number of separators since the cell before.
+    separators: usize,
+    /// The index of the number that comes next.
+    before: usize,
 }
 
 /// A cell with a number.
@@ -38,24 +53,28 @@ impl Straight {
     /// Returns a fast path if every step reads a distinct column (presence checks excepted). `columns` is the number of columns of the
     /// table, `behind` the number of cells after them.
     pub(super) fn of(steps: &[Step], columns: usize, behind: usize) -> Option<Self> {
-        let (mut cells, mut presences) = (Vec::new(), Vec::new());
+        let (mut cells, mut presences, mut key) = (Vec::new(), Vec::new(), None);
         for step in steps {
             match *step {
                 Step { separators: Some(separators), what: What::Number { column, non_negative } } => {
                     cells.push(Cell { separators, column, non_negative });
                 }
+                Step { separators: Some(separators), what: What::Key } => {
+                    key = Some(Key { separators, before: cells.len() });
+                }
                 Step { separators: None, what: What::Presence { column } } => presences.push(column),
                 _ => return None,
             }
         }
-        if cells.len() + presences.len() != columns {
+        let is_last = |key: &Key| key.before == cells.len();
+        if cells.len() + presences.len() != columns || key.as_ref().is_some_and(is_last) {
             return None;
         }
         let to = match *cells.as_slice() {
-            [a] => To::One(Way { cells: [a], behind }),
-            [a, b] => To::Two(Way { cells: [a, b], behind }),
-            [a, b, c] => To::Three(Way { cells: [a, b, c], behind }),
-            [a, b, c, d] => To::Four(Way { cells: [a, b, c, d], behind }),
+            [a] => To::One(Way { cells: [a], key, behind }),
+            [a, b] => To::Two(Way { cells: [a, b], key, behind }),
+            [a, b, c] => To::Three(Way { cells: [a, b, c], key, behind }),
+            [a, b, c, d] => To::Four(Way { cells: [a, b, c, d], key, behind }),
             _ => return None,
         };
         Some(Straight { to, presences })
@@ -65,12 +84,14 @@ impl Straight {
     /// when a column has become one of other numbers than integers of 64 bits.
     pub(super) fn read(&self, lane: &mut Lane, at: usize) -> Option<(usize, usize)> {
         let mut columns = std::mem::take(&mut lane.batch.columns);
+        let mut keys = lane.batch.keys.take();
         let read = match &self.to {
-            To::One(way) => way.read(lane, at, &mut columns),
-            To::Two(way) => way.read(lane, at, &mut columns),
-            To::Three(way) => way.read(lane, at, &mut columns),
-            To::Four(way) => way.read(lane, at, &mut columns),
+            To::One(way) => way.read(lane, at, &mut columns, keys.as_mut()),
+            To::Two(way) => way.read(lane, at, &mut columns, keys.as_mut()),
+            To::Three(way) => way.read(lane, at, &mut columns, keys.as_mut()),
+            To::Four(way) => way.read(lane, at, &mut columns, keys.as_mut()),
         };
+        lane.batch.keys = keys;
         if let Some((rows, _)) = read {
             let is_presence = |(column, _): &(usize, &mut Column)| self.presences.contains(column);
             for (_, presence) in columns.iter_mut().enumerate().filter(is_presence) {
@@ -84,15 +105,40 @@ impl Straight {
 
 impl<const N: usize> Way<N> {
     /// Reads like [`Straight::read`].
-    fn read(&self, lane: &Lane, start: usize, columns: &mut [Column]) -> Option<(usize, usize)> {
+    fn read(
+        &self,
+        lane: &Lane,
+        start: usize,
+        columns: &mut [Column],
+        mut keys: Option<&mut Pieces<String>>,
+    ) -> Option<(usize, usize)> {
+        if self.key.is_some() && (keys.is_none() || lane.is_quoted) {
+            return None;
+        }
         let columns = columns.get_disjoint_mut(self.cells.map(|cell| cell.column)).ok()?;
         let columns = columns.into_iter().map(Column::as_narrow_mut);
         let columns: Vec<&mut Scaled<i64>> = columns.collect::<Option<_>>()?;
         let mut columns: [_; N] = columns.try_into().ok()?;
         let (mut rows, mut at) = (0, start);
-        while let Some((numbers, next)) = self.row(lane, at) {
+        let mut last_key = None;
+        while let Some((numbers, key, next)) = self.row(lane, at, last_key.as_ref()) {
+            let is_same = last_key.is_some() && key == last_key;
+            let new_key = match &key {
+                Some(key) if !is_same => match lane.chunk.get(key.clone()).map(decode) {
+                    Some(Ok(text)) => Some(unquoted_key(text)),
+                    _ => break,
+                },
+                _ => None,
+            };
             if !Scaled::push_row(&mut columns, numbers) {
                 break;
+            }
+            if let Some(keys) = &mut keys {
+                match new_key {
+                    Some(text) => keys.push(text),
+                    None => keys.push_again(),
+                }
+                last_key = key;
             }
             at = next;
             rows += 1;
@@ -100,16 +146,36 @@ impl<const N: usize> Way<N> {
         Some((rows, at))
     }
 
-    /// The numbers of the row that starts here, as mantissas and exponents, and the start of the next line.
+    /// The numbers of the row that starts here, as mantissas and exponents, its key, and the start of the next line. The key is that of
+    /// the row before if it has the same text.
     #[inline(always)]
-    fn row(&self, lane: &Lane, start: usize) -> Option<([(i64, i32); N], usize)> {
+    #[allow(clippy::type_complexity, reason = "a name for it would be used once")]
+    fn row(
+        &self,
+        lane: &Lane,
+        start: usize,
+        last_key: Option<&Range<usize>>,
+    ) -> Option<([(i64, i32); N], Option<Range<usize>>, usize)> {
         // A line that starts with white space may be blank.
         if lane.chunk.get(start).is_none_or(|&first| first <= b' ') {
             return None;
         }
         let mut numbers = [(0, 0); N];
+        let mut key = None;
         let mut at = start;
-        for (cell, number) in self.cells.iter().zip(&mut numbers) {
+        for (index, (cell, number)) in self.cells.iter().zip(&mut numbers).enumerate() {
+            if let Some(own) = self.key.filter(|own| own.before == index) {
+                for _ in 0..own.separators {
+                    at = lane.after_separator(at)?;
+                }
+                (key, at) = match last_key.and_then(|last| Some((last, lane.end_of_same(at, last)?))) {
+                    Some((last, end)) => (Some(last.clone()), end),
+                    None => {
+                        let (contents, end) = lane.cell(at)?;
+                        (Some(contents), end)
+                    }
+                };
+            }
             for _ in 0..cell.separators {
                 at = lane.after_separator(at)?;
             }
@@ -120,6 +186,6 @@ impl<const N: usize> Way<N> {
             *number = (mantissa, exponent);
             at = end;
         }
-        Some((numbers, lane.end_of_row(at, self.behind)?))
+        Some((numbers, key, lane.end_of_row(at, self.behind)?))
     }
 }

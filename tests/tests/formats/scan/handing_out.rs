@@ -5,7 +5,12 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use boundfit_exact::{Column, Foreign, Rational, Reading, Unit};
-use boundfit_formats::{Batch, ColumnSelector, Progress, RowRange, ScanOptions, Source, TableOptions};
+use boundfit_formats::{
+    Batch, ColumnSelector, Missing, Progress, RowRange, ScanOptions, Source, TableOptions,
+};
+use rand::RngExt as _;
+use rand::SeedableRng as _;
+use rand_chacha::ChaCha8Rng;
 
 use super::both::{POOLS, batches};
 
@@ -186,4 +191,64 @@ fn progress_is_told_and_may_stop_the_scan() {
             assert!(if message.is_none() { told >= table.len() as u64 } else { told < 20_000 }, "{told}");
         }
     }
+}
+
+/// A key among plain numbers is read in one loop with them, unless the text of the rows is wanted as well.
+#[test]
+fn keys_among_plain_numbers_are_those_of_rows_read_cell_by_cell() {
+    let mut random = ChaCha8Rng::seed_from_u64(11);
+    let columns = by_name(&["x", "y"]);
+    let (mut refused, mut rows) = (0, 0);
+    for case in 0..400 {
+        let mut table = ["s,x,y,t\n", "x,s,y,t\n", "t,x,y,s\n", "y,t,s,x\n"][case % 4].to_owned();
+        let names: Vec<String> = table.trim_end().split(',').map(str::to_owned).collect();
+        let end = ["\n", "\n", "\r\n"][random.random_range(0..3)];
+        let mut key = "k1".to_owned();
+        for _ in 0..random.random_range(1..80) {
+            let mut pick = |texts: &[&str]| texts[random.random_range(0..texts.len())].to_owned();
+            if pick(&["same", "same", "other"]) == "other" {
+                key = pick(&["k1", "k", "k12", " k1\t", "", "\u{e4}", "-5", "a b", "k1", "k2", "k3"]);
+            }
+            let rare = pick(&["x"; 120].iter().copied().chain(["1", "2", "3", "4"]).collect::<Vec<_>>());
+            let number = |pick: &mut dyn FnMut(&[&str]) -> String| {
+                pick(&["1.5", "-2", "0.25", "1e3", "12345678901234567"])
+            };
+            let mut cells: Vec<String> = Vec::new();
+            for name in &names {
+                cells.push(match name.as_str() {
+                    "s" if rare == "1" => format!("\"{key}\""),
+                    "s" => key.clone(),
+                    "t" => pick(&["a", "", "7"]),
+                    "x" if rare == "2" => "".to_owned(),
+                    "y" if rare == "3" => "1_0".to_owned(),
+                    _ => number(&mut pick),
+                });
+            }
+            if rare == "4" {
+                cells.pop();
+            }
+            table += &(cells.join(",") + end);
+        }
+        let missing = if case % 3 == 0 { Missing::Refuse } else { Missing::Skip };
+        let read = |keep_text: bool| {
+            let options = ScanOptions {
+                table: TableOptions { missing, ..TableOptions::default() },
+                key: by_name(&["s"]).pop(),
+                keep_text,
+                chunk_bytes: [40, 300, 1 << 18][case % 3],
+                ..ScanOptions::default()
+            };
+            let (scanned, batches) = batches(source(&table), &columns, &options)?;
+            let numbers: Vec<String> =
+                batches.iter().flat_map(Batch::table_rows).map(|row| format!("{row:?}")).collect();
+            Ok::<_, String>((texts(&batches).0, numbers, scanned.rows_missing))
+        };
+        let found = read(false);
+        assert_eq!(found, read(true), "{table}");
+        match found {
+            Ok((keys, ..)) => rows += keys.len(),
+            Err(_) => refused += 1,
+        }
+    }
+    assert!(rows > 4000 && refused > 30, "{rows} {refused}");
 }

@@ -7,4 +7,5 @@ mod dialects;
 mod handing_out;
 mod numbers;
 mod quotes;
+mod records;
 mod tables;

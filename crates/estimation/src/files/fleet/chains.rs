@@ -9,22 +9,75 @@
 //! upper hull.
 
 use std::cmp::Ordering;
+use std::ops::{AddAssign, Sub, SubAssign};
 
-use boundfit_exact::Integer;
+use boundfit_exact::Wide;
 
-/// A reading: x and y, each below 2^[`MOST_BITS`] in absolute value.
-pub(super) type Site = (i128, i128);
+/// A reading: x and y.
+pub(super) type Site<C> = (C, C);
 
-/// Coordinates within so many bits leave room for what is computed with them.
-pub(super) const MOST_BITS: u32 = 100;
+/// An integer of the processor. Words of 64 bits take a third of the time.
+pub(super) trait Coordinate:
+    Copy + Ord + Into<i128> + Sub<Output = Self> + AddAssign + SubAssign
+{
+    /// 0.
+    const ZERO: Self;
+    /// Coordinates within so many bits leave room for what is computed with them.
+    const MOST_BITS: u32;
 
-/// A fraction, not in lowest terms, with a positive denominator.
-pub(super) type Quotient = (Integer, Integer);
+    /// The integer with this value, which keeps to these bits.
+    fn of(value: i128) -> Self;
+
+    /// Compares two products of integers that are at most two bits longer. Exact.
+    fn compare_products(left: [Self; 2], right: [Self; 2]) -> Ordering;
+}
+
+impl Coordinate for i64 {
+    const ZERO: i64 = 0;
+    const MOST_BITS: u32 = 60;
+
+    #[inline]
+    fn of(value: i128) -> i64 {
+        value as i64
+    }
+
+    #[inline]
+    fn compare_products(left: [i64; 2], right: [i64; 2]) -> Ordering {
+        let product = |[a, b]: [i64; 2]| i128::from(a).wrapping_mul(i128::from(b));
+        product(left).cmp(&product(right))
+    }
+}
+
+impl Coordinate for i128 {
+    const ZERO: i128 = 0;
+    const MOST_BITS: u32 = 100;
+
+    #[inline]
+    fn of(value: i128) -> i128 {
+        value
+    }
+
+    #[inline]
+    fn compare_products(left: [i128; 2], right: [i128; 2]) -> Ordering {
+        let short = |[a, b]: [i128; 2]| Some([i64::try_from(a).ok()?, i64::try_from(b).ok()?]);
+        if let (Some(left), Some(right)) = (short(left), short(right)) {
+            return i64::compare_products(left, right);
+        }
+        let sign = |[a, b]: [i128; 2]| a.signum() * b.signum();
+        sign(left).cmp(&sign(right)).then_with(|| {
+            let order = long_product(left).cmp(&long_product(right));
+            if sign(left) < 0 { order.reverse() } else { order }
+        })
+    }
+}
+
+/// A fraction, not in lowest terms, with a positive denominator. The numerator has at most two bits more than x and y together.
+pub(super) type Quotient = (Wide, i128);
 
 /// Lower and upper hull, each from left to right; at least two corners each, and both begin and end at the same x.
-pub(super) struct Chains {
-    lower: Vec<Site>,
-    upper: Vec<Site>,
+pub(super) struct Chains<C> {
+    lower: Vec<Site<C>>,
+    upper: Vec<Site<C>>,
 }
 
 /// The ends of both parameters of the lines within an error bound.
@@ -33,9 +86,9 @@ pub(super) struct Ends {
     pub(super) upper: [Quotient; 2],
 }
 
-impl Chains {
+impl<C: Coordinate> Chains<C> {
     /// The hulls of readings sorted by x, then y; `None` of those at fewer than two x. Exact. Cost: linear.
-    pub(super) fn of_sorted(sorted: &[Site]) -> Option<Self> {
+    pub(super) fn of_sorted(sorted: &[Site<C>]) -> Option<Self> {
         let (first, last) = (sorted.first()?, sorted.last()?);
         if first.0 == last.0 {
             return None;
@@ -65,17 +118,17 @@ impl Chains {
             below += usize::from(low.0 <= high.0);
             above += usize::from(high.0 <= low.0);
         }
-        let edge = |chain: &[Site], at: usize| [chain[at], *chain.get(at + 1).unwrap_or(&chain[at])];
+        let edge = |chain: &[Site<C>], at: usize| [chain[at], *chain.get(at + 1).unwrap_or(&chain[at])];
         if upper[above].0 >= lower[below].0 {
             distance(upper[above], edge(lower, below))
         } else {
             let (numerator, denominator) = distance(lower[below], edge(upper, above));
-            (-numerator, denominator)
+            (numerator.negated_if(true), denominator)
         }
     }
 
     /// The ends of θ1 and θ2 of the lines within this distance of every reading, which must be more than half of the gap. Exact.
-    pub(super) fn ends(mut self, epsilon: i128) -> Ends {
+    pub(super) fn ends(mut self, epsilon: C) -> Ends {
         self.lower.iter_mut().for_each(|site| site.1 += epsilon);
         self.upper.iter_mut().for_each(|site| site.1 -= epsilon);
         let (steepest, flattest) = (self.steepest(), self.flattest());
@@ -83,16 +136,16 @@ impl Chains {
         let (floor, ceiling) = (&self.upper, &self.lower);
         let steepest = [floor[floor_left], ceiling[ceiling_right]];
         let flattest = [ceiling[ceiling_left], floor[floor_right]];
-        let highest = if flattest[0].0 >= 0 {
+        let highest = if flattest[0].0 >= C::ZERO {
             at_zero(flattest)
-        } else if steepest[1].0 <= 0 {
+        } else if steepest[1].0 <= C::ZERO {
             at_zero(steepest)
         } else {
             at_zero(across_zero(&ceiling[ceiling_left..=ceiling_right]))
         };
-        let lowest = if steepest[0].0 >= 0 {
+        let lowest = if steepest[0].0 >= C::ZERO {
             at_zero(steepest)
-        } else if flattest[1].0 <= 0 {
+        } else if flattest[1].0 <= C::ZERO {
             at_zero(flattest)
         } else {
             at_zero(across_zero(&floor[floor_left..=floor_right]))
@@ -119,7 +172,7 @@ impl Chains {
 ///
 /// A line that is extreme among the lines through either of its corners leaves no corner of a hull on the wrong side.
 /// Corners beyond the other's corner lie on the side of a line that keeps clear of both.
-fn tangent(lefts: &[Site], rights: &[Site], wanted: Ordering) -> (usize, usize) {
+fn tangent<C: Coordinate>(lefts: &[Site<C>], rights: &[Site<C>], wanted: Ordering) -> (usize, usize) {
     let (mut left, mut right) = (0, rights.len() - 1);
     loop {
         let before = (left, right);
@@ -140,7 +193,7 @@ fn tangent(lefts: &[Site], rights: &[Site], wanted: Ordering) -> (usize, usize) 
 }
 
 /// Adds a corner; those before it go that do not turn this way.
-fn push(chain: &mut Vec<Site>, site: Site, turn: Ordering) {
+fn push<C: Coordinate>(chain: &mut Vec<Site<C>>, site: Site<C>, turn: Ordering) {
     while let [.., before, last] = chain.as_slice()
         && by_slope(*before, *last, *before, site) != turn
     {
@@ -151,24 +204,10 @@ fn push(chain: &mut Vec<Site>, site: Site, turn: Ordering) {
 
 /// Compares the slopes from one site to another that is right of it.
 #[inline]
-fn by_slope(from: Site, to: Site, other_from: Site, other_to: Site) -> Ordering {
+fn by_slope<C: Coordinate>(from: Site<C>, to: Site<C>, other_from: Site<C>, other_to: Site<C>) -> Ordering {
     let (run, rise) = (to.0 - from.0, to.1 - from.1);
     let (other_run, other_rise) = (other_to.0 - other_from.0, other_to.1 - other_from.1);
-    compare_products([rise, other_run], [other_rise, run])
-}
-
-/// Compares two products of integers below 2¹²⁷ in absolute value. Exact.
-#[inline]
-fn compare_products(left: [i128; 2], right: [i128; 2]) -> Ordering {
-    let short = |[a, b]: [i128; 2]| Some((i64::try_from(a).ok()?, i64::try_from(b).ok()?));
-    if let (Some((a, b)), Some((c, d))) = (short(left), short(right)) {
-        return (i128::from(a) * i128::from(b)).cmp(&(i128::from(c) * i128::from(d)));
-    }
-    let sign = |[a, b]: [i128; 2]| a.signum() * b.signum();
-    sign(left).cmp(&sign(right)).then_with(|| {
-        let order = long_product(left).cmp(&long_product(right));
-        if sign(left) < 0 { order.reverse() } else { order }
-    })
+    C::compare_products([rise, other_run], [other_rise, run])
 }
 
 /// The absolute value of a product of integers below 2¹²⁷, its high 128 bits first.
@@ -183,34 +222,42 @@ fn long_product([left, right]: [i128; 2]) -> (u128, u128) {
 }
 
 /// Returns the height of a site above the line through two others, or above the single site if both are the same.
-fn distance(site: Site, [left, right]: [Site; 2]) -> Quotient {
+fn distance<C: Coordinate>(site: Site<C>, line: [Site<C>; 2]) -> Quotient {
+    let (site, [left, right]) = (wide(site), line.map(wide));
     let run = right.0 - left.0;
     if run == 0 {
-        return (Integer::from(site.1 - left.1), Integer::one());
+        return (Wide::from(site.1 - left.1), 1);
     }
-    let product = |a: i128, b: i128| Integer::from(a) * Integer::from(b);
-    (product(site.1 - left.1, run) - product(right.1 - left.1, site.0 - left.0), Integer::from(run))
+    let rise = Wide::product(site.1 - left.1, run);
+    (rise.minus(Wide::product(right.1 - left.1, site.0 - left.0)), run)
 }
 
 /// The slope of the line through two sites from left to right.
-fn slope([left, right]: [Site; 2]) -> Quotient {
-    (Integer::from(right.1 - left.1), Integer::from(right.0 - left.0))
+fn slope<C: Coordinate>(line: [Site<C>; 2]) -> Quotient {
+    let [left, right] = line.map(wide);
+    (Wide::from(right.1 - left.1), right.0 - left.0)
 }
 
 /// The value at 0 of the line through two sites from left to right.
-fn at_zero([left, right]: [Site; 2]) -> Quotient {
-    let product = |a: i128, b: i128| Integer::from(a) * Integer::from(b);
-    (product(left.1, right.0) - product(right.1, left.0), Integer::from(right.0 - left.0))
+fn at_zero<C: Coordinate>(line: [Site<C>; 2]) -> Quotient {
+    let [left, right] = line.map(wide);
+    (Wide::product(left.1, right.0).minus(Wide::product(right.1, left.0)), right.0 - left.0)
+}
+
+fn wide<C: Coordinate>((x, y): Site<C>) -> Site<i128> {
+    (x.into(), y.into())
 }
 
 /// The edge of a chain that goes from the left of 0 to its right, or to 0.
-fn across_zero(chain: &[Site]) -> [Site; 2] {
-    let right = chain.iter().position(|site| site.0 >= 0).unwrap_or(chain.len() - 1).max(1);
+fn across_zero<C: Coordinate>(chain: &[Site<C>]) -> [Site<C>; 2] {
+    let right = chain.iter().position(|site| site.0 >= C::ZERO).unwrap_or(chain.len() - 1).max(1);
     [chain[right - 1], chain[right]]
 }
 
 #[cfg(test)]
 mod tests {
+    use boundfit_exact::Integer;
+
     use super::*;
 
     #[test]
@@ -221,9 +268,17 @@ mod tests {
             for b in edges {
                 for c in edges {
                     let (left, right) = ([a, b], [c, a]);
-                    assert_eq!(compare_products(left, right), of(left).cmp(&of(right)), "{left:?} {right:?}");
+                    assert_eq!(
+                        i128::compare_products(left, right),
+                        of(left).cmp(&of(right)),
+                        "{left:?} {right:?}"
+                    );
                     let right = [c, b ^ 5];
-                    assert_eq!(compare_products(left, right), of(left).cmp(&of(right)), "{left:?} {right:?}");
+                    assert_eq!(
+                        i128::compare_products(left, right),
+                        of(left).cmp(&of(right)),
+                        "{left:?} {right:?}"
+                    );
                 }
             }
         }

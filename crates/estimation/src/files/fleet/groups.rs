@@ -41,7 +41,23 @@ impl Groups {
 
     /// The rows of a group, from 0, ascending; at least one.
     pub(super) fn rows(&self, group: usize) -> impl ExactSizeIterator<Item = usize> + Clone + '_ {
-        self.places(group).map(|place| self.order.as_ref().map_or(place, |order| order[place] as usize))
+        self.rows_at(group, 0..self.places(group).len())
+    }
+
+    /// Those of the rows of a group that are at these places among them.
+    pub(super) fn rows_at(
+        &self,
+        group: usize,
+        among: Range<usize>,
+    ) -> impl ExactSizeIterator<Item = usize> + Clone + '_ {
+        let Range { start, end } = self.places(group);
+        let places = end.min(start + among.start)..end.min(start + among.end);
+        places.map(|place| self.order.as_ref().map_or(place, |order| order[place] as usize))
+    }
+
+    /// The rows of a group, if all groups are one after the other.
+    pub(super) fn run(&self, group: usize) -> Option<Range<usize>> {
+        self.order.is_none().then(|| self.places(group))
     }
 
     fn places(&self, group: usize) -> Range<usize> {

@@ -11,9 +11,23 @@ pub(super) struct Keys {
     text: String,
     /// The end of each text.
     ends: Vec<usize>,
-    /// The numbers of the texts, by their hashes.
-    numbers: HashTable<u32>,
+    /// The texts by their hashes.
+    entries: HashTable<Entry>,
     hasher: DefaultHashBuilder,
+}
+
+/// A text with its number and its place: a look-up in the list of ends would fetch memory twice more.
+#[derive(Debug, Clone, Copy)]
+struct Entry {
+    start: usize,
+    length: u32,
+    number: u32,
+}
+
+impl Entry {
+    fn of(self, text: &str) -> &str {
+        text.get(self.start..self.start + self.length as usize).unwrap_or_default()
+    }
 }
 
 impl Keys {
@@ -24,28 +38,24 @@ impl Keys {
 
     /// The text with a number.
     pub(super) fn get(&self, number: usize) -> &str {
-        get(&self.text, &self.ends, number)
+        let start = number.checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.text[start..self.ends[number]]
     }
 
     /// The number of a text, a new one for a new text; `None` when there are no numbers left.
     pub(super) fn number_of(&mut self, key: &str) -> Option<u32> {
-        let Keys { text, ends, numbers, hasher } = self;
+        let Keys { text, ends, entries, hasher } = self;
         let hash = hasher.hash_one(key);
-        let is_key = |&number: &u32| get(text, ends, number as usize) == key;
-        if let Some(&number) = numbers.find(hash, is_key) {
-            return Some(number);
+        if let Some(entry) = entries.find(hash, |entry| entry.of(text) == key) {
+            return Some(entry.number);
         }
         let number = u32::try_from(ends.len()).ok()?;
+        let entry = Entry { start: text.len(), length: u32::try_from(key.len()).ok()?, number };
         text.push_str(key);
         ends.push(text.len());
-        numbers.insert_unique(hash, number, |&number| hasher.hash_one(get(text, ends, number as usize)));
+        entries.insert_unique(hash, entry, |entry| hasher.hash_one(entry.of(text)));
         Some(number)
     }
-}
-
-fn get<'a>(text: &'a str, ends: &[usize], number: usize) -> &'a str {
-    let start = number.checked_sub(1).map_or(0, |before| ends[before]);
-    &text[start..ends[number]]
 }
 
 #[cfg(test)]

@@ -1,12 +1,12 @@
 //! The lines of groups whose readings are integers on powers of ten, as in most files. They follow from the two hulls
 //! alone, without half-planes, vertices, proofs or a fraction for each number.
 
-use boundfit_exact::{Endpoint, Integer, Interval, Rational, WideProducts};
+use boundfit_exact::{Endpoint, Integer, Interval, Rational, Wide, WideProducts, WideQuotient};
 use boundfit_geometry::RegionKind;
 
-use super::chains::{Chains, MOST_BITS, Quotient, Site};
+use super::chains::{Chains, Coordinate, Ends, Quotient, Site};
 use crate::bounds::central_of;
-use crate::group_fit::GroupFit;
+use crate::group_fit::{GroupFit, GroupLine};
 use crate::moments::{SUM_BITS, Solution, Sums, bits};
 
 /// Numbers as integers on a power of ten.
@@ -17,49 +17,86 @@ pub(in crate::files) struct Counts {
 
 /// Powers of ten beyond these are left to numbers of any size.
 const MOST_EXPONENT: u32 = 60;
+/// Bits of a [`Wide`] without its sign.
+const WIDE_BITS: u32 = 255;
 /// The most digits by which the unit of y is refined for the error bound.
 const MOST_REFINED: u32 = 18;
+
+/// What a line follows from.
+struct Group<'a> {
+    x: &'a [i128],
+    /// On the unit of ε.
+    y: Vec<i128>,
+    /// The powers of ten of θ1 and of θ2.
+    exponents: [i32; 2],
+    /// The bits of the largest x, of the largest y or of ε, and of the number of readings.
+    sizes: [u32; 3],
+    hulls: Hulls,
+}
+
+/// What follows from both hulls.
+struct Hulls {
+    /// Twice ε_min.
+    gap: Quotient,
+    ends: Ends,
+}
+
+impl Hulls {
+    /// The hulls of readings under an error bound; `None` unless the FPS is a polygon.
+    fn of<C: Coordinate>(x: &[i128], y: &[i128], epsilon: i128) -> Option<Self> {
+        let mut sites: Vec<Site<C>> = x.iter().zip(y).map(|(&x, &y)| (C::of(x), C::of(y))).collect();
+        if !sites.is_sorted() {
+            sites.sort_unstable();
+        }
+        let chains = Chains::of_sorted(&sites)?;
+        let gap = chains.gap();
+        let is_polygon = gap.0.minus(Wide::product(2 * epsilon, gap.1)).is_negative();
+        is_polygon.then(|| Hulls { gap, ends: chains.ends(C::of(epsilon)) })
+    }
+}
+
+impl<'a> Group<'a> {
+    /// Readings (x, y) under a uniform error bound. Returns `None` unless the FPS is a polygon, and for numbers that are too long.
+    fn new(x: &'a Counts, y: &Counts, epsilon: &Rational) -> Option<Self> {
+        if x.exponent.unsigned_abs().max(y.exponent.unsigned_abs()) > MOST_EXPONENT {
+            return None;
+        }
+        let (epsilon, refined) = on_power_of_ten(epsilon, y.exponent)?;
+        let exponent = y.exponent - refined as i32;
+        let factor = 10_i128.pow(refined);
+        let y: Vec<i128> = y.counts.iter().map(|count| count.checked_mul(factor)).collect::<Option<_>>()?;
+        let exponents = [exponent - x.exponent, exponent];
+        let x = x.counts.as_slice();
+        let widest = |counts: &[i128]| bits(counts.iter().fold(0, |all, count| all | count.unsigned_abs()));
+        let sizes = [widest(x), widest(&y).max(bits(epsilon.unsigned_abs())), bits(x.len() as u128)];
+        let size = sizes[0].max(sizes[1]) + sizes[2];
+        if size > i128::MOST_BITS {
+            return None;
+        }
+        let is_short = size <= i64::MOST_BITS;
+        let hulls =
+            if is_short { Hulls::of::<i64>(x, &y, epsilon)? } else { Hulls::of::<i128>(x, &y, epsilon)? };
+        Some(Group { x, y, exponents, sizes, hulls })
+    }
+}
 
 /// Returns the line of a report about a group of readings (x, y) under a uniform error bound, except its rows.
 /// Returns `None` unless the FPS is a polygon, and for numbers that are too long. Exact. Cost: O(N log N).
 pub(super) fn group_fit(x: &Counts, y: &Counts, epsilon: &Rational) -> Option<GroupFit> {
-    if x.exponent.unsigned_abs().max(y.exponent.unsigned_abs()) > MOST_EXPONENT {
-        return None;
-    }
-    let (epsilon, refined) = on_power_of_ten(epsilon, y.exponent)?;
-    let exponent = y.exponent - refined as i32;
-    let factor = 10_i128.pow(refined);
-    let y: Vec<i128> = y.counts.iter().map(|count| count.checked_mul(factor)).collect::<Option<_>>()?;
-    let (x_exponent, x) = (x.exponent, &x.counts);
-    let widest = |counts: &[i128]| bits(counts.iter().fold(0, |all, count| all | count.unsigned_abs()));
-    let (x_bits, y_bits) = (widest(x), widest(&y));
-    let count_bits = bits(x.len() as u128);
-    if x_bits.max(y_bits).max(bits(epsilon.unsigned_abs())) + count_bits > MOST_BITS {
-        return None;
-    }
-    let mut sites: Vec<Site> = x.iter().copied().zip(y.iter().copied()).collect();
-    if !sites.is_sorted() {
-        sites.sort_unstable();
-    }
-    let chains = Chains::of_sorted(&sites)?;
-    let (gap, width) = chains.gap();
-    let twice = Integer::from(2 * epsilon);
-    if gap >= &twice * &width {
-        return None;
-    }
-    let theta1 = |(numerator, denominator): Quotient| {
-        Rational::scaled_quotient(numerator, denominator, exponent - x_exponent)
+    let Group { x, y, exponents, sizes: [x_bits, y_bits, count_bits], hulls: Hulls { gap, ends } } =
+        Group::new(x, y, epsilon)?;
+    let theta = |axis: usize, numerator, denominator| {
+        Rational::scaled_quotient(numerator, denominator, exponents[axis])
     };
-    let theta2 =
-        |(numerator, denominator): Quotient| Rational::scaled_quotient(numerator, denominator, exponent);
-    let ends = chains.ends(epsilon);
-    let ([lower1, lower2], [upper1, upper2]) = (ends.lower, ends.upper);
+    let end =
+        |axis: usize, (numerator, denominator): Quotient| theta(axis, numerator.into(), denominator.into());
+    let Ends { lower: [lower1, lower2], upper: [upper1, upper2] } = ends;
     let interval = |lower, upper| Interval::new(Endpoint::Finite(lower), Endpoint::Finite(upper));
-    let pui = [interval(theta1(lower1)?, theta1(upper1)?)?, interval(theta2(lower2)?, theta2(upper2)?)?];
+    let pui = [interval(end(0, lower1)?, end(0, upper1)?)?, interval(end(1, lower2)?, end(1, upper2)?)?];
     let products_fit = x_bits + x_bits.max(y_bits) + count_bits < SUM_BITS;
     let Solution { numerators: [slope, offset], determinant } = moments(x, &y, products_fit).solution();
-    let least_squares = [theta1((slope, determinant.clone()))?, theta2((offset, determinant))?];
-    let least = theta2((gap, &width + &width))?;
+    let least_squares = [theta(0, slope, determinant.clone())?, theta(1, offset, determinant)?];
+    let least = end(1, (gap.0, 2 * gap.1))?;
     let central = central_of(&pui);
     Some(GroupFit {
         rows: x.len(),
@@ -69,6 +106,50 @@ pub(super) fn group_fit(x: &Counts, y: &Counts, epsilon: &Rational) -> Option<Gr
         central,
         least_squares: Some(least_squares),
         least: Some(least),
+    })
+}
+
+/// Returns what [`group_fit`] does as quotients that nobody has reduced; `None` where the numbers are too long for these, too. Exact.
+/// Cost: as [`group_fit`], without greatest common divisors, which take most of its time.
+pub(super) fn group_line(x: &Counts, y: &Counts, epsilon: &Rational) -> Option<GroupLine> {
+    /// Bits of the largest integer, besides those of its factors, that sums, differences and the solution take.
+    const CARRIES: u32 = 6;
+    let Group { x, y, exponents, sizes: [x_bits, y_bits, count_bits], hulls: Hulls { gap, ends } } =
+        Group::new(x, y, epsilon)?;
+    // Products of ends take twice x and once y, too, and less of anything else.
+    if x_bits + x_bits.max(y_bits) + x_bits.max(y_bits) + 2 * count_bits + CARRIES > WIDE_BITS {
+        return None;
+    }
+    let end = |axis: usize, (numerator, denominator): Quotient| {
+        WideQuotient::new(numerator, Wide::from(denominator), exponents[axis])
+    };
+    let Ends { lower, upper } = ends;
+    let pui = [0, 1].map(|axis| [end(axis, lower[axis]), end(axis, upper[axis])]);
+    let products_fit = x_bits + x_bits.max(y_bits) + count_bits < SUM_BITS;
+    let sum = |counts: &[i128]| Wide::from(counts.iter().sum::<i128>());
+    let sum_of_products = |left: &[i128], right: &[i128]| {
+        let pairs = left.iter().zip(right);
+        match products_fit {
+            true => {
+                Wide::from(pairs.map(|(left, right)| left.wrapping_mul(*right)).fold(0, i128::wrapping_add))
+            }
+            false => pairs.fold(Wide::default(), |sum, (&left, &right)| sum.plus(Wide::product(left, right))),
+        }
+    };
+    let (count, sum_x, sum_y) = (Wide::from(x.len() as i128), sum(x), sum(&y));
+    let (squares, products) = (sum_of_products(x, x), sum_of_products(x, &y));
+    let determinant = count.times(squares).minus(sum_x.times(sum_x));
+    let slope = count.times(products).minus(sum_x.times(sum_y));
+    let offset = squares.times(sum_y).minus(sum_x.times(products));
+    Some(GroupLine {
+        rows: x.len(),
+        first_row: None,
+        pui,
+        least_squares: [
+            WideQuotient::new(slope, determinant, exponents[0]),
+            WideQuotient::new(offset, determinant, exponents[1]),
+        ],
+        least: end(1, (gap.0, 2 * gap.1)),
     })
 }
 

@@ -12,7 +12,7 @@ use std::collections::HashMap;
 use std::io;
 use std::ops::Range;
 
-use boundfit_exact::{Column, Foreign, Unit};
+use boundfit_exact::{Column, Foreign, Rational, Unit};
 use boundfit_formats::{
     Batch, ColumnSelector, HeldRows, InputError, RowNumbers, ScanOptions, Source, TableNotes, scan, threads,
 };
@@ -21,7 +21,7 @@ use boundfit_geometry::Tally;
 use crate::files::Columns;
 use crate::files::counted::{CountedBatch, CountedRows};
 use crate::files::series::Series;
-use crate::group_fit::GroupFit;
+use crate::group_fit::{GroupFit, GroupLine};
 use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::measurement::Measurement;
 use crate::measurements::{Measurements, Readings};
@@ -89,6 +89,7 @@ impl Fleet {
         }
         let meaning = columns.meaning(&scanned.names);
         let groups = Groups::new(&store.group_of, store.keys.len());
+        drop(std::mem::take(&mut store.group_of));
         let counted_groups = Groups::new(&store.counted_group_of, store.keys.len());
         let (rows_missing, table) = (scanned.rows_missing, scanned.table);
         let Store { keys, columns, rows, counted, .. } = store;
@@ -208,13 +209,13 @@ impl Fleet {
         let mut meaning = self.meaning.clone();
         let count = self.groups.rows(group).len();
         let part = |column: usize, start: usize| {
-            let rows = self.groups.rows(group).skip(start).take(ROWS);
+            let rows = self.groups.rows_at(group, start..start + ROWS);
             self.columns.get(column).map(|series| series.column(rows)).unwrap_or_default()
         };
         let (mut summary, sieve) = (LineSummary::default(), SharedSieve::listing(Ties::MOST_LISTED));
         for start in (0..count).step_by(ROWS) {
-            let numbers: Vec<usize> =
-                self.groups.rows(group).skip(start).take(ROWS).map(|row| self.rows.get(row)).collect();
+            let rows = self.groups.rows_at(group, start..start + ROWS);
+            let numbers: Vec<usize> = rows.map(|row| self.rows.get(row)).collect();
             let [x, y] = [part(0, start), part(1, start)];
             let own = LineSummary::of_columns([&x, &y], None, &|row| numbers[row], &sieve);
             summary.merge(own, &sieve);
@@ -245,6 +246,22 @@ impl Fleet {
     /// # Panics
     /// When there are not that many groups.
     pub fn group_fit(&self, group: usize) -> Option<GroupFit> {
+        let Plain { first_row, x, y, epsilon } = self.plain(group)?;
+        Some(GroupFit { first_row, ..lane::group_fit(&x, &y, epsilon)? })
+    }
+
+    /// Returns what [`Fleet::group_fit`] does, to be rounded only: as quotients that nobody has reduced. Returns `None` where that does.
+    /// Exact. Cost: O(N log N), a third of that of [`Fleet::group_fit`].
+    ///
+    /// # Panics
+    /// When there are not that many groups.
+    pub fn group_line(&self, group: usize) -> Option<GroupLine> {
+        let Plain { first_row, x, y, epsilon } = self.plain(group)?;
+        Some(GroupLine { first_row, ..lane::group_line(&x, &y, epsilon)? })
+    }
+
+    /// The readings of a group of which the two hulls tell all.
+    fn plain(&self, group: usize) -> Option<Plain<'_>> {
         let Meaning { model, has_response, error_bound, uniform_law, form, multiple_of_least, .. } =
             &self.meaning;
         let (plain, kinds) = (self.groups.rows(group), self.counted_groups.rows(group));
@@ -261,8 +278,12 @@ impl Fleet {
             return None;
         }
         if kinds.len() == 0 {
-            let line = lane::group_fit(&x.counts(plain.clone())?, &y.counts(plain.clone())?, epsilon)?;
-            return Some(GroupFit { first_row: plain.map(|row| self.rows.get(row)).next(), ..line });
+            let counts = |series: &Series| match self.groups.run(group) {
+                Some(run) => series.counts_of_run(run),
+                None => series.counts(plain.clone()),
+            };
+            let [x, y] = [counts(x)?, counts(y)?];
+            return Some(Plain { first_row: plain.map(|row| self.rows.get(row)).next(), x, y, epsilon });
         }
         let first_row = kinds.clone().map(|kind| self.counted.tally(kind).first() as usize).min();
         let count = |kind: usize| self.counted.tally(kind).count() as usize;
@@ -270,9 +291,8 @@ impl Fleet {
             return None;
         }
         let rows: Vec<usize> = kinds.flat_map(|kind| std::iter::repeat_n(kind, count(kind))).collect();
-        let line =
-            lane::group_fit(&x.counts(rows.iter().copied())?, &y.counts(rows.iter().copied())?, epsilon)?;
-        Some(GroupFit { first_row, ..line })
+        let [x, y] = [x.counts(rows.iter().copied())?, y.counts(rows.iter().copied())?];
+        Some(Plain { first_row, x, y, epsilon })
     }
 
     /// Calls `work` for consecutive groups, on the threads of the current rayon pool and in any order, and `take`
@@ -301,6 +321,14 @@ impl Fleet {
         }
         ready.into_iter().try_for_each(take)
     }
+}
+
+/// Readings of a line under one error bound, as integers.
+struct Plain<'a> {
+    first_row: Option<usize>,
+    x: Counts,
+    y: Counts,
+    epsilon: &'a Rational,
 }
 
 /// The rows read so far.
