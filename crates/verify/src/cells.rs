@@ -70,7 +70,7 @@ struct Exact {
     one: Integer,
 }
 
-/// What a row says in machine words, all of them the numbers of the data times the same positive number.
+/// A row in machine words, all of them the numbers of the data times the same positive number.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WordRow {
     pub(crate) phi: [i64; 2],

@@ -88,8 +88,8 @@ struct Near {
     shift: u32,
 }
 
-/// The largest shift, up to 60, for which a point has less than 2^61 units of 2^-shift in each coordinate; `None` of a point so far
-/// away that there is none.
+/// The largest shift, up to 60, for which a point has less than 2^61 units of 2^-shift in each coordinate. There is none for a
+/// point that is too far away.
 fn room(numerators: &[Integer; 2], denominator: &Integer) -> Option<u32> {
     let bits = numerators.iter().map(Integer::bits).max()?;
     u32::try_from((denominator.bits() + 60).checked_sub(bits)?.min(60)).ok()

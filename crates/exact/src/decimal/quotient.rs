@@ -178,7 +178,7 @@ fn exactly(centre: u128, error: u128, unit: u128) -> Option<Enclosing> {
     })
 }
 
-/// What holds for all numbers between these; `None` where it is not the same for all. Nothing is a multiple of the unit then.
+/// The enclosing decimals of all numbers between these; `None` where they are not the same for all. Nothing is a multiple of the unit then.
 fn within(least: [u128; 3], most: [u128; 3]) -> Option<Enclosing> {
     let ([centre, error, unit], [most_centre, most_error, most_unit]) = (least, most);
     let (floor, rest) = divided(centre, most_unit)?;
@@ -274,7 +274,7 @@ mod tests {
         for (numerator, denominator) in terms() {
             for (width, common) in [(1, 1), (7, 40), (30_000, 1), (123_457, 3), ((1 << 40) + 1, 1 << 20)] {
                 for (digits, exponent) in [(1, 0), (3, -4), (5, 2), (5, -17), (9, 1)] {
-                    // Of both ends, the lower one is on a smaller denominator.
+                    // The lower one of both ends is on a smaller denominator.
                     let Some(raised) = numerator.checked_mul(1000).map(|lower| lower + width) else {
                         continue;
                     };

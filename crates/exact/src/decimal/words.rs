@@ -142,7 +142,7 @@ fn scaled(numerator: u128, denominator: u128, digits: usize) -> Option<Scaled> {
 }
 
 /// Guesses `floor(log10(numerator / denominator))` of positive integers. The quotient and the powers of ten are right to a few units of
-/// their last place, so that the guess is off by one at most, and only next to a power of ten.
+/// their last place. The guess is therefore off by one at most, and only next to a power of ten.
 fn likely_exponent(numerator: u128, denominator: u128) -> i64 {
     let rounded = |term: u128| u64::try_from(term).map_or(term as f64, |term| term as f64);
     let quotient = rounded(numerator) / rounded(denominator);

@@ -42,7 +42,7 @@ pub(super) struct JsonRows<'a, R> {
     /// `true` if columns may be added.
     is_open: bool,
     most_columns: usize,
-    /// That of the last object that was read token by token.
+    /// The shape of the last object that was read token by token.
     shape: Option<Shape>,
     /// The memory of the records that were read together.
     memory: HeldMemory,
@@ -164,7 +164,7 @@ impl<'a, R: Read> JsonRows<'a, R> {
             return false;
         };
         let bytes = (OF_A_CELL * records.open_cells() + records.open_bytes()) as u64;
-        // What is too much is told of the cell that is too much.
+        // Reading token by token tells which cell is too much.
         passed.held <= self.tokens.longest_record()
             && self.memory.ask(bytes, MemoryUse::Records).is_ok()
             && self.tokens.advance(passed)

@@ -110,21 +110,33 @@ impl<const N: usize> Way<N> {
         lane: &Lane,
         start: usize,
         columns: &mut [Column],
+        keys: Option<&mut Pieces<String>>,
+    ) -> Option<(usize, usize)> {
+        // The loop without a key must not pay for one.
+        match self.key {
+            Some(_) if keys.is_none() || lane.is_quoted => None,
+            Some(_) => self.read_rows::<true>(lane, start, columns, keys),
+            None => self.read_rows::<false>(lane, start, columns, None),
+        }
+    }
+
+    fn read_rows<const KEYED: bool>(
+        &self,
+        lane: &Lane,
+        start: usize,
+        columns: &mut [Column],
         mut keys: Option<&mut Pieces<String>>,
     ) -> Option<(usize, usize)> {
-        if self.key.is_some() && (keys.is_none() || lane.is_quoted) {
-            return None;
-        }
         let columns = columns.get_disjoint_mut(self.cells.map(|cell| cell.column)).ok()?;
         let columns = columns.into_iter().map(Column::as_narrow_mut);
         let columns: Vec<&mut Scaled<i64>> = columns.collect::<Option<_>>()?;
         let mut columns: [_; N] = columns.try_into().ok()?;
         let (mut rows, mut at) = (0, start);
-        let mut last_key = None;
-        while let Some((numbers, key, next)) = self.row(lane, at, last_key.as_ref()) {
-            let is_same = last_key.is_some() && key == last_key;
+        let (mut key, mut last_key) = (None, None);
+        while let Some((numbers, next)) = self.row::<KEYED>(lane, at, last_key.as_ref(), &mut key) {
+            let is_same = KEYED && last_key.is_some() && key == last_key;
             let new_key = match &key {
-                Some(key) if !is_same => match lane.chunk.get(key.clone()).map(decode) {
+                Some(key) if KEYED && !is_same => match lane.chunk.get(key.clone()).map(decode) {
                     Some(Ok(text)) => Some(unquoted_key(text)),
                     _ => break,
                 },
@@ -133,12 +145,12 @@ impl<const N: usize> Way<N> {
             if !Scaled::push_row(&mut columns, numbers) {
                 break;
             }
-            if let Some(keys) = &mut keys {
+            if KEYED && let Some(keys) = &mut keys {
                 match new_key {
                     Some(text) => keys.push(text),
                     None => keys.push_again(),
                 }
-                last_key = key;
+                last_key = key.take();
             }
             at = next;
             rows += 1;
@@ -146,35 +158,37 @@ impl<const N: usize> Way<N> {
         Some((rows, at))
     }
 
-    /// The numbers of the row that starts here, as mantissas and exponents, its key, and the start of the next line. The key is that of
-    /// the row before if it has the same text.
+    /// The numbers of the row that starts here, as mantissas and exponents, and the start of the next line. Its key is that of the row
+    /// before if it has the same text.
     #[inline(always)]
-    #[allow(clippy::type_complexity, reason = "a name for it would be used once")]
-    fn row(
+    fn row<const KEYED: bool>(
         &self,
         lane: &Lane,
         start: usize,
         last_key: Option<&Range<usize>>,
-    ) -> Option<([(i64, i32); N], Option<Range<usize>>, usize)> {
+        key: &mut Option<Range<usize>>,
+    ) -> Option<([(i64, i32); N], usize)> {
         // A line that starts with white space may be blank.
         if lane.chunk.get(start).is_none_or(|&first| first <= b' ') {
             return None;
         }
         let mut numbers = [(0, 0); N];
-        let mut key = None;
-        let mut at = start;
-        for (index, (cell, number)) in self.cells.iter().zip(&mut numbers).enumerate() {
-            if let Some(own) = self.key.filter(|own| own.before == index) {
+        let (mut at, mut index) = (start, 0);
+        for (cell, number) in self.cells.iter().zip(&mut numbers) {
+            if KEYED && let Some(own) = self.key.filter(|own| own.before == index) {
                 for _ in 0..own.separators {
                     at = lane.after_separator(at)?;
                 }
-                (key, at) = match last_key.and_then(|last| Some((last, lane.end_of_same(at, last)?))) {
+                (*key, at) = match last_key.and_then(|last| Some((last, lane.end_of_same(at, last)?))) {
                     Some((last, end)) => (Some(last.clone()), end),
                     None => {
                         let (contents, end) = lane.cell(at)?;
                         (Some(contents), end)
                     }
                 };
+            }
+            if KEYED {
+                index += 1;
             }
             for _ in 0..cell.separators {
                 at = lane.after_separator(at)?;
@@ -186,6 +200,6 @@ impl<const N: usize> Way<N> {
             *number = (mantissa, exponent);
             at = end;
         }
-        Some((numbers, key, lane.end_of_row(at, self.behind)?))
+        Some((numbers, lane.end_of_row(at, self.behind)?))
     }
 }

@@ -88,8 +88,8 @@ enum Rows {
 }
 
 impl Calibration {
-    /// Reads a calibration. Of some dozen readings without directions or more, only those that decide its linearity
-    /// become readings, and the others are numbers in columns. Exact.
+    /// Reads a calibration. From some dozen readings without directions on, only those that decide its linearity become
+    /// readings. The others are numbers in columns. Exact.
     ///
     /// # Errors
     /// The first thing wrong with the table; a row with a reading in neither direction, and words for three directions.

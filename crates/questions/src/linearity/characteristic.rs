@@ -13,7 +13,7 @@ use super::{LinearityOptions, Whole};
 /// A characteristic with its linearity.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Characteristic {
-    /// The points, by x and then by row; at least one. Of many readings without directions, those that decide.
+    /// The points, by x and then by row; at least one. There are those that decide alone, of many readings without directions.
     pub points: Vec<CalibrationPoint>,
     /// The number of points that are not among these.
     others: usize,

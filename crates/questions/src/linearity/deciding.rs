@@ -51,7 +51,7 @@ impl PlainReadings {
     /// on a common unit. `hold` is asked before so many become fractions. Exact. Cost: O(n log n), to sort the integers.
     ///
     /// # Errors
-    /// Those of `hold`.
+    /// The errors of `hold`.
     pub(super) fn deciding<E>(
         &self,
         hold: impl FnOnce(usize) -> Result<(), E>,

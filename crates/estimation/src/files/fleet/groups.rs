@@ -44,7 +44,7 @@ impl Groups {
         self.rows_at(group, 0..self.places(group).len())
     }
 
-    /// Those of the rows of a group that are at these places among them.
+    /// Returns the rows of a group that are at these places among them.
     pub(super) fn rows_at(
         &self,
         group: usize,

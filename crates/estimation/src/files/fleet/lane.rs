@@ -22,10 +22,10 @@ const WIDE_BITS: u32 = 255;
 /// The most digits by which the unit of y is refined for the error bound.
 const MOST_REFINED: u32 = 18;
 
-/// What a line follows from.
+/// The numbers that a line follows from.
 struct Group<'a> {
     x: &'a [i128],
-    /// On the unit of ε.
+    /// The ordinates, on the unit of ε.
     y: Vec<i128>,
     /// The powers of ten of θ1 and of θ2.
     exponents: [i32; 2],
@@ -34,7 +34,7 @@ struct Group<'a> {
     hulls: Hulls,
 }
 
-/// What follows from both hulls.
+/// The results of both hulls.
 struct Hulls {
     /// Twice ε_min.
     gap: Quotient,
