@@ -285,6 +285,7 @@ impl<'a> Records<'a> {
                 self.begin();
             }
             let is_complete = self.go_on(piece);
+            self.is_open = !is_complete;
             if self.record_bytes > self.longest_record {
                 let too_long = InputErrorKind::RowTooLong { limit: self.longest_record };
                 return Err(InputError::of_line(self.file, self.record_line, too_long));
@@ -297,7 +298,6 @@ impl<'a> Records<'a> {
             if !is_complete {
                 return Ok(false);
             }
-            self.is_open = false;
             if !self.record.is_blank() {
                 self.end_gap();
                 return Ok(true);

@@ -264,13 +264,14 @@ fn readings_take_no_more_memory_than_they_may() {
         "plot FILE --x x --y y --eps 9 -o a.svg --figure data",
         "outliers FILE --x x --y y --eps 9",
         "fit FILE --x x --y y --eps 9 --x-eps-column x",
-        "linearity FILE --x x --y y",
         "range FILE --x x --y y --eps 9",
     ] {
         refused(&rows, &format!("{command} --limit memory=16MiB"), way_out, FEW_SECONDS);
     }
     let way_out = "of memory, more than 1 MiB (the limit); --limit memory=N raises it\n";
-    refused(&rows, "fit FILE --x x --y y --eps 9 --by y --limit memory=1MiB", way_out, FEW_SECONDS);
+    for command in ["fit FILE --x x --y y --eps 9 --by y", "linearity FILE --x x --y y"] {
+        refused(&rows, &format!("{command} --limit memory=1MiB"), way_out, FEW_SECONDS);
+    }
     let directory = directory_with(&[("few.csv", b"x,y\n1,2\n2,3\n")]);
     for (value, message) in [
         ("size=5", "there is no limit \"size\" (expected one of digits,"),

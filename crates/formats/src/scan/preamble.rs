@@ -285,7 +285,8 @@ fn cells_of(line: &[u8], delimiter: u8) -> Vec<Vec<u8>> {
     // Without quotes a line lacks nothing but its end to be a record.
     let ended = if line.contains(&b'"') { line.to_vec() } else { [line, b"\n"].concat() };
     let mut rest = ended.as_slice();
-    if !matches!(records.next(&mut rest), Ok(true)) && !records.finish() {
+    // A line with more cells than that is refused, and has the first of them.
+    if matches!(records.next(&mut rest), Ok(false)) && !records.finish() {
         return Vec::new();
     }
     records.record().cells().take(MOST_CELLS).map(<[u8]>::to_vec).collect()
