@@ -114,7 +114,7 @@ impl<'a> Data<'a> {
     }
 
     /// Reads what [`Data::problem_with_others`] does, without the hash of the data: in less memory where no reading may be left out.
-    /// More readings of a line than so many wait in their columns.
+    /// If there are more than `most_of_line` of a line, they stay in their columns.
     pub(crate) fn shown_problem(self, most_of_line: usize) -> Result<Problem, Failure> {
         match self.asked.options.table.selects_rows() {
             true => self.problem_with_others(),

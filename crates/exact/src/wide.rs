@@ -1,13 +1,15 @@
 //! Integers of 256 bits: what is made of a few machine integers before it is rounded, in fixed memory.
 
+use std::ops::{Add, Mul, Sub};
+
 /// An integer of 256 bits in two's complement. Exact as long as nothing leaves 255 bits and a sign; the caller sees to that by
 /// counting bits.
 ///
 /// ```
 /// use boundfit_exact::Wide;
 ///
-/// let product = Wide::product(-3, i128::MAX).times(Wide::from(-2));
-/// assert_eq!(product.plus(Wide::from(1)).bits(), 130);
+/// let product = &Wide::product(-3, i128::MAX) * &Wide::from(-2);
+/// assert_eq!((product + Wide::from(1)).bits(), 130);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Wide {
@@ -33,36 +35,6 @@ impl Wide {
         Wide { high, low }.negated_if((left < 0) != (right < 0))
     }
 
-    /// The sum.
-    #[must_use]
-    #[inline]
-    pub fn plus(self, other: Self) -> Self {
-        let (low, carry) = self.low.overflowing_add(other.low);
-        Wide { high: self.high.wrapping_add(other.high).wrapping_add(carry.into()), low }
-    }
-
-    /// The difference.
-    #[must_use]
-    #[inline]
-    pub fn minus(self, other: Self) -> Self {
-        let (low, borrow) = self.low.overflowing_sub(other.low);
-        Wide { high: self.high.wrapping_sub(other.high).wrapping_sub(borrow.into()), low }
-    }
-
-    /// The product. Cost: four multiplications of 64 bits, or a dozen.
-    #[must_use]
-    #[inline]
-    pub fn times(self, other: Self) -> Self {
-        if let (Some(left), Some(right)) = (self.word(), other.word()) {
-            return Wide::product(left, right);
-        }
-        let (left, right) = (self.magnitude(), other.magnitude());
-        let (high, low) = long_product(left.low, right.low);
-        let crossed = left.high.wrapping_mul(right.low).wrapping_add(left.low.wrapping_mul(right.high));
-        let product = Wide { high: high.wrapping_add(crossed), low };
-        product.negated_if(self.is_negative() != other.is_negative())
-    }
-
     /// Returns whether the number is less than 0.
     #[inline]
     pub fn is_negative(self) -> bool {
@@ -79,7 +51,7 @@ impl Wide {
     #[must_use]
     #[inline]
     pub fn negated_if(self, is_negated: bool) -> Self {
-        if is_negated { Wide::default().minus(self) } else { self }
+        if is_negated { Wide::default() - self } else { self }
     }
 
     /// Returns the number of bits of the absolute value; 0 for 0.
@@ -117,6 +89,45 @@ impl Wide {
     fn word(self) -> Option<i128> {
         let word = self.low as i128;
         (Wide::from(word) == self).then_some(word)
+    }
+}
+
+/// The sum.
+impl Add for Wide {
+    type Output = Wide;
+
+    #[inline]
+    fn add(self, other: Wide) -> Wide {
+        let (low, carry) = self.low.overflowing_add(other.low);
+        Wide { high: self.high.wrapping_add(other.high).wrapping_add(carry.into()), low }
+    }
+}
+
+/// The difference.
+impl Sub for Wide {
+    type Output = Wide;
+
+    #[inline]
+    fn sub(self, other: Wide) -> Wide {
+        let (low, borrow) = self.low.overflowing_sub(other.low);
+        Wide { high: self.high.wrapping_sub(other.high).wrapping_sub(borrow.into()), low }
+    }
+}
+
+/// The product. Cost: four multiplications of 64 bits, or a dozen.
+impl Mul for &Wide {
+    type Output = Wide;
+
+    #[inline]
+    fn mul(self, other: &Wide) -> Wide {
+        if let (Some(left), Some(right)) = (self.word(), other.word()) {
+            return Wide::product(left, right);
+        }
+        let (left, right) = (self.magnitude(), other.magnitude());
+        let (high, low) = long_product(left.low, right.low);
+        let crossed = left.high.wrapping_mul(right.low).wrapping_add(left.low.wrapping_mul(right.high));
+        let product = Wide { high: high.wrapping_add(crossed), low };
+        product.negated_if(self.is_negative() != other.is_negative())
     }
 }
 
@@ -166,10 +177,10 @@ mod tests {
                 for c in edges {
                     let other = Wide::product(c, 5);
                     let long = Integer::from(c) * Integer::from(5);
-                    assert_eq!(integer(product.plus(other)), &expected + &long, "{a} {b} {c}");
-                    assert_eq!(integer(product.minus(other)), &expected - &long, "{a} {b} {c}");
+                    assert_eq!(integer(product + other), &expected + &long, "{a} {b} {c}");
+                    assert_eq!(integer(product - other), &expected - &long, "{a} {b} {c}");
                     if expected.bits() + long.bits() < 255 {
-                        assert_eq!(integer(product.times(other)), &expected * &long, "{a} {b} {c}");
+                        assert_eq!(integer(&product * &other), &expected * &long, "{a} {b} {c}");
                     }
                 }
             }

@@ -114,29 +114,29 @@ pub(crate) enum Command {
 /// The function that gives a command its options.
 type WithOptions = fn(clap::Command) -> clap::Command;
 
-/// The commands whose command line stands by itself.
-const ALONE: [(&str, WithOptions); 16] = [
-    ("fit", FitArguments::augment_args),
-    ("predict", PredictArguments::augment_args),
-    ("next", NextArguments::augment_args),
-    ("linearity", LinearityArguments::augment_args),
-    ("range", RangeArguments::augment_args),
-    ("status", StatusArguments::augment_args),
-    ("outliers", OutliersArguments::augment_args),
-    ("reduce", ReduceArguments::augment_args),
-    ("check", CheckArguments::augment_args),
-    ("convert", ConvertArguments::augment_args),
-    ("verify", VerifyArguments::augment_args),
-    ("judge", JudgeArguments::augment_args),
-    ("polygon", PolygonArguments::augment_args),
-    ("plot", PlotArguments::augment_args),
-    ("lesson", LessonArguments::augment_args),
-    ("playground", PlaygroundArguments::augment_args),
+/// The commands whose command line stands by itself, each with the end of its help.
+const ALONE: [(&str, WithOptions, &Notes); 16] = [
+    ("fit", FitArguments::augment_args, &fit::NOTES),
+    ("predict", PredictArguments::augment_args, &predict::NOTES),
+    ("next", NextArguments::augment_args, &next::NOTES),
+    ("linearity", LinearityArguments::augment_args, &linearity::NOTES),
+    ("range", RangeArguments::augment_args, &range::NOTES),
+    ("status", StatusArguments::augment_args, &status::NOTES),
+    ("outliers", OutliersArguments::augment_args, &outliers::NOTES),
+    ("reduce", ReduceArguments::augment_args, &reduce::NOTES),
+    ("check", CheckArguments::augment_args, &check::NOTES),
+    ("convert", ConvertArguments::augment_args, &convert::NOTES),
+    ("verify", VerifyArguments::augment_args, &verify::NOTES),
+    ("judge", JudgeArguments::augment_args, &judge::NOTES),
+    ("polygon", PolygonArguments::augment_args, &polygon::NOTES),
+    ("plot", PlotArguments::augment_args, &plot::NOTES),
+    ("lesson", LessonArguments::augment_args, &lesson::NOTES),
+    ("playground", PlaygroundArguments::augment_args, &playground::NOTES),
 ];
 
 /// Returns the command line with this command alone: those of all commands take longer than a fit of some dozen readings.
 pub(crate) fn alone(name: &str) -> Option<clap::Command> {
-    let (name, with_options) = ALONE.iter().find(|(own, _)| *own == name)?;
+    let (name, with_options, _) = ALONE.iter().find(|(own, ..)| *own == name)?;
     let command = with_options(clap::Command::new(*name));
     Some(clap::Command::new("boundfit").bin_name("boundfit").max_term_width(100).subcommand(command))
 }
@@ -153,27 +153,11 @@ const MAN_NOTES: Notes = Notes {
 
 /// Returns the end of the help of a command.
 pub(crate) fn notes(command: &str) -> Option<&'static Notes> {
-    Some(match command {
-        "fit" => &fit::NOTES,
-        "predict" => &predict::NOTES,
-        "next" => &next::NOTES,
-        "linearity" => &linearity::NOTES,
-        "range" => &range::NOTES,
-        "status" => &status::NOTES,
-        "outliers" => &outliers::NOTES,
-        "reduce" => &reduce::NOTES,
-        "check" => &check::NOTES,
-        "convert" => &convert::NOTES,
-        "verify" => &verify::NOTES,
-        "judge" => &judge::NOTES,
-        "polygon" => &polygon::NOTES,
-        "plot" => &plot::NOTES,
-        "lesson" => &lesson::NOTES,
-        "playground" => &playground::NOTES,
-        "completions" => &COMPLETIONS_NOTES,
-        "man" => &MAN_NOTES,
-        _ => return None,
-    })
+    match command {
+        "completions" => Some(&COMPLETIONS_NOTES),
+        "man" => Some(&MAN_NOTES),
+        name => ALONE.iter().find(|(own, ..)| *own == name).map(|(.., notes)| *notes),
+    }
 }
 
 #[cfg(test)]

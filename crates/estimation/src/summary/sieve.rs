@@ -57,8 +57,8 @@ impl SharedSieve {
         (survivors.len() * RARE <= x.len()).then_some(survivors)
     }
 
-    /// Learns from the support rows of so many readings, whenever these have doubled. Where most readings support a hull, a sieve would
-    /// cost more than it spares.
+    /// Makes the sieves anew from the support rows, whenever the number of readings, `rows`, has doubled. It makes none where many
+    /// readings support a hull: a sieve would cost more than it spares.
     pub(super) fn learn(&self, support: &SupportRows, rows: usize) {
         /// The number of readings of which at most one may support a hull.
         const RARE: usize = 4;

@@ -22,9 +22,7 @@ impl Column {
             }
         }
     }
-}
 
-impl Column {
     /// Each number as [`Rational::near_f64`] tells it. Cost: some nanoseconds for each short decimal or double.
     pub fn near_f64(&self) -> Vec<f64> {
         match self {

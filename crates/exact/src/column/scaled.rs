@@ -165,7 +165,7 @@ impl<I: Count> Scaled<I> {
         Some(())
     }
 
-    /// Adds so many units each, as they are. Cost: a copy.
+    /// Adds numbers that are counted on the unit of the column. Cost: a copy.
     pub(super) fn append_counts(&mut self, counts: &[I]) {
         self.counts.extend_from_slice(counts);
     }

@@ -30,7 +30,7 @@ impl WideQuotient {
         WideQuotient { numerator, denominator, exponent }
     }
 
-    /// The decimal with so many significant digits, as [`Rational::decimal`](crate::Rational::decimal) has it. Cost: a division, or
+    /// The decimal with this number of significant digits, as [`Rational::decimal`](crate::Rational::decimal) has it. Cost: a division, or
     /// two.
     pub fn decimal(&self, digits: usize, rounding: Rounding) -> Option<PlacedDecimal> {
         let is_negative = self.numerator.is_negative();
@@ -69,11 +69,11 @@ impl WideQuotient {
     /// same exponent, and products of their terms 254 bits at most. Cost: three divisions, or twice as many.
     pub fn middle([lower, upper]: &[Self; 2], digits: usize) -> Option<PlusMinus> {
         let digits = digits.max(1);
-        let left = lower.numerator.times(upper.denominator);
-        let right = upper.numerator.times(lower.denominator);
-        let (centre, error) = (left.plus(right), right.minus(left));
-        let denominator = lower.denominator.times(upper.denominator);
-        let denominator = denominator.plus(denominator);
+        let left = &lower.numerator * &upper.denominator;
+        let right = &upper.numerator * &lower.denominator;
+        let (centre, error) = (left + right, right - left);
+        let denominator = &lower.denominator * &upper.denominator;
+        let denominator = denominator + denominator;
         if lower.exponent != upper.exponent || error.is_negative() || error.is_zero() {
             return None;
         }

@@ -50,7 +50,7 @@ fn bracketed(value: &Rational, digits: usize, away_from_zero: Option<bool>) -> O
     of_leading(numerator.leading(beyond)?, denominator.leading(beyond)?, digits, away_from_zero)
 }
 
-/// Returns how many of so many bits are to go, for the rest to leave room for the power of ten that so many digits take.
+/// Returns how many of the lowest bits to drop, so that the others leave room for a power of ten of these digits.
 pub(super) fn bits_beyond(bits: u64, digits: usize) -> u64 {
     // Four bits hold a digit.
     let room = 4 * (digits as u64 + 2);

@@ -11,6 +11,7 @@ use boundfit_geometry::Tally;
 use boundfit_geometry::grid::{GridPoint, Place, candidates_of_columns, touching_of_columns};
 
 use super::characteristic::line_through;
+use super::points::largest;
 use super::{CalibrationPoint, CalibrationReading, Difference, Whole};
 
 /// Readings in columns, in the order of the rows.
@@ -48,7 +49,7 @@ impl PlainReadings {
     }
 
     /// The readings that decide, equal ones once, and the facts about all; `None` for numbers that are no integers of 128 bits
-    /// on a common unit. `hold` is asked before so many become fractions. Exact. Cost: O(n log n), to sort the integers.
+    /// on a common unit. `hold` is asked before the readings that decide, whose number it gets, become fractions. Exact. Cost: O(n log n), to sort the integers.
     ///
     /// # Errors
     /// The errors of `hold`.
@@ -164,7 +165,7 @@ fn largest_spread<C: Count + Ord>(x: &[C], y: &[C]) -> Option<(i128, Vec<C>)> {
         let place = |word: u64| word >> y_range.bits;
         let spreads = words.chunk_by(|one, other| place(*one) == place(*other)).filter_map(|own| {
             let [least, .., most] = *own else { return None };
-            Some((place(least), i128::from(most - least)))
+            Some((i128::from(most - least), place(least)))
         });
         let (spread, places) = largest(spreads)?;
         let x = |above: u64| C::new(x_range.least + i128::from(above));
@@ -175,21 +176,8 @@ fn largest_spread<C: Count + Ord>(x: &[C], y: &[C]) -> Option<(i128, Vec<C>)> {
     largest(pairs.chunk_by(|one, other| one.0 == other.0).filter_map(|own| {
         let [(place, least), .., (_, most)] = *own else { return None };
         // Integers of 126 bits.
-        Some((place, most.into().wrapping_sub(least.into())))
+        Some((most.into().wrapping_sub(least.into()), place))
     }))
-}
-
-/// The largest of some differences, and each place where it is reached.
-fn largest<P>(spreads: impl Iterator<Item = (P, i128)>) -> Option<(i128, Vec<P>)> {
-    let mut found: Option<(i128, Vec<P>)> = None;
-    for (place, spread) in spreads {
-        match &mut found {
-            Some((largest, _)) if spread < *largest => {}
-            Some((largest, places)) if spread == *largest => places.push(place),
-            _ => found = Some((spread, vec![place])),
-        }
-    }
-    found
 }
 
 /// The range of some integers.

@@ -106,10 +106,11 @@ impl<'a> Passes<'a> {
 
     /// The largest difference of both averages at one x.
     pub(super) fn hysteresis(&self) -> Option<Difference> {
-        largest(self.places.iter().filter_map(|place| {
+        let each = self.places.iter().filter_map(|place| {
             let [up, down] = [place.average(Some(Pass::Up))?, place.average(Some(Pass::Down))?];
-            Some(((up.y - down.y).abs(), place.x, move || place.rows(|_| true)))
-        }))
+            Some(((up.y - down.y).abs(), (place.x, move || place.rows(|_| true))))
+        });
+        largest(each).map(difference)
     }
 
     /// The largest spread of readings at one x in one direction.
@@ -121,10 +122,10 @@ impl<'a> Passes<'a> {
                     [own().map(|reading| &reading.y).min()?, own().map(|reading| &reading.y).max()?];
                 let is_spread = own().map(|reading| reading.count()).sum::<u64>() > 1;
                 let rows = move || place.rows(|reading| reading.pass == pass);
-                is_spread.then(|| (most - least, place.x, rows))
+                is_spread.then(|| (most - least, (place.x, rows)))
             })
         });
-        largest(each)
+        largest(each).map(difference)
     }
 }
 
@@ -168,21 +169,22 @@ pub(super) fn points_of_readings(sorted: &[&CalibrationReading]) -> Vec<Calibrat
     sorted.iter().map(point).collect()
 }
 
-/// The largest of some differences, with each x where it is reached. The data rows are asked for only where none before is
-/// larger.
-fn largest<'a>(
-    differences: impl Iterator<Item = (Rational, &'a Rational, impl FnOnce() -> Option<Tally>)>,
-) -> Option<Difference> {
-    let mut found: Option<Difference> = None;
-    for (value, x, rows) in differences {
-        if found.as_ref().is_some_and(|largest| value < largest.value) {
-            continue;
-        }
-        let Some(rows) = rows() else { continue };
-        let point = CalibrationPoint { x: x.clone(), y: value.clone(), rows, equal: None };
+/// The difference at some places, each with its data rows.
+fn difference((value, places): (Rational, Vec<(&Rational, impl FnOnce() -> Option<Tally>)>)) -> Difference {
+    let points = places.into_iter().filter_map(|(x, rows)| {
+        Some(CalibrationPoint { x: x.clone(), y: value.clone(), rows: rows()?, equal: None })
+    });
+    Difference { at: points.collect(), value }
+}
+
+/// The largest of some differences, and each place where it is reached.
+pub(super) fn largest<V: Ord, P>(differences: impl Iterator<Item = (V, P)>) -> Option<(V, Vec<P>)> {
+    let mut found: Option<(V, Vec<P>)> = None;
+    for (value, place) in differences {
         match &mut found {
-            Some(largest) if value == largest.value => largest.at.push(point),
-            _ => found = Some(Difference { value, at: vec![point] }),
+            Some((largest, _)) if value < *largest => {}
+            Some((largest, places)) if value == *largest => places.push(place),
+            _ => found = Some((value, vec![place])),
         }
     }
     found

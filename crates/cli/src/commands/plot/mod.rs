@@ -159,8 +159,8 @@ impl Job<'_> {
     }
 }
 
-/// Reads the readings, those that are not fitted too, of which so many figures will be drawn. More readings of a line than
-/// `most_of_line` wait in their columns.
+/// Reads the readings for this number of figures, with those that are not fitted. If there are more than `most_of_line` of a line,
+/// they stay in their columns.
 fn problem(arguments: &PlotArguments, figures: u64, most_of_line: usize) -> Result<Problem, Failure> {
     let problem = arguments
         .data

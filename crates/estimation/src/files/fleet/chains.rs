@@ -22,7 +22,7 @@ pub(super) trait Coordinate:
 {
     /// 0.
     const ZERO: Self;
-    /// Coordinates within so many bits leave room for what is computed with them.
+    /// The most bits of a coordinate: their differences and products then fit.
     const MOST_BITS: u32;
 
     /// The integer with this value, which keeps to these bits.
@@ -63,11 +63,13 @@ impl Coordinate for i128 {
         if let (Some(left), Some(right)) = (short(left), short(right)) {
             return i64::compare_products(left, right);
         }
-        let sign = |[a, b]: [i128; 2]| a.signum() * b.signum();
-        sign(left).cmp(&sign(right)).then_with(|| {
-            let order = long_product(left).cmp(&long_product(right));
-            if sign(left) < 0 { order.reverse() } else { order }
-        })
+        let [left, right] = [left, right].map(|[a, b]| Wide::product(a, b));
+        let difference = left - right;
+        match difference.is_negative() {
+            true => Ordering::Less,
+            false if difference.is_zero() => Ordering::Equal,
+            false => Ordering::Greater,
+        }
     }
 }
 
@@ -210,17 +212,6 @@ fn by_slope<C: Coordinate>(from: Site<C>, to: Site<C>, other_from: Site<C>, othe
     C::compare_products([rise, other_run], [other_rise, run])
 }
 
-/// The absolute value of a product of integers below 2¹²⁷, its high 128 bits first.
-#[inline]
-fn long_product([left, right]: [i128; 2]) -> (u128, u128) {
-    let halves = |value: i128| (value.unsigned_abs() >> 64, value.unsigned_abs() & u128::from(u64::MAX));
-    let ((a, b), (c, d)) = (halves(left), halves(right));
-    // The high halves are below 2⁶³, so that their products with others leave room for a carry.
-    let low = b * d;
-    let middle = a * d + b * c + (low >> 64);
-    (a * c + (middle >> 64), middle << 64 | (low & u128::from(u64::MAX)))
-}
-
 /// Returns the height of a site above the line through two others, or above the single site if both are the same.
 fn distance<C: Coordinate>(site: Site<C>, line: [Site<C>; 2]) -> Quotient {
     let (site, [left, right]) = (wide(site), line.map(wide));
@@ -229,7 +220,7 @@ fn distance<C: Coordinate>(site: Site<C>, line: [Site<C>; 2]) -> Quotient {
         return (Wide::from(site.1 - left.1), 1);
     }
     let rise = Wide::product(site.1 - left.1, run);
-    (rise.minus(Wide::product(right.1 - left.1, site.0 - left.0)), run)
+    (rise - Wide::product(right.1 - left.1, site.0 - left.0), run)
 }
 
 /// The slope of the line through two sites from left to right.
@@ -241,7 +232,7 @@ fn slope<C: Coordinate>(line: [Site<C>; 2]) -> Quotient {
 /// The value at 0 of the line through two sites from left to right.
 fn at_zero<C: Coordinate>(line: [Site<C>; 2]) -> Quotient {
     let [left, right] = line.map(wide);
-    (Wide::product(left.1, right.0).minus(Wide::product(right.1, left.0)), right.0 - left.0)
+    (Wide::product(left.1, right.0) - Wide::product(right.1, left.0), right.0 - left.0)
 }
 
 fn wide<C: Coordinate>((x, y): Site<C>) -> Site<i128> {

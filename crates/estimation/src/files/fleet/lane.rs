@@ -50,7 +50,7 @@ impl Hulls {
         }
         let chains = Chains::of_sorted(&sites)?;
         let gap = chains.gap();
-        let is_polygon = gap.0.minus(Wide::product(2 * epsilon, gap.1)).is_negative();
+        let is_polygon = (gap.0 - Wide::product(2 * epsilon, gap.1)).is_negative();
         is_polygon.then(|| Hulls { gap, ends: chains.ends(C::of(epsilon)) })
     }
 }
@@ -94,7 +94,13 @@ pub(super) fn group_fit(x: &Counts, y: &Counts, epsilon: &Rational) -> Option<Gr
     let interval = |lower, upper| Interval::new(Endpoint::Finite(lower), Endpoint::Finite(upper));
     let pui = [interval(end(0, lower1)?, end(0, upper1)?)?, interval(end(1, lower2)?, end(1, upper2)?)?];
     let products_fit = x_bits + x_bits.max(y_bits) + count_bits < SUM_BITS;
-    let Solution { numerators: [slope, offset], determinant } = moments(x, &y, products_fit).solution();
+    let long_sum = |pairs: &mut dyn Iterator<Item = (i128, i128)>| {
+        let mut sum = WideProducts::default();
+        pairs.for_each(|(left, right)| sum.add(left, right));
+        sum.total()
+    };
+    let sums: Sums<Integer> = moments(x, &y, products_fit, long_sum);
+    let Solution { numerators: [slope, offset], determinant } = sums.solution();
     let least_squares = [theta(0, slope, determinant.clone())?, theta(1, offset, determinant)?];
     let least = end(1, (gap.0, 2 * gap.1))?;
     let central = central_of(&pui);
@@ -126,21 +132,11 @@ pub(super) fn group_line(x: &Counts, y: &Counts, epsilon: &Rational) -> Option<G
     let Ends { lower, upper } = ends;
     let pui = [0, 1].map(|axis| [end(axis, lower[axis]), end(axis, upper[axis])]);
     let products_fit = x_bits + x_bits.max(y_bits) + count_bits < SUM_BITS;
-    let sum = |counts: &[i128]| Wide::from(counts.iter().sum::<i128>());
-    let sum_of_products = |left: &[i128], right: &[i128]| {
-        let pairs = left.iter().zip(right);
-        match products_fit {
-            true => {
-                Wide::from(pairs.map(|(left, right)| left.wrapping_mul(*right)).fold(0, i128::wrapping_add))
-            }
-            false => pairs.fold(Wide::default(), |sum, (&left, &right)| sum.plus(Wide::product(left, right))),
-        }
+    let long_sum = |pairs: &mut dyn Iterator<Item = (i128, i128)>| {
+        pairs.fold(Wide::default(), |sum, (left, right)| sum + Wide::product(left, right))
     };
-    let (count, sum_x, sum_y) = (Wide::from(x.len() as i128), sum(x), sum(&y));
-    let (squares, products) = (sum_of_products(x, x), sum_of_products(x, &y));
-    let determinant = count.times(squares).minus(sum_x.times(sum_x));
-    let slope = count.times(products).minus(sum_x.times(sum_y));
-    let offset = squares.times(sum_y).minus(sum_x.times(products));
+    let sums: Sums<Wide> = moments(x, &y, products_fit, long_sum);
+    let Solution { numerators: [slope, offset], determinant } = sums.solution();
     Some(GroupLine {
         rows: x.len(),
         first_row: None,
@@ -164,23 +160,26 @@ fn on_power_of_ten(number: &Rational, exponent: i32) -> Option<(i128, u32)> {
     })
 }
 
-/// The sums over readings of a line; `products_fit`: whether their sums fit into 128 bits.
-fn moments(x: &[i128], y: &[i128], products_fit: bool) -> Sums<Integer> {
+/// The sums over readings of a line. Sums of products fit into 128 bits if `products_fit`; `long_sum` adds up others.
+fn moments<N: From<i128>>(
+    x: &[i128],
+    y: &[i128],
+    products_fit: bool,
+    long_sum: impl Fn(&mut dyn Iterator<Item = (i128, i128)>) -> N,
+) -> Sums<N> {
     let sum_of_products = |left: &[i128], right: &[i128]| {
-        let pairs = left.iter().zip(right);
-        if products_fit {
-            return Integer::from(pairs.map(|(left, right)| left * right).sum::<i128>());
+        let mut pairs = left.iter().copied().zip(right.iter().copied());
+        match products_fit {
+            true => pairs.map(|(left, right)| left.wrapping_mul(right)).fold(0, i128::wrapping_add).into(),
+            false => long_sum(&mut pairs),
         }
-        let mut sum = WideProducts::default();
-        pairs.for_each(|(&left, &right)| sum.add(left, right));
-        sum.total()
     };
     Sums {
         count: x.len(),
         uu: sum_of_products(x, x),
-        uv: Integer::from(x.iter().sum::<i128>()),
-        vv: Integer::from(x.len()),
+        uv: x.iter().sum::<i128>().into(),
+        vv: (x.len() as i128).into(),
         uy: sum_of_products(x, y),
-        vy: Integer::from(y.iter().sum::<i128>()),
+        vy: y.iter().sum::<i128>().into(),
     }
 }
