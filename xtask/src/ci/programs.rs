@@ -145,7 +145,7 @@ mod tests {
             holds: "",
             changes: "",
             needs: &[SHELL, ABSENT, ABSENT],
-            beside: None,
+            beside: false,
             script: "",
         };
         let message = check(&step).unwrap_err();

@@ -4,8 +4,11 @@ use std::env;
 use std::fmt;
 use std::fs::{self, File};
 use std::io::{self, BufRead, BufReader, Write};
-use std::process::{Child, Command, ExitCode, ExitStatus, Stdio};
-use std::time::Instant;
+use std::process::{Command, ExitCode, ExitStatus, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
 
 use super::programs::{self, Installation};
 use super::steps::Step;
@@ -78,112 +81,126 @@ fn run_script(script: &str, tests: &mut Tests) -> Outcome {
     outcome(child.wait())
 }
 
-/// A script that runs beside other steps until it is its turn.
-#[derive(Debug)]
-struct Beside {
-    step: &'static str,
-    child: Child,
+/// Runs the script of a step beside others, and prints what it has printed when it ends. It ends early if another step has failed.
+fn run_beside(step: &Step, has_failed: &AtomicBool) -> Outcome {
+    let path = root().join(format!("target/{}.log", step.name));
+    let failed = |error: io::Error| format!("{}: {error}", path.display());
+    let log = File::create(&path).map_err(failed)?;
+    let errors = log.try_clone().map_err(failed)?;
+    let mut child = shell(step.script).stdout(log).stderr(errors).spawn().map_err(failed)?;
+    let status = loop {
+        match child.try_wait() {
+            Ok(None) if has_failed.load(Ordering::Relaxed) => {
+                let _ = child.kill();
+            }
+            Ok(None) => thread::sleep(Duration::from_millis(100)),
+            Ok(Some(status)) => break Ok(status),
+            Err(error) => break Err(error),
+        }
+    };
+    print!("\n== beside: {}: {}\n{}", step.name, step.holds, fs::read_to_string(&path).unwrap_or_default());
+    outcome(status)
 }
 
-impl Beside {
-    /// The file that has what the script prints.
-    fn log(step: &str) -> String {
-        format!("target/{step}.log")
-    }
-
-    /// Starts the script of a step.
-    fn start(step: &Step) -> Result<Self, String> {
-        let path = Self::log(step.name);
-        let failed = |error| format!("{path}: {error}");
-        let log = File::create(root().join(&path)).map_err(failed)?;
-        let errors = log.try_clone().map_err(failed)?;
-        let child = shell(step.script).stdout(log).stderr(errors).spawn().map_err(failed)?;
-        Ok(Self { step: step.name, child })
-    }
-
-    /// Waits for the end of the script and prints what it has printed.
-    fn finish(mut self) -> Outcome {
-        let status = self.child.wait();
-        let log = fs::read_to_string(root().join(Self::log(self.step))).unwrap_or_default();
-        print!("{log}");
-        outcome(status)
-    }
+/// The steps while they run, in two lanes.
+struct Run {
+    installation: Mutex<Option<Installation>>,
+    times: Mutex<Vec<String>>,
+    has_failed: AtomicBool,
 }
 
-impl Drop for Beside {
-    /// Ends the script if a step has failed before it.
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
+impl Run {
+    fn new(installation: Option<Installation>) -> Self {
+        let (installation, times) = (Mutex::new(installation), Mutex::default());
+        Self { installation, times, has_failed: AtomicBool::new(false) }
     }
-}
 
-/// The steps while they run.
-struct Run<'a> {
-    steps: &'a [&'static Step],
-    installation: Option<Installation>,
-    beside: Vec<Beside>,
-    tests: Tests,
-    times: Vec<String>,
-}
-
-impl Run<'_> {
-    /// Runs one step, and starts those that are to run beside it.
-    fn step(&mut self, step: &'static Step) -> Outcome {
-        if let Some(installation) = self.installation.as_mut().filter(|_| !step.needs.is_empty()) {
+    /// Waits until the programs of a step are installed.
+    fn wait_for_programs(&self, step: &Step) -> Outcome {
+        let mut installation = self.installation.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(installation) = installation.as_mut().filter(|_| !step.needs.is_empty()) {
             installation.finish()?;
         }
-        programs::check(step)?;
-        for other in self.steps.iter().filter(|other| other.beside == Some(step.name)) {
-            self.beside.push(Beside::start(other)?);
-        }
-        match self.beside.iter().position(|beside| beside.step == step.name) {
-            Some(place) => self.beside.swap_remove(place).finish(),
-            None => run_script(step.script, &mut self.tests),
-        }
+        programs::check(step)
     }
 
-    /// Runs all steps up to the first that fails.
-    fn all(&mut self, install: bool) -> Outcome {
-        fs::create_dir_all(root().join("target")).map_err(|error| format!("target: {error}"))?;
-        if install {
-            self.installation = Some(Installation::start(self.steps)?);
-        }
-        for step in self.steps {
-            println!("\n== {}: {}", step.name, step.holds);
+    /// Runs the steps of a lane one after the other, up to the first of any lane that fails.
+    fn lane(&self, steps: &[&Step], mut run: impl FnMut(&Step) -> Outcome) -> Outcome {
+        for step in steps {
+            if self.has_failed.load(Ordering::Relaxed) {
+                break;
+            }
             let started = Instant::now();
-            let outcome = self.step(step);
-            self.times.push(format!("{:5} s  {}", started.elapsed().as_secs(), step.name));
+            let outcome = self.wait_for_programs(step).and_then(|()| run(step));
+            let time = format!("{:5} s  {}", started.elapsed().as_secs(), step.name);
+            self.times.lock().unwrap_or_else(PoisonError::into_inner).push(time);
             outcome.map_err(|message| {
+                self.has_failed.store(true, Ordering::Relaxed);
                 format!("{message}\nstep {0} failed; `cargo xtask ci {0}` runs it alone", step.name)
             })?;
         }
         Ok(())
+    }
+
+    /// Runs all steps up to the first that fails. Steps that run beside others have a lane of their own.
+    fn all(&self, steps: &[&Step], tests: &mut Tests) -> Outcome {
+        let (beside, others): (Vec<&Step>, Vec<&Step>) = steps.iter().partition(|step| step.beside);
+        let shown = |step: &Step| {
+            println!("\n== {}: {}", step.name, step.holds);
+            run_script(step.script, tests)
+        };
+        if others.is_empty() {
+            return self.lane(&beside, shown);
+        }
+        thread::scope(|scope| {
+            let lane = scope.spawn(|| self.lane(&beside, |step| run_beside(step, &self.has_failed)));
+            let outcome = self.lane(&others, shown);
+            let outcome_beside = lane.join().unwrap_or_else(|_| Err("a thread has failed".to_owned()));
+            outcome.and(outcome_beside)
+        })
     }
 }
 
 /// Runs some steps. The last line counts the tests of the last step that has some; a step that fails otherwise counts as one.
 pub(super) fn run(steps: &[&'static Step], install: bool) -> ExitCode {
     let started = Instant::now();
-    let (tests, times) = (Tests::default(), Vec::new());
-    let mut run = Run { steps, installation: None, beside: Vec::new(), tests, times };
-    let outcome = run.all(install);
+    let mut tests = Tests::default();
+    let installation = fs::create_dir_all(root().join("target"))
+        .map_err(|error| format!("target: {error}"))
+        .and_then(|()| install.then(|| Installation::start(steps)).transpose());
+    let (outcome, times) = match installation {
+        Ok(installation) => {
+            let run = Run::new(installation);
+            let outcome = run.all(steps, &mut tests);
+            (outcome, run.times.into_inner().unwrap_or_else(PoisonError::into_inner))
+        }
+        Err(message) => (Err(message), Vec::new()),
+    };
     println!("\n== time of each step, {} s in all", started.elapsed().as_secs());
-    let times = run.times.join("\n");
+    let times = times.join("\n");
     println!("{times}");
     let _ = fs::write(root().join("target/ci-times.log"), times + "\n");
     let _ = io::stdout().flush();
     if let Err(message) = &outcome {
         eprintln!("\n{message}");
-        run.tests.failed = run.tests.failed.max(1);
+        tests.failed = tests.failed.max(1);
     }
-    println!("\n{}", run.tests);
+    println!("\n{tests}");
     ExitCode::from(u8::from(outcome.is_err()))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const STEP: Step =
+        Step { name: "s", holds: "", changes: "", needs: &[], beside: false, script: "exit 3" };
+
+    fn lane(steps: &[&Step]) -> (Outcome, usize) {
+        let run = Run::new(None);
+        let outcome = run.all(steps, &mut Tests::default());
+        (outcome, run.times.into_inner().unwrap().len())
+    }
 
     #[test]
     fn results_of_cargo_test_are_added() {
@@ -206,14 +223,29 @@ mod tests {
 
     #[test]
     fn a_failed_step_is_named_and_the_next_one_does_not_run() {
-        const STEP: Step =
-            Step { name: "s", holds: "", changes: "", needs: &[], beside: None, script: "exit 3" };
-        static STEPS: [Step; 2] = [STEP, Step { name: "t", ..STEP }];
-        let steps: Vec<&'static Step> = STEPS.iter().collect();
-        let (tests, times) = (Tests::default(), Vec::new());
-        let mut run = Run { steps: &steps, installation: None, beside: Vec::new(), tests, times };
-        let message = run.all(false).unwrap_err();
+        let (outcome, count) = lane(&[&STEP, &Step { name: "t", ..STEP }]);
+        let message = outcome.unwrap_err();
         assert!(message.contains("3") && message.contains("step s failed"), "{message}");
-        assert_eq!(run.times.len(), 1);
+        assert_eq!(count, 1);
+    }
+
+    #[test]
+    fn a_step_that_fails_ends_those_beside_it() {
+        let _ = fs::create_dir_all(root().join("target"));
+        let beside = Step { name: "beside-1", beside: true, script: "sleep 600", ..STEP };
+        let started = Instant::now();
+        let (outcome, count) = lane(&[&beside, &Step { name: "beside-2", ..beside }, &STEP]);
+        assert!(outcome.unwrap_err().contains("step s failed"));
+        assert_eq!(count, 2);
+        assert!(started.elapsed().as_secs() < 300);
+    }
+
+    #[test]
+    fn a_step_beside_others_fails_for_all() {
+        let _ = fs::create_dir_all(root().join("target"));
+        let beside = Step { name: "beside-3", beside: true, ..STEP };
+        let (outcome, count) = lane(&[&beside, &Step { script: "true", ..STEP }]);
+        assert!(outcome.unwrap_err().contains("step beside-3 failed"));
+        assert_eq!(count, 2);
     }
 }
