@@ -1,5 +1,7 @@
 //! Some of the rows: the same answer as from a file that has no others, whichever way it is read, and who says which.
 
+use std::collections::BTreeSet;
+
 use boundfit_tests::cli::{boundfit, directory_with, printed};
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
@@ -22,7 +24,7 @@ fn case(rng: &mut ChaCha8Rng, count: usize) -> Case {
         .collect();
     let mut options = String::new();
     let mut picked: Vec<usize> = (1..=count).collect();
-    let (mut ranges, mut members) = (Vec::new(), Vec::new());
+    let (mut ranges, mut members) = (Vec::new(), BTreeSet::new());
     for _ in 0..rng.random_range(0..3) {
         let first = rng.random_range(1..=count);
         let last = rng.random_range(first..=count);
