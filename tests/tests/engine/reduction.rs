@@ -40,7 +40,7 @@ pub(crate) fn options(reading: Reading, chunk_bytes: usize) -> ScanOptions {
 
 pub(crate) fn pools() -> Vec<ThreadPool> {
     let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-    [1, 2, 8].map(pool).into()
+    [1, 2, 4].map(pool).into()
 }
 
 /// A table and how it is to be fitted.

@@ -9,9 +9,9 @@ pub use boundfit_tests::reference_table::Found;
 use boundfit_tests::reference_table::{self, NAME};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// Pools of 1, 2 and 8 threads.
+/// Pools of 1, 2 and 4 threads.
 pub static POOLS: LazyLock<Vec<ThreadPool>> = LazyLock::new(|| {
-    [1, 2, 8].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build().unwrap()).into()
+    [1, 2, 4].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build().unwrap()).into()
 });
 
 /// Returns the reference's reading of these bytes: its result, or its message.
