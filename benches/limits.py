@@ -71,10 +71,12 @@ def unlucky():
     yield Work("3·10⁶ rows of two readings", stuck, line(eps="1"), ("polars", 1.2))
     yield Work("3·10⁶ rows of two readings, json", stuck, line("--format", "json", eps="1"), ("polars", 1.5))
     yield Work("10⁶ quantised rows", quantised, line(eps="3"), ("polars", 1.2))
-    for rows, name, eps, csv, text in ((100_000, "10⁵", "3e9", 0.10, 0.15), (1_000_000, "10⁶", "3e11", 1.5, 1.5)):
+    for rows, name, eps, csv, text in ((100_000, "10⁵", "3e9", 0.03, 0.1), (1_000_000, "10⁶", "3e11", 0.3, 1)):
         table = ("parabola", rows, "csv")
         yield Work(f"{name} rows, all extreme, csv", table, line("--format", "csv", eps=eps), ("s", csv))
         yield Work(f"{name} rows, all extreme, text", table, line(eps=eps), ("s", text))
+        yield Work(f"{name} rows, all extreme, ine", table, line("--format", "ine", eps=eps), ("s", 3 * rows / 1e6))
+    yield Work("10⁵ rows from 1e-300 to 1e300", ("wide", 100_000, "csv"), line(eps="1e305"), ("s", 0.2))
     root = ("root", 10_000, "csv")
     yield Work("10⁴ rows of a smooth curve, 15 decimals", root, line(eps="3"), ("s", 0.1))
     yield Work("10⁴ rows of a smooth curve, with the exact area", root, line("--exact", eps="3"), ("s", 0.5))
@@ -89,20 +91,25 @@ def models():
     each = [*LINE, "--eps-column", "eps", "--no-lp"]
     ends = ["--x", "x", "--lower", "lower", "--upper", "upper", "--no-lp"]
     million = 1_000_000
-    yield Work("two regressors", ("regressors", million, "csv"), two, ("s", 0.4))
-    yield Work("two regressors, 17 digits", ("regressors-of-doubles", million, "csv"), two, ("s", 1.2))
-    yield Work("a bound for each row", ("bounds", million, "csv"), each, ("s", 0.25))
-    yield Work("a bound for each row, 17 digits", ("bounds-of-doubles", million, "csv"), each, ("s", 0.75))
-    yield Work("an interval for each row", ("bounds", million, "csv"), ends, ("s", 0.25))
+    yield Work("two regressors", ("regressors", million, "csv"), two, ("s", 0.08))
+    yield Work("two regressors, 17 digits", ("regressors-of-doubles", million, "csv"), two, ("s", 0.2))
+    yield Work("a bound for each row", ("bounds", million, "csv"), each, ("s", 0.08))
+    yield Work("a bound for each row, 17 digits", ("bounds-of-doubles", million, "csv"), each, ("s", 0.15))
+    yield Work("an interval for each row", ("bounds", million, "csv"), ends, ("s", 0.1))
+    for rows, name, aim in ((1_000, "10³", 0.02), (100_000, "10⁵", 0.1), (million, "10⁶", 0.5)):
+        yield Work(f"errors of x too, {name} rows", ("short", rows, "csv"), line("--x-eps", "0.01"), ("s", aim))
 
 
 def fleets():
     """10^5 sensors of 23 rows."""
     by = [*LINE, "--by", "sensor", "--eps", "0.5", "--format"]
     short, doubles = ("fleet", 100_000, "csv"), ("fleet-of-doubles", 100_000, "csv")
-    yield Work("10⁵ sensors × 23 rows, csv", short, [*by, "csv"], ("s", 1.0))
+    yield Work("10⁵ sensors × 23 rows, csv", short, [*by, "csv"], ("s", 0.4))
     yield Work("10⁵ sensors × 23 rows, NDJSON", short, [*by, "json"], ("s", 1.3))
-    yield Work("10⁵ sensors × 23 rows, 17 digits, csv", doubles, [*by, "csv"], ("s", 2.0))
+    yield Work("10⁵ sensors × 23 rows, 17 digits, csv", doubles, [*by, "csv"], ("s", 0.8))
+    by = line("--by", "g", "--format", "csv")
+    yield Work("10⁶ rows of two groups that take turns", ("two-groups", 1_000_000, "csv"), by, ("s", 0.1))
+    yield Work("10⁶ rows of 10⁵ groups without order", ("many-groups", 1_000_000, "csv"), by, ("s", 0.6))
 
 
 def commands():
@@ -110,11 +117,17 @@ def commands():
     short, fewer = ("short", 1_000_000, "csv"), ("short", 100_000, "csv")
     bound = [*LINE, "--eps", "0.5"]
     claim = ["--claim-pui=1.9,2.1,-0.1,0.1"]
-    yield Work("23 rows, a process", ("short", 23, "csv"), line(), ("s", 0.002))
+    yield Work("23 rows, a process", ("short", 23, "csv"), line(), ("s", 0.0016))
+    yield Work("23 rows with the line about an LP solver", ("short", 23, "csv"), bound, ("s", 0.0022))
     yield Work("10⁴ rows with the line about an LP solver", ("short", 10_000, "csv"), bound, ("s", 0.02))
-    yield Work("plot --figure data, 10⁶ rows", short, [*bound, "--figure", "data", "-o", "{out}.svg"], ("s", 1), "plot")
+    yield Work("plot --figure data, 10⁶ rows", short, [*bound, "--figure", "data", "-o", "{out}.svg"], ("s", 0.3), "plot")
+    yield Work("status, 10⁶ rows", short, bound, ("s", 0.3), "status")
+    yield Work("linearity, 10⁶ rows", short, LINE, ("s", 0.3), "linearity")
+    yield Work("windows of 100, 10⁵ rows", fewer, line("--window", "100", "--format", "csv"), ("s", 0.5))
+    for rows, name, aim in ((10_000, "10⁴", 0.05), (100_000, "10⁵", 0.5)):
+        yield Work(f"outliers, 0.1 % wrong, {name} rows", ("wrong", rows, "csv"), bound, ("s", aim), "outliers", (0, 1, 3))
     proof = [("fit", [*line(), "--proof", "{out}.proof", "-o", "{out}.txt"])]
-    yield Work("verify, 10⁶ rows", short, ["{out}.proof", "{table}"], ("s", 1), "verify", before=proof)
+    yield Work("verify, 10⁶ rows", short, ["{out}.proof", "{table}"], ("s", 0.15), "verify", before=proof)
     parabola = ("parabola", 1_000_000, "csv")
     cdd = [("fit", [*line(eps="3e11"), "--format", "ine", "-o", "{out}.ine"])]
     # They take more memory than may be held unless more is asked for.

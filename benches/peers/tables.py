@@ -110,6 +110,31 @@ def fleet_of_doubles(n, random):
     return {"sensor": numpy.repeat(numpy.arange(n), SENSOR_ROWS), "x": x, "y": line(x, 0.4, random)}
 
 
+def groups(count):
+    """Readings that belong to so many groups without order; two take turns."""
+
+    def columns(n, random):
+        import numpy
+
+        g = numpy.arange(n) % 2 if count == 2 else random.integers(0, count, n)
+        return {"g": g, **short(n, random)}
+
+    return columns
+
+
+def wrong(n, random):
+    """One reading of a thousand is wrong."""
+    columns = short(n, random)
+    columns["y"][random.choice(n, n // 1000, replace=False)] += 30
+    return columns
+
+
+def wide(n, random):
+    """Numbers between 1e-300 and 1e300."""
+    x = 10.0 ** random.uniform(-300, 300, n)
+    return {"x": x, "y": x * random.uniform(1.9, 2.1, n)}
+
+
 def digits(count):
     """Numbers between 0 and 1 with so many decimals."""
 
@@ -138,6 +163,10 @@ KINDS = {
     "regressors-of-doubles": (regressors_of_doubles, {}),
     "bounds": (bounds, {}),
     "bounds-of-doubles": (bounds_of_doubles, {}),
+    "two-groups": (groups(2), {}),
+    "many-groups": (groups(100_000), {}),
+    "wrong": (wrong, {}),
+    "wide": (wide, {}),
     "fleet": (fleet, {}),
     "fleet-of-doubles": (fleet_of_doubles, {}),
     **{f"digits-{count}": (digits(count), {"quote_style": "never"}) for count in (15, 17, 18, 20, 24, 30, 40)},
