@@ -109,14 +109,14 @@ def in_memory(
     eps_name = None if is_number(eps) else add(eps, "eps")
     lower_name, upper_name = add(lower, "lower"), add(upper, "upper")
     x_eps_name = None if is_number(x_eps) else add(x_eps, "x_eps")
-    return columns, {
+    said = {
         "x": x_names[0] if len(x_names) == 1 else x_names,
         "y": y_name,
         "eps": None if eps_name else eps,
         "eps_column": eps_name,
         "lower": lower_name,
         "upper": upper_name,
-        "where": texts(where),
+        "where": texts(where) or None,
         "through_origin": through_origin,
         "x_origin": x_origin,
         "reading": reading,
@@ -125,6 +125,8 @@ def in_memory(
         "x_eps_column": x_eps_name,
         "strong": strong,
     }
+    # Most of it is not said, and each key would be read once more.
+    return columns, {key: value for key, value in said.items() if value is not None and value is not False}
 
 
 DELIMITERS = {",": "comma", ";": "semicolon", "\t": "tab", " ": "space", "|": "pipe"}
