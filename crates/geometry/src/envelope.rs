@@ -21,7 +21,14 @@ use crate::system::System;
 ///
 /// The result equals that of [`crate::clipping::intersect`] in every part.
 pub fn intersect(system: &System) -> Region {
-    let sorted = SortedHalfPlanes::new(system);
+    let mut sorted: Vec<Facet> = system.half_planes().collect();
+    angle_key::sort(&mut sorted);
+    let copies: Vec<HalfPlane> =
+        if is_scattered(&sorted) { sorted.iter().map(|(_, h)| (*h).clone()).collect() } else { Vec::new() };
+    for ((_, half_plane), copy) in sorted.iter_mut().zip(&copies) {
+        *half_plane = copy;
+    }
+    let sorted = SortedHalfPlanes { sorted };
     let prefix = first_never(system).unwrap_or(system.len());
     match sorted.facets(prefix) {
         None => {
@@ -42,22 +49,26 @@ fn first_never(system: &System) -> Option<usize> {
     system.constraints().iter().position(|constraint| *constraint == Constraint::Never)
 }
 
-/// The half-planes of a system in angular order; of those with the same direction, the tightest first.
-struct SortedHalfPlanes {
-    /// Copies, since a walk in this order over those of the system would wait for memory at every step.
-    sorted: Vec<(usize, HalfPlane)>,
+/// Returns whether a walk over half-planes in this order would wait for memory at most steps: there are many, and
+/// most neighbours are far from each other in the system. Copies in this order are faster then.
+fn is_scattered(sorted: &[Facet<'_>]) -> bool {
+    /// The number of half-planes that fit into a cache.
+    const FEW: usize = 4096;
+    /// The distance in the system up to which a walk finds the next half-plane in a cache.
+    const NEAR: usize = 16;
+    let far = |pair: &&[Facet<'_>]| pair[0].0.abs_diff(pair[1].0) > NEAR;
+    sorted.len() > FEW && sorted.windows(2).filter(far).count() > sorted.len() / 4
 }
 
-impl SortedHalfPlanes {
-    fn new(system: &System) -> Self {
-        let mut facets: Vec<Facet> = system.half_planes().collect();
-        angle_key::sort(&mut facets);
-        SortedHalfPlanes { sorted: facets.into_iter().map(|(index, h)| (index, h.clone())).collect() }
-    }
+/// The half-planes of a system in angular order; of those with the same direction, the tightest first.
+struct SortedHalfPlanes<'a> {
+    sorted: Vec<Facet<'a>>,
+}
 
+impl SortedHalfPlanes<'_> {
     /// The half-planes of the first `prefix` inequalities.
     fn iter(&self, prefix: usize) -> impl Iterator<Item = Facet<'_>> {
-        self.sorted.iter().filter(move |(index, _)| *index < prefix).map(|(index, h)| (*index, h))
+        self.sorted.iter().copied().filter(move |(index, _)| *index < prefix)
     }
 
     /// The half-planes on the boundary of the region of the first `prefix` inequalities, by angle; `None` when
@@ -131,7 +142,7 @@ impl SortedHalfPlanes {
         for position in (0..corners).map(|step| (start + step) % count) {
             let Some(point) = meet(facets[position].1, facets[(position + 1) % count].1) else { continue };
             if vertices.last().is_none_or(|last| last.point != point) {
-                vertices.push(Vertex { point, active: Vec::new() });
+                vertices.push(Vertex { point, active: Vec::with_capacity(2) });
             }
             vertex_after[position] = Some(vertices.len() - 1);
         }

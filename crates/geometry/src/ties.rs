@@ -55,6 +55,10 @@ fn touching<P: Tied>(
             edge.for_each(|position| speaker[position] = if edges_as_one { first } else { Some(position) });
         }
     }
+    // No second list where each point stands for itself, as on a smooth curve.
+    if speaker.iter().enumerate().all(|(position, speaker)| *speaker == Some(position)) {
+        return points;
+    }
     let mut kept: Vec<Option<P>> = Vec::with_capacity(points.len());
     let mut others: Vec<(usize, Tally)> = Vec::new();
     for (position, (point, speaker)) in points.into_iter().zip(speaker).enumerate() {
@@ -82,6 +86,9 @@ fn touching<P: Tied>(
 
 /// Neighbours at one place as one point.
 fn at_one_place<P: Tied>(sorted: Vec<P>, most: usize) -> Vec<P> {
+    if sorted.windows(2).all(|pair| !pair[0].coincides(&pair[1])) {
+        return sorted;
+    }
     let mut points: Vec<P> = Vec::with_capacity(sorted.len());
     let mut same: Vec<Tally> = Vec::new();
     for point in sorted {

@@ -1,6 +1,6 @@
-//! Both algorithms agree on hundreds of half-planes with large coefficients.
+//! Both algorithms agree on hundreds of half-planes with large coefficients, and the fast one on thousands in any order.
 
-use boundfit_geometry::{Polyhedron, Support, clipping, envelope};
+use boundfit_geometry::{Inequality, Point, Polyhedron, Region, Support, System, Vertex, clipping, envelope};
 use boundfit_tests::generate::{Large, seeded};
 use boundfit_tests::shape::Tally;
 use rand::RngExt;
@@ -37,4 +37,31 @@ fn both_algorithms_agree_on_large_systems() {
     }
     let cases = ["empty", "point", "polygon", "unbounded-polygon", "at least 100 vertices"];
     tally.assert_each(3, &cases);
+}
+
+#[test]
+fn the_order_of_thousands_of_half_planes_changes_only_their_indices() {
+    const COUNT: usize = 5001;
+    // Tangents of a parabola from below, and one line above.
+    let half_plane = |number: usize| {
+        let t = number as i64 - 2500;
+        let [a1, a2, b] = if number + 1 == COUNT { [0, 1, 7_000_000] } else { [2 * t, -1, t * t] };
+        Inequality::new(a1.into(), a2.into(), b.into())
+    };
+    // 1999 and 5001 are coprime: each number comes once, far from its neighbours.
+    let number = |index: usize| index * 1999 % COUNT;
+    let in_order = envelope::intersect(&(0..COUNT).map(half_plane).collect());
+    let scattered: System = (0..COUNT).map(number).map(half_plane).collect();
+    let region = envelope::intersect(&scattered);
+    assert_eq!(region.check_invariants(&scattered), Ok(()));
+    let vertices = |region: &Region, number: &dyn Fn(usize) -> usize| -> Vec<(Point, Vec<usize>)> {
+        let vertex = |vertex: &Vertex| {
+            let mut active: Vec<usize> = vertex.active().iter().map(|&index| number(index)).collect();
+            active.sort_unstable();
+            (vertex.point().clone(), active)
+        };
+        region.vertices().iter().map(vertex).collect()
+    };
+    assert_eq!(vertices(&region, &number), vertices(&in_order, &|index| index));
+    assert_eq!(region.vertices().len(), COUNT);
 }
