@@ -73,17 +73,16 @@ impl Fps {
         let mut ties = Ties::default();
         for touching in &extremes.touching {
             let measurement = &rows[touching.position];
-            let tied = touching.tied.rows().map(|position| {
-                let row = rows[position as usize].row;
-                known.map_or_else(|| Tally::one(row as u64), |known| known.of(row))
-            });
-            ties.insert(measurement.row, Tally::merged(tied, usize::MAX));
-            let bounds = half_planes(measurement).filter(|(name, _)| match name {
-                BoundName::Upper(_) => touching.lower,
-                BoundName::Lower(_) => touching.upper,
-                BoundName::Where(_) | BoundName::WhereUpper(_) | BoundName::WhereLower(_) => false,
-            });
-            bounds.for_each(&mut add);
+            if touching.tied.count() > 1 || known.is_some_and(|known| !known.is_empty()) {
+                let tied = touching.tied.rows().map(|position| {
+                    let row = rows[position as usize].row;
+                    known.map_or_else(|| Tally::one(row as u64), |known| known.of(row))
+                });
+                ties.insert(measurement.row, Tally::merged(tied, usize::MAX));
+            }
+            let above = touching.lower.then(|| upper(measurement, measurement.upper())).flatten();
+            let below = touching.upper.then(|| lower(measurement, measurement.lower())).flatten();
+            above.into_iter().chain(below).for_each(&mut add);
         }
         conditions_by_name(conditions).for_each(add);
         Fps {

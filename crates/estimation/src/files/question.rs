@@ -127,6 +127,9 @@ impl Question {
         // A multiple of the least bound is work too.
         let stated = self.stated_problem(measurements);
         stated.check_work(1, limit)?;
+        if self.multiple_of_least.is_none() && !self.columns.form.through_origin {
+            return Ok(stated);
+        }
         let problem = self.of_measurements(stated.measurements);
         problem.check_work(1, limit)?;
         Ok(problem)

@@ -123,9 +123,10 @@ impl LineSummary {
         epsilon: &Rational,
         sieve: &SharedSieve,
     ) -> (Sums, Vec<Measurement>, Ties) {
-        let support = self.support.into_values();
-        let (rows, ties) =
-            TiedReading::by_row(support.flat_map(|own| own.into_rows(sieve.most_listed)).collect());
+        let mut support = self.support.into_values().map(|own| own.into_rows(sieve.most_listed));
+        let mut readings = support.next().unwrap_or_default();
+        readings.extend(support.flatten());
+        let (rows, ties) = TiedReading::by_row(readings);
         (self.sums.total(), rows.into_iter().map(|reading| reading.within(epsilon.clone())).collect(), ties)
     }
 }

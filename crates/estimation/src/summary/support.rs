@@ -162,7 +162,11 @@ impl SupportRows {
     /// The readings, in no order, with an error bound of 0.
     pub(super) fn into_rows(mut self, most: usize) -> Vec<TiedReading> {
         self.settle(most);
-        self.merged.into_iter().flat_map(Rows::into_rows).collect()
+        // The one part of settled readings is taken as it is: a copy of many readings takes as long as making them.
+        let mut parts = self.merged.into_iter().map(Rows::into_rows);
+        let mut rows = parts.next().unwrap_or_default();
+        rows.extend(parts.flatten());
+        rows
     }
 
     fn settle(&mut self, most: usize) {
@@ -182,6 +186,18 @@ fn columns_of(rows: &[TiedReading]) -> [Column; 2] {
 
 /// All readings of all parts, on one grid if there is one.
 fn united(parts: Vec<Rows>) -> Rows {
+    if let Some(Rows::Grid { units, .. }) = parts.first()
+        && parts.iter().all(|part| matches!(part, Rows::Grid { units: own, .. } if own == units))
+    {
+        let units = *units;
+        let mut lists = parts.into_iter().filter_map(|part| match part {
+            Rows::Grid { points, .. } => Some(points),
+            Rows::General(_) | Rows::Places(_) => None,
+        });
+        let mut points = lists.next().unwrap_or_default();
+        lists.for_each(|list| points.extend(list));
+        return Rows::Grid { units, points };
+    }
     let on_grid = || {
         let finest = parts.iter().try_fold([Unit::Any; 2], |[x, y], part| match part {
             Rows::Grid { units: [own_x, own_y], .. } => Some([x.common(*own_x)?, y.common(*own_y)?]),
