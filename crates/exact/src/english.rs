@@ -75,11 +75,13 @@ pub fn list(items: impl ExactSizeIterator<Item = String>) -> String {
 /// A [`list`] of the first of some items, beside which there are so many more.
 pub fn list_of(first: impl ExactSizeIterator<Item = String>, more: usize) -> String {
     let beyond = first.len().saturating_sub(MOST) + more;
-    let mut shown: Vec<String> = first.take(MOST).collect();
-    if beyond > 0 {
-        shown.push(format!("and {beyond} more"));
-    }
-    shown.join(", ")
+    let last = (beyond > 0).then(|| format!("and {beyond} more"));
+    let joined = |mut list: String, item: String| {
+        list.push_str(", ");
+        list.push_str(&item);
+        list
+    };
+    first.take(MOST).chain(last).reduce(joined).unwrap_or_default()
 }
 
 /// A list within a sentence: `a`, `a and b`, `a, b and c`; of more than eight items seven, `… and 3 more`.

@@ -10,19 +10,24 @@ pub(crate) fn columns(text: &str) -> usize {
 }
 
 /// The width of each column of some lines with equally many cells, as a terminal shows them.
-pub(crate) fn widths<L: AsRef<[String]>>(lines: &[L]) -> Vec<usize> {
+pub(crate) fn widths<C: AsRef<str>, L: AsRef<[C]>>(lines: &[L]) -> Vec<usize> {
     let count = lines.first().map_or(0, |line| line.as_ref().len());
     let width = |column: usize| {
-        lines.iter().filter_map(|line| line.as_ref().get(column)).map(|cell| columns(cell)).max().unwrap_or(0)
+        lines
+            .iter()
+            .filter_map(|line| line.as_ref().get(column))
+            .map(|cell| columns(cell.as_ref()))
+            .max()
+            .unwrap_or(0)
     };
     (0..count).map(width).collect()
 }
 
 /// Appends a line, its cells as far apart as their columns are wide; a wider cell moves the rest of the line. Nothing
 /// stands behind the last text.
-pub(crate) fn write_line(cells: &[String], widths: &[usize], text: &mut String) {
+pub(crate) fn write_line<C: AsRef<str>>(cells: &[C], widths: &[usize], text: &mut String) {
     let mut missing = 0;
-    for (cell, &width) in cells.iter().zip(widths) {
+    for (cell, &width) in cells.iter().map(AsRef::as_ref).zip(widths) {
         if !cell.is_empty() {
             text.extend(std::iter::repeat_n(' ', missing));
             text.push_str(cell);

@@ -1,6 +1,7 @@
 //! The numbers of one parameter in a report: the same value looks the same wherever it stands.
 
 use std::collections::HashSet;
+use std::fmt::Write as _;
 
 use boundfit_exact::{Interval, Rational, Rounding, fewest_digits};
 use boundfit_geometry::{Measure, Vertex};
@@ -60,7 +61,7 @@ fn fine_enough<'a>(
 }
 
 /// These scales with as many more digits as it takes for different vertices to look different; these where that takes too
-/// many. Cost: for each number of digits that of showing the vertices up to the first two that look alike.
+/// many. Cost: for each number of digits that of showing the vertices up to the first neighbours that look alike.
 fn telling_apart<'a>(scales: [Scale<'a>; 2], vertices: &[Vertex]) -> [Scale<'a>; 2] {
     let points: Vec<[Rational; 2]> = vertices.iter().map(|vertex| vertex.point().coordinates()).collect();
     let with_more = |more: usize| {
@@ -70,8 +71,21 @@ fn telling_apart<'a>(scales: [Scale<'a>; 2], vertices: &[Vertex]) -> [Scale<'a>;
         })
     };
     let differ = |scales: &[Scale; 2]| {
-        let mut seen = HashSet::with_capacity(points.len());
-        points.iter().all(|[x, y]| seen.insert(format!("{} {}", scales[0].value(x), scales[1].value(y))))
+        // One text for all vertices: a text of its own for each takes longer than its digits.
+        let (mut all, mut places) = (String::new(), Vec::with_capacity(points.len()));
+        let mut last = 0..0;
+        for [x, y] in &points {
+            let start = all.len();
+            // Writing into a string never fails.
+            let _ = write!(all, "{} {}", scales[0].value(x), scales[1].value(y));
+            if all[last] == all[start..] {
+                return false;
+            }
+            last = start..all.len();
+            places.push(last.clone());
+        }
+        let mut seen = HashSet::with_capacity(places.len());
+        places.into_iter().all(|place| seen.insert(&all[place]))
     };
     (0..MOST_DIGITS).map(with_more).find(differ).unwrap_or(scales)
 }

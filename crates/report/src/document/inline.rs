@@ -1,5 +1,6 @@
 //! Lines of a report: words, numbers and formulas, each known for what it is.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use boundfit_exact::Foreign;
@@ -141,6 +142,10 @@ impl Text {
     }
 
     pub(crate) fn with(mut self, inline: Inline) -> Self {
+        // Most texts are cells with one piece, where a vector would reserve memory for four.
+        if self.0.is_empty() {
+            self.0.reserve_exact(1);
+        }
         self.0.push(inline);
         self
     }
@@ -157,6 +162,14 @@ impl Text {
         })
     }
 
+    /// The plain text; no copy of a single number.
+    pub(super) fn plain(&self) -> Cow<'_, str> {
+        match self.0.as_slice() {
+            [Inline::Number(number)] => Cow::Borrowed(number),
+            _ => Cow::Owned(self.to_string()),
+        }
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -164,13 +177,13 @@ impl Text {
 
 impl From<&str> for Text {
     fn from(words: &str) -> Self {
-        if words.is_empty() { Text::new() } else { Text::new().words(words) }
+        Text::from(words.to_owned())
     }
 }
 
 impl From<String> for Text {
     fn from(words: String) -> Self {
-        Text::from(words.as_str())
+        if words.is_empty() { Text::new() } else { Text::new().words(words) }
     }
 }
 

@@ -1,5 +1,7 @@
 //! Documents as plain text.
 
+use std::borrow::Cow;
+
 use super::wrap::{WIDTH, wrapped};
 use super::{Block, Facts, Table, Text};
 use crate::align::{columns, widths, write_line};
@@ -56,17 +58,17 @@ fn write_behind(label: &str, column: usize, what: &Text, text: &mut String) {
 
 /// A table: as it is where that is not too wide, with lines of cells below each other where that helps, else with a line for
 /// each cell.
-fn write_table(Table { header, rows }: &Table, text: &mut String) {
+fn write_table<'a>(Table { header, rows }: &'a Table, text: &mut String) {
     if rows.is_empty() {
         return;
     }
-    let cells = |row: &Vec<Text>| row.iter().map(Text::to_string).collect::<Vec<_>>();
-    let rows: Vec<Vec<String>> = std::iter::once(header).chain(rows).map(cells).collect();
+    let cells = |row: &'a Vec<Text>| row.iter().map(Text::plain).collect::<Vec<_>>();
+    let rows: Vec<Vec<Cow<'a, str>>> = std::iter::once(header).chain(rows).map(cells).collect();
     let natural = widths(&rows);
     let limits = limits(&natural);
     // Where all cells are as narrow as they may be, each row is a line as it is: most tables, and all very long ones.
     let broken = (natural != limits)
-        .then(|| rows.iter().flat_map(|row| lines_of(row, &limits)).collect::<Vec<Vec<String>>>());
+        .then(|| rows.iter().flat_map(|row| lines_of(row, &limits)).collect::<Vec<Vec<Cow<'_, str>>>>());
     let widths = broken.as_ref().map_or(natural, |lines| widths(lines));
     if widths.iter().sum::<usize>() + INDENT + GAP * (widths.len() - 1) <= WIDTH {
         for line in broken.as_ref().unwrap_or(&rows) {
@@ -103,12 +105,12 @@ fn limits(natural: &[usize]) -> Vec<usize> {
 }
 
 /// A row as lines of cells.
-fn lines_of(row: &[String], limits: &[usize]) -> Vec<Vec<String>> {
+fn lines_of(row: &[Cow<'_, str>], limits: &[usize]) -> Vec<Vec<Cow<'static, str>>> {
     let mut cells: Vec<_> = row.iter().zip(limits).map(|(cell, limit)| wrapped(cell, *limit)).collect();
     let height = cells.iter().map(Vec::len).max().unwrap_or(0);
     let line = |number: usize| {
         let cells = cells.iter_mut().map(|lines| lines.get_mut(number).map(std::mem::take));
-        cells.map(Option::unwrap_or_default).collect()
+        cells.map(|line| Cow::Owned(line.unwrap_or_default())).collect()
     };
     (0..height).map(line).collect()
 }
