@@ -107,9 +107,9 @@ def fleets():
     yield Work("10⁵ sensors × 23 rows, csv", short, [*by, "csv"], ("s", 0.4))
     yield Work("10⁵ sensors × 23 rows, NDJSON", short, [*by, "json"], ("s", 1.3))
     yield Work("10⁵ sensors × 23 rows, 17 digits, csv", doubles, [*by, "csv"], ("s", 0.8))
-    by = line("--by", "g", "--format", "csv")
-    yield Work("10⁶ rows of two groups that take turns", ("two-groups", 1_000_000, "csv"), by, ("s", 0.1))
-    yield Work("10⁶ rows of 10⁵ groups without order", ("many-groups", 1_000_000, "csv"), by, ("s", 0.6))
+    groups = line("--by", "g", "--format", "csv")
+    yield Work("10⁶ rows of two groups that take turns", ("two-groups", 1_000_000, "csv"), groups, ("s", 0.1))
+    yield Work("10⁶ rows of 10⁵ groups without order", ("many-groups", 1_000_000, "csv"), groups, ("s", 0.6))
 
 
 def commands():

@@ -191,6 +191,8 @@ pub(super) fn run(steps: &[&'static Step], install: bool) -> ExitCode {
 
 #[cfg(test)]
 mod tests {
+    use std::path::PathBuf;
+
     use super::*;
 
     const STEP: Step =
@@ -229,23 +231,32 @@ mod tests {
         assert_eq!(count, 1);
     }
 
+    /// The path of an empty place below cargo's folder, for scripts that wait for each other.
+    fn mark(name: &str) -> PathBuf {
+        let path = root().join("target").join(name);
+        fs::create_dir_all(root().join("target")).unwrap();
+        let _ = fs::remove_file(&path);
+        path
+    }
+
     #[test]
     fn a_step_that_fails_ends_those_beside_it() {
-        let _ = fs::create_dir_all(root().join("target"));
-        let beside = Step { name: "beside-1", beside: true, script: "sleep 600", ..STEP };
-        let started = Instant::now();
-        let (outcome, count) = lane(&[&beside, &Step { name: "beside-2", ..beside }, &STEP]);
+        let (begun, ended) = (mark("beside-1.log"), mark("beside-1.ended"));
+        let beside =
+            Step { name: "beside-1", beside: true, script: "sleep 60; touch target/beside-1.ended", ..STEP };
+        let fails = Step { script: "until [ -e target/beside-1.log ]; do sleep 0.05; done; exit 3", ..STEP };
+        let (outcome, count) = lane(&[&beside, &Step { name: "beside-2", ..beside }, &fails]);
         assert!(outcome.unwrap_err().contains("step s failed"));
-        assert_eq!(count, 2);
-        assert!(started.elapsed().as_secs() < 300);
+        assert_eq!((count, begun.exists(), ended.exists()), (2, true, false));
     }
 
     #[test]
     fn a_step_beside_others_fails_for_all() {
-        let _ = fs::create_dir_all(root().join("target"));
-        let beside = Step { name: "beside-3", beside: true, ..STEP };
-        let (outcome, count) = lane(&[&beside, &Step { script: "true", ..STEP }]);
+        let begun = mark("beside-3.begun");
+        let waits = "until [ -e target/beside-3.begun ]; do sleep 0.05; done; exit 3";
+        let beside = Step { name: "beside-3", beside: true, script: waits, ..STEP };
+        let (outcome, count) = lane(&[&beside, &Step { script: "touch target/beside-3.begun", ..STEP }]);
         assert!(outcome.unwrap_err().contains("step beside-3 failed"));
-        assert_eq!(count, 2);
+        assert_eq!((count, begun.exists()), (2, true));
     }
 }

@@ -127,7 +127,7 @@ impl Question {
         // A multiple of the least bound is work too.
         let stated = self.stated_problem(measurements);
         stated.check_work(1, limit)?;
-        if self.multiple_of_least.is_none() && !self.columns.form.through_origin {
+        if self.asks_as_stated() {
             return Ok(stated);
         }
         let problem = self.of_measurements(stated.measurements);
@@ -159,7 +159,12 @@ impl Question {
 
     /// Returns whether nothing is known of the parameters beside the readings and their error bound, which is given.
     pub fn is_plain(&self) -> bool {
-        self.conditions.is_empty() && self.multiple_of_least.is_none() && !self.columns.form.through_origin
+        self.conditions.is_empty() && self.asks_as_stated()
+    }
+
+    /// Returns whether the problem of some readings is the stated one.
+    fn asks_as_stated(&self) -> bool {
+        self.multiple_of_least.is_none() && !self.columns.form.through_origin
     }
 
     /// The problem of readings of these columns.
