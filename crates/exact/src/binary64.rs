@@ -1,5 +1,7 @@
 //! The one door between exact numbers and IEEE 754 binary64.
 
+use std::cmp::Ordering;
+
 use crate::{Fraction, Integer, Rational, plain_decimal};
 
 /// Binary exponent of the smallest positive binary64.
@@ -36,20 +38,44 @@ impl Rational {
     /// The nearest binary64, ties to even, as IEEE 754 rounds: overflows to an infinity, underflows to 0.
     /// Correctly rounded in every case.
     pub fn to_f64(&self) -> f64 {
-        let magnitude = nearest_magnitude(&self.numerator().abs(), &self.denominator());
-        if self.is_negative() { -magnitude } else { magnitude }
+        self.nearest_f64().0
+    }
+
+    /// The binary64 of [`Rational::to_f64`] and how it compares with this number. Exact. Cost: one division of machine words for
+    /// numbers of up to 62 bits, and for most others.
+    pub fn nearest_f64(&self) -> (f64, Ordering) {
+        let (numerator, denominator) = self.terms();
+        nearest(numerator, denominator)
     }
 
     /// The largest binary64 that is not above this number; −∞ where every finite one is.
     ///
     /// A double is above the number when it is above this one. Exact.
     pub fn floor_to_f64(&self) -> f64 {
-        let nearest = self.to_f64();
-        match Rational::from_f64(nearest) {
-            Some(exact) if exact <= *self => nearest,
-            None if nearest < 0.0 => nearest,
-            _ => nearest.next_down(),
+        floor(self.nearest_f64())
+    }
+
+    /// The least binary64 that is not below this number; ∞ where every finite one is. Exact.
+    pub fn ceil_to_f64(&self) -> f64 {
+        ceil(self.nearest_f64())
+    }
+
+    /// The least binary64 that is not below this error bound and the distance of its estimate from [`Rational::to_f64`] together: around
+    /// that double it covers what the error bound covers around the estimate. Exact.
+    pub fn ceil_to_f64_beside(&self, estimate: &Self) -> f64 {
+        let (double, side) = estimate.nearest_f64();
+        if side.is_eq() || double.is_infinite() {
+            return self.ceil_to_f64();
         }
+        let (significand, exponent) = significand_and_exponent(double);
+        let power = Integer::power_of_two(exponent.unsigned_abs().into());
+        let ((error, below), (own, weight)) = (self.terms(), estimate.terms());
+        let (double, one) = (Integer::from(significand), Integer::one());
+        let (double, scale) = if exponent < 0 { (double, power) } else { (double * power, one) };
+        // Over the product of all three denominators.
+        let distance = (double * weight - own * &scale).abs();
+        let sum = distance * below + error * weight * &scale;
+        ceil(nearest(&sum, &(scale * weight * below)))
     }
 
     /// The number to within three roundings, several times faster than the nearest where numerator and denominator are words.
@@ -70,9 +96,18 @@ impl Rational {
 impl Fraction {
     /// The nearest binary64, as [`Rational::to_f64`] rounds, without a greatest common divisor.
     pub fn to_f64(&self) -> f64 {
-        let magnitude = nearest_magnitude(&self.numerator().abs(), self.denominator());
-        if self.numerator().is_negative() { -magnitude } else { magnitude }
+        nearest(self.numerator(), self.denominator()).0
     }
+}
+
+/// The largest double that is not above the number to which this one is the nearest.
+fn floor((nearest, side): (f64, Ordering)) -> f64 {
+    if side.is_gt() { nearest.next_down() } else { nearest }
+}
+
+/// The least double that is not below the number to which this one is the nearest.
+fn ceil((nearest, side): (f64, Ordering)) -> f64 {
+    if side.is_lt() { nearest.next_up() } else { nearest }
 }
 
 /// The binary64 nearest to `mantissa · 10^exponent`, when that takes one division or multiplication of numbers that
@@ -99,54 +134,91 @@ pub fn plain_double(text: &[u8]) -> Option<f64> {
     nearest_double(mantissa, exponent).or_else(parsed).filter(|double: &f64| double.is_finite())
 }
 
-fn nearest_magnitude(numerator: &Integer, denominator: &Integer) -> f64 {
-    if numerator.is_zero() {
-        return 0.0;
+/// The nearest double of a quotient with a positive denominator, and how the double compares with the quotient.
+fn nearest(numerator: &Integer, denominator: &Integer) -> (f64, Ordering) {
+    let (magnitude, side) = nearest_of_words(numerator, denominator)
+        .or_else(|| nearest_by_leading_bits(numerator, denominator))
+        .unwrap_or_else(|| nearest_magnitude(&numerator.abs(), denominator));
+    if numerator.is_negative() { (-magnitude, side.reverse()) } else { (magnitude, side) }
+}
+
+/// The nearest double of a quotient of words, without its sign; `None` for 0 and longer numbers.
+#[inline]
+fn nearest_of_words(numerator: &Integer, denominator: &Integer) -> Option<(f64, Ordering)> {
+    let numerator = numerator.to_i64()?.unsigned_abs();
+    let denominator = denominator.to_i64()?.unsigned_abs();
+    if numerator == 0 {
+        return None;
     }
-    if let Some(nearest) = nearest_by_leading_bits(numerator, denominator) {
-        return nearest;
+    // The quotient of the shifted ones has 55 or 56 bits. So what is cut off is less than a quarter of a double's last bit.
+    let shift = 55 + numerator.leading_zeros() as i32 - denominator.leading_zeros() as i32;
+    let (above, below) = (u128::from(numerator), u128::from(denominator));
+    let (above, below) = if shift < 0 { (above, below << -shift) } else { (above << shift, below) };
+    let (quotient, is_exact) = (above / below, above % below == 0);
+    let quotient = quotient as u64;
+    let significand = (quotient | u64::from(!is_exact)) as f64;
+    let side = match (significand as u64).cmp(&quotient) {
+        Ordering::Equal if !is_exact => Ordering::Less,
+        side => side,
+    };
+    // From 2^-63 to 2^63: this multiplication does not round.
+    Some((significand * power_of_two(-i64::from(shift)), side))
+}
+
+fn nearest_magnitude(numerator: &Integer, denominator: &Integer) -> (f64, Ordering) {
+    if numerator.is_zero() {
+        return (0.0, Ordering::Equal);
     }
     // The leading bit of the quotient weighs 2^leading or 2^(leading - 1).
     let leading = numerator.bits() as i64 - denominator.bits() as i64;
     let mut exponent = (leading - SIGNIFICAND_BITS).max(LEAST_EXPONENT);
-    let mut significand = rounded_quotient(numerator, denominator, exponent);
+    let (mut significand, mut side) = rounded_quotient(numerator, denominator, exponent);
     if significand >= 1 << SIGNIFICAND_BITS {
         // One bit too many: round again from the exact quotient, not from the rounded one.
         exponent += 1;
-        significand = rounded_quotient(numerator, denominator, exponent);
+        (significand, side) = rounded_quotient(numerator, denominator, exponent);
     }
     if exponent > 1023 {
-        return f64::INFINITY;
+        return (f64::INFINITY, Ordering::Greater);
     }
-    // Both factors are binary64 numbers and so is their product: this multiplication does not round.
-    significand as f64 * power_of_two(exponent)
+    // Both factors are binary64 numbers and so is their product: this multiplication does not round. A significand of 2^53 at the
+    // largest exponent makes an infinity.
+    let double = significand as f64 * power_of_two(exponent);
+    (double, if double.is_infinite() { Ordering::Greater } else { side })
 }
 
-/// The nearest binary64 to a quotient of long positive numbers, where their leading bits decide; `None` for others, and for quotients
-/// near the ends of the range.
+/// The nearest binary64 to a quotient of numbers, without its sign, where their leading bits decide; `None` for 0, for others, and for
+/// quotients near the ends of the range.
 ///
 /// The leading 126 and 62 bits say that the numerator is from n to n + 1 and the denominator from d to d + 1. Their quotient is then
-/// from n/(d + 1) to (n + 1)/d. Both ends decide if they have one nearest significand; a tie is left to others.
-fn nearest_by_leading_bits(numerator: &Integer, denominator: &Integer) -> Option<f64> {
-    const ABOVE: u64 = 126;
-    const BELOW: u64 = 62;
-    let without = numerator.bits().checked_sub(ABOVE)?;
-    let without_below = denominator.bits().checked_sub(BELOW)?;
-    let (above, below) = (numerator.leading(without)?, denominator.leading(without_below)?);
+/// from n/(d + 1) to (n + 1)/d. Both ends decide if they have one nearest significand on one side of it; a tie is left to others.
+fn nearest_by_leading_bits(numerator: &Integer, denominator: &Integer) -> Option<(f64, Ordering)> {
+    let (above, dropped) = leading_bits(numerator, 126)?;
+    let (below, dropped_below) = leading_bits(denominator, 62)?;
     let [least, most] = [above / (below + 1), (above + 1) / below + 1];
     let left = (u128::BITS - least.leading_zeros()).checked_sub(SIGNIFICAND_BITS as u32)?;
     let half = 1 << left >> 1;
     let (significand, same) = ((least + half) >> left, (most + half) >> left);
-    let is_open = significand != same || (least + half) & ((1 << left) - 1) == 0;
-    let exponent = without as i64 - without_below as i64 + i64::from(left);
+    let rounded = significand << left;
+    let is_open =
+        significand != same || (least + half) & ((1 << left) - 1) == 0 || (least..=most).contains(&rounded);
+    let exponent = dropped - dropped_below + i64::from(left);
     // A significand of 54 bits, 2^53, is among those that may be too large.
     (!is_open && (LEAST_EXPONENT..=970).contains(&exponent))
-        .then(|| significand as f64 * power_of_two(exponent))
+        .then(|| (significand as f64 * power_of_two(exponent), rounded.cmp(&least)))
 }
 
-/// `numerator / (denominator * 2^exponent)` to the nearest integer, ties to even; below 2^55 by the choice
-/// of the exponent.
-fn rounded_quotient(numerator: &Integer, denominator: &Integer, exponent: i64) -> u64 {
+/// The first bits of a number without its sign, that many, and how many it has after them, which is negative where zeros are added;
+/// `None` for 0.
+fn leading_bits(number: &Integer, bits: u32) -> Option<(u128, i64)> {
+    let dropped = number.bits() as i64 - i64::from(bits);
+    let leading = number.leading(dropped.max(0) as u64).filter(|leading| *leading > 0)?;
+    Some((leading << dropped.min(0).unsigned_abs(), dropped))
+}
+
+/// `numerator / (denominator * 2^exponent)` to the nearest integer, ties to even, and how that compares with the quotient; below 2^55 by
+/// the choice of the exponent.
+fn rounded_quotient(numerator: &Integer, denominator: &Integer, exponent: i64) -> (u64, Ordering) {
     let power = Integer::power_of_two(exponent.unsigned_abs());
     let (scaled_numerator, scaled_denominator) = if exponent >= 0 {
         (numerator.clone(), denominator * &power)
@@ -157,7 +229,8 @@ fn rounded_quotient(numerator: &Integer, denominator: &Integer, exponent: i64) -
     let odd = !quotient.is_even();
     let twice = &remainder + &remainder;
     let up = twice > scaled_denominator || (twice == scaled_denominator && odd);
-    quotient.to_u64().map_or(u64::MAX, |floor| floor + u64::from(up))
+    let side = if up { Ordering::Greater } else { Integer::zero().cmp(&remainder) };
+    (quotient.to_u64().map_or(u64::MAX, |floor| floor + u64::from(up)), side)
 }
 
 /// 2 to a power from -1074 to 1023.
@@ -310,10 +383,60 @@ mod tests {
             let is_above = |double: f64| Rational::from_f64(double).is_some_and(|double| double > number);
             assert!(!is_above(floor), "{text}");
             assert!(floor.next_up() == f64::INFINITY || is_above(floor.next_up()), "{text}");
+            assert_eq!(number.ceil_to_f64(), -(-&number).floor_to_f64(), "{text}");
         }
         assert_eq!(exact("1e400").floor_to_f64(), f64::MAX);
         assert_eq!(exact("-1e400").floor_to_f64(), f64::NEG_INFINITY);
         assert_eq!(exact("-1e-400").floor_to_f64(), -f64::from_bits(1));
+    }
+
+    #[test]
+    fn the_side_of_the_nearest_double_is_that_of_the_exact_one() {
+        let mut state: u64 = 0x1234_5678_9abc_def1;
+        let mut word = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state >> 1
+        };
+        // Of all lengths, also those at which another algorithm takes over, and doubles and ties among them.
+        let mut number = || {
+            let bits = |word: u64| Integer::from(word | 1) * Integer::power_of_two(word % 3 * (word % 40));
+            let (above, below) = (bits(word()), bits(word()));
+            let (above, below) =
+                (above * Integer::from(word() >> (word() % 63)), bits(word() >> (word() % 63)) * below);
+            let short = [Rational::ratio(1, 1), Rational::ratio(3, 1 << 60)];
+            let long = Rational::new(above, below).unwrap();
+            match word() % 5 {
+                0 => {
+                    Rational::ratio(word() as i64 >> (word() % 63), 1 + (word() as i64 >> (word() % 63)) / 2)
+                }
+                1 => Rational::from((word() >> (word() % 63)) as i64) * &short[(word() % 2) as usize],
+                2 => long * Rational::scientific(1, word() as i64 % 600 - 300),
+                3 => -long,
+                _ => long,
+            }
+        };
+        for _ in 0..20_000 {
+            let (value, error) = (number(), number().abs());
+            let (double, side) = value.nearest_f64();
+            let Some(exact) = Rational::from_f64(double) else {
+                assert_eq!(side, if value.is_positive() { Ordering::Greater } else { Ordering::Less });
+                continue;
+            };
+            assert_eq!(side, exact.cmp(&value), "{value}");
+            let half =
+                |beside: f64| (Rational::from_f64(beside).unwrap() - &exact).abs() * Rational::ratio(1, 2);
+            assert!(
+                (&exact - &value).abs() <= half(double.next_up()).max(half(double.next_down())),
+                "{value}"
+            );
+            assert_eq!(
+                error.ceil_to_f64_beside(&value),
+                (&error + (&exact - &value).abs()).ceil_to_f64(),
+                "{error} {value}"
+            );
+        }
+        let huge = exact("1e400");
+        assert_eq!(Rational::ratio(1, 3).ceil_to_f64_beside(&huge), Rational::ratio(1, 3).ceil_to_f64());
     }
 
     #[test]

@@ -5,7 +5,6 @@ use boundfit_exact::{Endpoint, Interval, Rational};
 use csv::Writer;
 
 use crate::number::{down, up};
-use crate::style::distance_of_double;
 
 const COLUMNS: [&str; 8] =
     ["quantity", "parameter", "lower", "upper", "value", "lower_exact", "upper_exact", "value_exact"];
@@ -96,7 +95,7 @@ impl Table {
     pub(crate) fn central(&mut self, central: &Central) {
         self.values("central", &central.theta);
         for ((name, error), theta) in PARAMETERS.iter().zip(&central.guaranteed_error).zip(&central.theta) {
-            self.value("guaranteed_error", name, up(&(error + distance_of_double(theta))), error);
+            self.value("guaranteed_error", name, error.ceil_to_f64_beside(theta), error);
         }
     }
 

@@ -8,7 +8,7 @@ use crate::fit_json::uniform_minimum;
 use crate::generators::ActiveNames;
 use crate::number::{down, up};
 use crate::script::{assignment, literal, quoted, region_script};
-use crate::style::{LONGEST_FRACTION, USUAL_DIGITS, distance_of_double};
+use crate::style::{LONGEST_FRACTION, USUAL_DIGITS};
 
 /// A script that defines what [`region_script`] defines of the feasible set, and:
 ///
@@ -100,7 +100,7 @@ fn estimate(name: &str, theta: Option<&[Rational; 2]>) -> String {
 fn errors(name: &str, of: Option<[&[Rational; 2]; 2]>) -> String {
     let row = |[theta, errors]: [&[Rational; 2]; 2]| {
         let both = theta.iter().zip(errors);
-        both.map(|(theta, error)| (up(&(error + distance_of_double(theta))), error.to_string())).collect()
+        both.map(|(theta, error)| (error.ceil_to_f64_beside(theta), error.to_string())).collect()
     };
     both(name, 2, of.into_iter().map(row).collect())
 }

@@ -1,5 +1,6 @@
 //! A number of the JSON documents.
 
+use std::cmp::Ordering;
 use std::fmt;
 
 use boundfit_exact::{PlacedDecimal, Rational, Rounding};
@@ -43,9 +44,8 @@ pub(crate) enum Outward {
     Down,
     /// The double of an upper end or an error bound: above.
     Up,
-    /// The double of an estimate's error bound: above this number, which covers the rounding of the estimate to a
-    /// double.
-    Above(Rational),
+    /// The double of an error bound: above what covers the rounding of this estimate to a double too.
+    Beside(Rational),
 }
 
 impl Number {
@@ -82,30 +82,29 @@ impl Number {
         !self.is_exact
     }
 
-    /// The double on that side of the number; `None` without end.
-    fn double(&self, outward: &Outward) -> Option<f64> {
-        let double = match (outward, self.is_exact) {
-            (Outward::Down, true) => down(&self.value),
-            (Outward::Up, true) => up(&self.value),
-            (Outward::Above(covering), _) => up(covering),
-            // One that is rounded to the same double may be on its other side.
-            (Outward::Down, false) => self.value.to_f64().next_down(),
-            (Outward::Up, false) => self.value.to_f64().next_up(),
+    /// The double on that side of the number; infinite where there is none. `nearest` is the nearest, and how it compares.
+    fn double(&self, outward: &Outward, (nearest, side): (f64, Ordering)) -> f64 {
+        // One that is rounded to the same double may be on its other side.
+        let double = match outward {
+            Outward::Beside(estimate) => self.value.ceil_to_f64_beside(estimate),
+            Outward::Down if side.is_gt() || !self.is_exact => nearest.next_down(),
+            Outward::Up if side.is_lt() || !self.is_exact => nearest.next_up(),
+            Outward::Down | Outward::Up => nearest,
         };
         // Not -0.0 for 0.
-        Some(double + 0.0).filter(|double| double.is_finite())
+        double + 0.0
     }
 }
 
 /// The largest double that is not greater.
 pub(crate) fn down(value: &Rational) -> f64 {
-    value.floor_to_f64()
+    // Not -0.0 for 0.
+    value.floor_to_f64() + 0.0
 }
 
 /// The least double that is not smaller.
 pub(crate) fn up(value: &Rational) -> f64 {
-    // Not -0.0 for 0.
-    0.0 - down(&-value)
+    value.ceil_to_f64() + 0.0
 }
 
 impl Serialize for Number {
@@ -122,9 +121,11 @@ impl Serialize for Number {
             DecimalForm::Placed(decimal) => fields.serialize_field("decimal", &Written(decimal))?,
         }
         if is_for_program {
-            fields.serialize_field("value", &self.value.to_finite_f64())?;
+            // No double is finite beyond the largest one, and JSON has no other.
+            let nearest = self.value.nearest_f64();
+            fields.serialize_field("value", &nearest.0)?;
             if let Some(outward) = &self.outward {
-                fields.serialize_field("outward", &self.double(outward))?;
+                fields.serialize_field("outward", &self.double(outward, nearest))?;
             }
         }
         fields.end()
@@ -174,8 +175,8 @@ mod tests {
         assert!(shown(&upper).ends_with(r#""value":0.3333333333333333,"outward":0.33333333333333337}"#));
         let lower = tenth.clone().outward(Outward::Down);
         assert!(shown(&lower).ends_with(r#""value":0.3333333333333333,"outward":0.3333333333333333}"#));
-        let covering = tenth.outward(Outward::Above(Rational::ratio(1, 2)));
-        assert!(shown(&covering).ends_with(r#""outward":0.5}"#));
+        let covering = tenth.outward(Outward::Beside(Rational::ratio(2, 1)));
+        assert!(shown(&covering).ends_with(r#""outward":0.33333333333333337}"#));
         let huge = Number::rounded(&Rational::scientific(1, 400), 3, Rounding::Up, Reader::Program);
         assert!(shown(&huge.outward(Outward::Up)).ends_with(r#""value":null,"outward":null}"#));
     }

@@ -173,7 +173,7 @@ impl Style {
                     [number(theta, centre), number(error, bound)]
                 }
             };
-            [shown, bound.outward(Outward::Above(error + distance_of_double(theta)))]
+            [shown, bound.outward(Outward::Beside(theta.clone()))]
         });
         ([theta1, theta2], [error1, error2])
     }
@@ -349,11 +349,6 @@ impl Style {
 /// Returns whether a fraction is short enough to be read.
 pub(crate) fn is_readable(value: &Rational) -> bool {
     value.to_string().len() <= LONGEST_READABLE
-}
-
-/// Returns the distance of the nearest double from a number; 0 where the number is beyond all doubles.
-pub(crate) fn distance_of_double(value: &Rational) -> Rational {
-    Rational::from_f64(value.to_f64()).map_or_else(Rational::zero, |double| (double - value).abs())
 }
 
 /// An interval with these ends; infinite where there is none.
