@@ -1,5 +1,6 @@
 //! Integers of 256 bits: what is made of a few machine integers before it is rounded, in fixed memory.
 
+use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};
 
 /// An integer of 256 bits in two's complement. Exact as long as nothing leaves 255 bits and a sign; the caller sees to that by
@@ -92,6 +93,20 @@ impl Wide {
     }
 }
 
+impl Ord for Wide {
+    #[inline]
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.halves().cmp(&other.halves())
+    }
+}
+
+impl PartialOrd for Wide {
+    #[inline]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
 /// The sum.
 impl Add for Wide {
     type Output = Wide;
@@ -179,6 +194,11 @@ mod tests {
                     let long = Integer::from(c) * Integer::from(5);
                     assert_eq!(integer(product + other), &expected + &long, "{a} {b} {c}");
                     assert_eq!(integer(product - other), &expected - &long, "{a} {b} {c}");
+                    assert_eq!(product.cmp(&other), expected.cmp(&long), "{a} {b} {c}");
+                    let [a, b, c, d, e] = [a, b, c, 5, a - 1].map(Integer::from);
+                    let sums = (&expected + &long, &a * &e);
+                    let compared = Integer::compare([(&a, &b), (&c, &d)], [(&a, &e)]);
+                    assert_eq!(compared, sums.0.cmp(&sums.1), "{a} {b} {c}");
                     if expected.bits() + long.bits() < 255 {
                         assert_eq!(integer(&product * &other), &expected * &long, "{a} {b} {c}");
                     }

@@ -41,7 +41,8 @@ impl Gap {
     }
 
     fn sign_at(&self, theta1: &Fraction) -> Sign {
-        (&self.constant * theta1.denominator() + &self.slope * theta1.numerator()).sign()
+        let terms = [(&self.constant, theta1.denominator()), (&self.slope, theta1.numerator())];
+        Integer::compare(terms, []).into()
     }
 
     /// The sign for θ1 towards minus infinity.

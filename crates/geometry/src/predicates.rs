@@ -34,7 +34,7 @@ pub enum Turn {
 /// Returns the side of the half-plane's boundary on which the point lies.
 pub fn side(half_plane: &HalfPlane, point: &Point) -> Side {
     let (x, y, w) = point.homogeneous();
-    match (half_plane.a1() * x + half_plane.a2() * y).cmp(&(half_plane.b() * w)) {
+    match Integer::compare([(half_plane.a1(), x), (half_plane.a2(), y)], [(half_plane.b(), w)]) {
         Ordering::Less => Side::Inside,
         Ordering::Equal => Side::Boundary,
         Ordering::Greater => Side::Outside,
@@ -59,7 +59,7 @@ pub fn normal_turn(f: &HalfPlane, g: &HalfPlane) -> Turn {
 
 /// Returns the turn from the vector `u` to the vector `v`, given as components. Neither may be zero.
 pub(crate) fn turn_between(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Turn {
-    match (u.0 * v.1).cmp(&(u.1 * v.0)) {
+    match Integer::compare([(u.0, v.1)], [(u.1, v.0)]) {
         Ordering::Greater => Turn::Left,
         Ordering::Less => Turn::Right,
         // Parallel vectors are never zero, so one comparison of signs tells them apart.
@@ -77,13 +77,13 @@ pub fn by_angle(f: &HalfPlane, g: &HalfPlane) -> Ordering {
 pub fn angle_order(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Ordering {
     // Angles in [0, π) come before those in [π, 2π); within each half the cross product decides.
     let lower_half = |(x, y): (&Integer, &Integer)| y.is_negative() || (y.is_zero() && x.is_negative());
-    lower_half(u).cmp(&lower_half(v)).then_with(|| (u.1 * v.0).cmp(&(u.0 * v.1)))
+    lower_half(u).cmp(&lower_half(v)).then_with(|| Integer::compare([(u.1, v.0)], [(u.0, v.1)]))
 }
 
 /// Compares two half-planes with the same direction of normal: `Less` when `f` lies inside `g`.
 pub fn by_tightness(f: &HalfPlane, g: &HalfPlane) -> Ordering {
     let size = |h: &HalfPlane| h.a1().abs() + h.a2().abs();
-    (f.b() * size(g)).cmp(&(g.b() * size(f)))
+    Integer::compare([(f.b(), &size(g))], [(g.b(), &size(f))])
 }
 
 /// Returns whether the corner of `f` and `h` lies in `g`, so that the other two imply the middle one. The three
@@ -92,19 +92,19 @@ pub fn middle_is_implied(f: &HalfPlane, g: &HalfPlane, h: &HalfPlane) -> bool {
     let minor = |(p, q): (&HalfPlane, &HalfPlane)| p.a1() * q.a2() - p.a2() * q.a1();
     // The corner of f and h has weight minor(f, h) > 0; Cramer's rule expands its slack along g.
     let (fg, gh, fh) = (minor((f, g)), minor((g, h)), minor((f, h)));
-    f.b() * gh + h.b() * fg <= g.b() * fh
+    Integer::compare([(f.b(), &gh), (h.b(), &fg)], [(g.b(), &fh)]).is_le()
 }
 
 /// Compares two points by θ1.
 pub fn by_theta1(p: &Point, q: &Point) -> Ordering {
     let ((px, _, pw), (qx, _, qw)) = (p.homogeneous(), q.homogeneous());
-    (px * qw).cmp(&(qx * pw))
+    Integer::compare([(px, qw)], [(qx, pw)])
 }
 
 /// Compares two points by θ1, then by θ2.
 pub fn lexicographic(p: &Point, q: &Point) -> Ordering {
     let ((_, py, pw), (_, qy, qw)) = (p.homogeneous(), q.homogeneous());
-    by_theta1(p, q).then_with(|| (py * qw).cmp(&(qy * pw)))
+    by_theta1(p, q).then_with(|| Integer::compare([(py, qw)], [(qy, pw)]))
 }
 
 /// Returns the side of the line through `p` and `q`, in that order, `r` lies: `Positive` is to the left.

@@ -47,7 +47,7 @@ impl Fraction {
 impl Ord for Fraction {
     #[inline]
     fn cmp(&self, other: &Self) -> Ordering {
-        (&self.numerator * &other.denominator).cmp(&(&other.numerator * &self.denominator))
+        Integer::compare([(&self.numerator, &other.denominator)], [(&other.numerator, &self.denominator)])
     }
 }
 

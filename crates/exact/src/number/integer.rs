@@ -91,6 +91,31 @@ fn long_product(left: &Integer, right: &Integer) -> Integer {
     Integer::from_big(&*left.big() * &*right.big())
 }
 
+/// A sum of products of 64-bit words, where it fits.
+#[inline]
+fn word_sum(products: &[(&Integer, &Integer)]) -> Option<i128> {
+    products.iter().try_fold(0_i128, |sum, (left, right)| {
+        // As in [`product_of`].
+        sum.checked_add(i128::from(left.to_i64()?) * i128::from(right.to_i64()?))
+    })
+}
+
+/// A sum of at most four products, where factors are so short that it fits.
+fn wide_sum(products: &[(&Integer, &Integer)]) -> Option<Wide> {
+    const MOST_BITS: u32 = 125;
+    let short = |integer: &Integer| integer.word().filter(|word| word.unsigned_abs() >> MOST_BITS == 0);
+    let mut sum = Wide::default();
+    for (left, right) in products {
+        sum = sum + Wide::product(short(left)?, short(right)?);
+    }
+    Some(sum)
+}
+
+#[cold]
+fn long_sum(products: &[(&Integer, &Integer)]) -> Integer {
+    products.iter().map(|(left, right)| *left * *right).sum()
+}
+
 impl Ord for Integer {
     #[inline]
     fn cmp(&self, other: &Self) -> Ordering {
@@ -348,6 +373,27 @@ impl Integer {
     #[inline]
     fn of_word(value: i128) -> Self {
         Integer(Small(Word(value)))
+    }
+
+    /// Compares two sums of at most four products. Exact. Cost: takes no memory where no factor has more than 125 bits.
+    ///
+    /// ```
+    /// # use boundfit_exact::Integer;
+    /// let [two, three] = [2, 3].map(Integer::from);
+    /// assert!(Integer::compare([(&two, &two), (&two, &three)], [(&three, &three)]).is_gt());
+    /// ```
+    #[inline]
+    pub fn compare<const N: usize, const M: usize>(
+        left: [(&Integer, &Integer); N],
+        right: [(&Integer, &Integer); M],
+    ) -> Ordering {
+        if let (Some(left), Some(right)) = (word_sum(&left), word_sum(&right)) {
+            return left.cmp(&right);
+        }
+        match (wide_sum(&left), wide_sum(&right)) {
+            (Some(left), Some(right)) => left.cmp(&right),
+            _ => long_sum(&left).cmp(&long_sum(&right)),
+        }
     }
 
     /// The value, when it is small.

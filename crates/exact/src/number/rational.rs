@@ -58,7 +58,7 @@ impl Ord for Rational {
         if self.denominator == other.denominator {
             return self.numerator.cmp(&other.numerator);
         }
-        (&self.numerator * &other.denominator).cmp(&(&other.numerator * &self.denominator))
+        Integer::compare([(&self.numerator, &other.denominator)], [(&other.numerator, &self.denominator)])
     }
 }
 
