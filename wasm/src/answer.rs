@@ -18,7 +18,7 @@ pub(crate) fn run(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
     options.refuse_words_of_page()?;
     let (form, style, request) = (options.form()?, options.style()?, options.request()?);
     let (source, asked) = options.asked(table, Some(&request))?;
-    let file = options.file.as_deref().map(Foreign::of);
+    let file = options.answer.file.as_deref().map(Foreign::of);
     let origin = Origin { file, reading: asked.options.table.reading, is_stored: source.is_stored() };
     let refused = |refusal| Refusal::of_file(options.file(), refusal);
     if options.numbering()?.is_some() {

@@ -1,6 +1,8 @@
 //! The question, as JSON: the readings and the question in the words of every surface, and the options of the answer.
 
-use boundfit::ask::{self, Form, OfRows, Readings, Request, RowWords, TableWords, named, take_key};
+use boundfit::ask::{
+    self, AnswerWords, Common, Form, OfRows, Readings, Request, RowWords, TableWords, named, take_key,
+};
 use boundfit::engine::exact::Foreign;
 use boundfit::engine::formats::RowNumbers;
 use boundfit::files::{Measurements, RowRange, RowSet, Source, TableOptions};
@@ -13,31 +15,15 @@ use crate::refusal::Refusal;
 /// The name in messages of a table without a name.
 const NO_FILE: &str = "standard input";
 
-/// The keys of the object that are neither readings nor the question.
-const OWN_KEYS: [&str; 10] = [
-    "file",
-    "row_numbers",
-    "format",
-    "digits",
-    "rounding",
-    "exact",
-    "title",
-    "x_unit",
-    "y_unit",
-    "max_readings",
-];
+/// The keys of a lesson.
+const PAGE_KEYS: [&str; 4] = ["title", "x_unit", "y_unit", "max_readings"];
 
 /// The keys of the object, each named as the option of the program that it is.
 #[derive(Debug)]
 pub(crate) struct Options {
-    /// The name of the table in reports and messages; without one it is standard input.
-    pub(crate) file: Option<String>,
     readings: Readings,
-    row_numbers: Vec<OfRows>,
-    format: Option<String>,
-    digits: Option<u16>,
-    rounding: Option<String>,
-    exact: bool,
+    /// The form of the answer, and the name of the table: without one it is standard input.
+    pub(crate) answer: AnswerWords,
     title: Option<String>,
     x_unit: Option<String>,
     y_unit: Option<String>,
@@ -82,7 +68,7 @@ fn object(json: &str) -> Result<Map<String, Value>, Refusal> {
 
 /// The keys of every question.
 fn known_keys() -> String {
-    [&OWN_KEYS, Readings::KEYS, RowWords::KEYS, TableWords::KEYS].concat().join(", ")
+    [AnswerWords::KEYS, &PAGE_KEYS, Readings::KEYS, RowWords::KEYS, TableWords::KEYS].concat().join(", ")
 }
 
 /// Refuses a key, and names those that there are.
@@ -103,14 +89,10 @@ impl Options {
     pub(crate) fn parse(json: &str) -> Result<Self, Refusal> {
         let mut keys = object(json)?;
         let own = &mut keys;
+        let Common { readings, answer } = Common::take(own)?;
         Ok(Options {
-            file: take_key(own, "file")?,
-            readings: Readings::take(own)?,
-            row_numbers: take_key(own, "row_numbers")?,
-            format: take_key(own, "format")?,
-            digits: take_key(own, "digits")?,
-            rounding: take_key(own, "rounding")?,
-            exact: take_key(own, "exact")?,
+            readings,
+            answer,
             title: take_key(own, "title")?,
             x_unit: take_key(own, "x_unit")?,
             y_unit: take_key(own, "y_unit")?,
@@ -199,10 +181,10 @@ impl Options {
     /// With the key.
     pub(crate) fn refuse_words_of_report(&self) -> Result<(), Refusal> {
         let asked = [
-            ("format", self.format.is_some()),
-            ("digits", self.digits.is_some()),
-            ("rounding", self.rounding.is_some()),
-            ("exact", self.exact),
+            ("format", self.answer.format.is_some()),
+            ("digits", self.answer.digits.is_some()),
+            ("rounding", self.answer.rounding.is_some()),
+            ("exact", self.answer.exact),
             ("no_eui", self.question.contains_key("no_eui")),
             ("ask", self.question.get("ask").is_some_and(|ask| !ask.is_null() && ask != "fit")),
             ("x_eps", self.readings.x_eps.is_some()),
@@ -215,23 +197,24 @@ impl Options {
 
     /// The name of the table in messages.
     pub(crate) fn file(&self) -> &str {
-        self.file.as_deref().unwrap_or(NO_FILE)
+        self.answer.file.as_deref().unwrap_or(NO_FILE)
     }
 
     /// Returns the form of the answer.
     pub(crate) fn form(&self) -> Result<Form, Refusal> {
         let names = Form::ALL.map(|form| (form.name(), form));
-        Ok(named("format", self.format.as_deref(), &names)?.unwrap_or(Form::Json))
+        Ok(named("format", self.answer.format.as_deref(), &names)?.unwrap_or(Form::Json))
     }
 
     /// Returns the style of numbers.
     pub(crate) fn style(&self) -> Result<Style, Refusal> {
-        if self.digits.is_some_and(|digits| !(1..=1000).contains(&digits)) {
+        let AnswerWords { digits, rounding, exact, .. } = &self.answer;
+        if digits.is_some_and(|digits| !(1..=1000).contains(&digits)) {
             return Err("digits: expected a number from 1 to 1000".to_owned().into());
         }
         let names = EndRounding::ALL.map(|rounding| (rounding.name(), rounding));
-        let ends = named("rounding", self.rounding.as_deref(), &names)?.unwrap_or_default();
-        Ok(Style { digits: self.digits.map(usize::from), ends, exact: self.exact, ..Style::default() })
+        let ends = named("rounding", rounding.as_deref(), &names)?.unwrap_or_default();
+        Ok(Style { digits: digits.map(usize::from), ends, exact: *exact, ..Style::default() })
     }
 
     /// The numbers of the rows of the table, where they are not 1, 2, 3 and so on.
@@ -239,10 +222,11 @@ impl Options {
     /// # Errors
     /// When they do not ascend.
     pub(crate) fn numbering(&self) -> Result<Option<Numbering>, Refusal> {
-        if self.row_numbers.is_empty() {
+        let row_numbers = &self.answer.row_numbers;
+        if row_numbers.is_empty() {
             return Ok(None);
         }
-        let ends = self.row_numbers.iter().map(|own| match *own {
+        let ends = row_numbers.iter().map(|own| match *own {
             OfRows::One(row) => Some([row, row]),
             OfRows::Range(first, last) => Some([first, last?]),
         });

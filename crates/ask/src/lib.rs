@@ -75,8 +75,8 @@ pub use predict::{Predict, Predicted};
 pub use question::{Ask, Out};
 pub use range::Range;
 pub use readings::{
-    AskedLimits, OfRows, Readings, Regressors, RowWords, Rows, TableWords, limits_of_files, named,
-    range_of_limit, resolve_limits, take_key,
+    AnswerWords, AskedLimits, Common, OfRows, Readings, Regressors, RowWords, Rows, TableWords,
+    limits_of_files, named, range_of_limit, resolve_limits, take_key,
 };
 pub use refusal::{Refusal, ValueProblem};
 pub use request::{Answer, Request, ask};

@@ -15,7 +15,7 @@ use crate::outliers::Outliers;
 use crate::predict::Predict;
 use crate::question::Ask;
 use crate::range::Range;
-use crate::readings::{Readings, take_key};
+use crate::readings::{Common, Readings, take_key};
 use crate::refusal::{Refusal, ValueProblem};
 use crate::status::Status;
 use crate::window::Window;
@@ -142,14 +142,15 @@ impl Request {
         Request::of_keys(serde_json::from_value(json).map_err(no_request)?)
     }
 
-    /// Reads a request together with the readings that it is about: `{"ask": "range", "by": "row", "x": "V", "y": "z", "eps": "1/2"}`.
+    /// Reads a request together with the readings that it is about, and how it is answered:
+    /// `{"ask": "range", "by": "row", "x": "V", "y": "z", "eps": "1/2", "format": "csv"}`.
     ///
     /// # Errors
     /// The errors of [`Request::parse`].
-    pub fn with_readings(json: &str) -> Result<(Self, Readings), Refusal> {
+    pub fn with_readings(json: &str) -> Result<(Self, Common), Refusal> {
         let mut keys = object(json)?;
-        let readings = Readings::take(&mut keys)?;
-        Ok((Request::of_keys(keys)?, readings))
+        let common = Common::take(&mut keys)?;
+        Ok((Request::of_keys(keys)?, common))
     }
 
     /// The question that an object asks, in which no other keys are.

@@ -1,5 +1,6 @@
 //! Readings as people ask about them, and the one way from there to what the engine takes.
 
+mod common;
 mod keys;
 mod limits;
 mod rows;
@@ -16,6 +17,7 @@ use crate::given::Given;
 use crate::misuse::Misuse;
 use crate::refusal::{Refusal, ValueProblem};
 
+pub use common::{AnswerWords, Common};
 pub use keys::take_key;
 pub use limits::{AskedLimits, limits_of_files, range_of_limit, resolve_limits};
 pub use rows::{OfRows, Rows};
@@ -43,9 +45,9 @@ keys::keys! {
     /// header names or numbers from 1, and numbers are texts.
     ///
     /// ```
-    /// use boundfit_ask::Request;
+    /// use boundfit_ask::{Common, Request};
     ///
-    /// let (request, readings) = Request::with_readings(r#"{"ask": "range", "x": "V", "y": "z", "eps": "1/2"}"#)
+    /// let (request, Common { readings, .. }) = Request::with_readings(r#"{"ask": "range", "x": "V", "y": "z", "eps": "1/2"}"#)
     ///     .map_err(|refusal| format!("{refusal:?}"))?;
     /// assert_eq!(request.name(), "range");
     /// let reading = readings.table.reading(false).map_err(|refusal| format!("{refusal:?}"))?;

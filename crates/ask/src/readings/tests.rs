@@ -21,7 +21,7 @@ impl Surface for Keys {
 
 fn resolved(json: &str) -> Result<Asked, String> {
     let resolve = || {
-        let (request, readings) = Request::with_readings(json)?;
+        let (request, Common { readings, .. }) = Request::with_readings(json)?;
         request.resolve(&readings, readings.table.reading(false)?)
     };
     resolve().map_err(|refusal: Refusal| refusal.words(&Keys))
@@ -111,10 +111,11 @@ fn what_bounds_errors_of_x_is_a_number_or_else_a_column() {
 
 #[test]
 fn a_request_says_which_question_and_which_readings() {
-    let (request, readings) =
-        Request::with_readings(r#"{"x": "V", "step": 2, "y": null, "ask": "window", "window": 5}"#).unwrap();
+    let json = r#"{"x": "V", "step": 2, "y": null, "ask": "window", "window": 5, "digits": 3}"#;
+    let (request, Common { readings, answer }) = Request::with_readings(json).unwrap();
     assert_eq!(request.name(), "window");
     assert_eq!(readings, Readings { x: Some(Regressors::One("V".to_owned())), ..Readings::default() });
+    assert_eq!(answer, AnswerWords { digits: Some(3), ..AnswerWords::default() });
     for (json, words) in [
         (r#"{"ask": "rnge"}"#, "<ask> rnge: expected one of \"fit\", \"fit-x-errors\""),
         (r#"{"x": "V"}"#, "<ask>: it names the question"),
