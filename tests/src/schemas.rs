@@ -17,7 +17,7 @@ pub fn schemas() -> BTreeMap<String, Value> {
     files.map(schema).collect()
 }
 
-/// Returns where a document has what its schema does not describe, or lacks what it does: a key without a description is a violation, too.
+/// Returns where a document or a request has what its schema does not describe, or lacks what it does: a key without a description is a violation, too.
 ///
 /// # Panics
 /// Where the schema has a keyword that this checker does not know.
@@ -54,6 +54,8 @@ impl<'a> Checker<'a> {
                     self.object(value, keywords, path, known);
                     true
                 }
+                // Nothing that is not described is allowed anyway.
+                "additionalProperties" | "unevaluatedProperties" if operand == false => true,
                 "additionalProperties" => {
                     for (key, value) in value.as_object().into_iter().flatten() {
                         self.check(value, operand, &format!("{path}.{key}"), &BTreeSet::new());
@@ -83,6 +85,7 @@ impl<'a> Checker<'a> {
                     value.as_str().is_none_or(|text| Some(text.chars().count() as u64) == operand.as_u64())
                 }
                 "minimum" => value.as_f64().is_none_or(|number| number >= operand.as_f64().unwrap()),
+                "maximum" => value.as_f64().is_none_or(|number| number <= operand.as_f64().unwrap()),
                 remark if REMARKS.contains(&remark) => true,
                 other => panic!("{path}: the keyword {other} is not known"),
             };

@@ -20,13 +20,14 @@ use crate::refusal::{Refusal, ValueProblem};
 
 /// Every parameter pair that agrees with all readings: the set, its intervals and estimates.
 #[derive(Debug, Clone, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct Fit {
     /// `true` skips results that need further passes over more readings than are kept in memory.
     pub no_eui: bool,
-    /// The factors on the error bounds, `FROM..TO`, for which the sets are found too.
+    /// The factors on the error bounds, `FROM..TO` such as `0.5..2`, for which the sets are found too.
     pub sweep: Option<String>,
-    /// The confidence of the statement about the share of further readings that lies in the band of ε_min.
+    /// The confidence, such as `0.99`, of the statement about the share of further readings that lies in the band of ε_min.
     pub confidence: Option<Given>,
     /// `true` makes the report ten lines.
     pub brief: bool,

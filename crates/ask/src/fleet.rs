@@ -20,9 +20,10 @@ use crate::refusal::Refusal;
 
 /// The fit of each group of rows with the same text in a column.
 #[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Fleet {
-    /// The column.
+    /// The column whose equal texts make a group.
     pub by: String,
 }
 

@@ -5,9 +5,11 @@ use serde::Deserialize;
 
 use crate::refusal::{Refusal, ValueProblem};
 
-/// A number of a request: a text that is read as the table's texts are, or one that is exactly what it says.
+/// A number of a request. A text such as `"0.1"` is read as the table's texts are; `{"exact": "1/3"}` and an integer are exactly what
+/// they say.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
-#[serde(untagged, expecting = "a number as text, or {\"exact\": \"1/3\"}")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, untagged, expecting = "a number as text, or {\"exact\": \"1/3\"}")]
 pub enum Given {
     /// `"0.1"`: the nearest double of it where the table is read as doubles.
     Read(String),

@@ -55,6 +55,8 @@ mod range;
 mod readings;
 mod refusal;
 mod request;
+#[cfg(feature = "schema")]
+mod schema;
 mod status;
 mod surface;
 mod tables;

@@ -22,6 +22,7 @@ use crate::refusal::{Refusal, ValueProblem};
 ///
 /// The bounds on the errors have no say in it.
 #[derive(Debug, Clone, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Linearity {
     /// The column of readings while x was rising.
@@ -39,8 +40,9 @@ pub struct Linearity {
     pub keeps_every: bool,
 }
 
-/// A point.
+/// A point: `"2.5,-1/3"`, or a list of both numbers.
 #[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged, expecting = "two numbers, as \"2.5,-1/3\" or a list")]
 pub enum Through {
     /// `"2.5,-1/3"`.

@@ -18,6 +18,7 @@ use crate::refusal::{Refusal, ValueProblem};
 /// The question where the next reading of a line certainly makes the set smaller, and which x of a range makes its
 /// worst outcome best.
 #[derive(Debug, Clone, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct Next {
     /// The range of x in which the reading is to be taken, the lower end first; that of the readings unless it is said.

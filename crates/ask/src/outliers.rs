@@ -18,6 +18,7 @@ use crate::refusal::Refusal;
 
 /// The fewest readings to leave out so that some parameters agree with all others.
 #[derive(Debug, Clone, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Outliers {
     /// The number of missed readings up to which the answer shows the growth of the set.

@@ -20,6 +20,7 @@ const MOST_PROVED: usize = 1_000;
 
 /// Every run of readings that some parameters agree with: the linear range.
 #[derive(Debug, Clone, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Range {
     /// The order in which readings are taken: `x`, those at the same x in order of rows, or `row`. Unless it is said, readings of a

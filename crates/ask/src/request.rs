@@ -67,6 +67,18 @@ macro_rules! questions {
             $(#[doc = concat!("See [`", stringify!($question), "`].")] $question($question)),*
         }
 
+        #[cfg(feature = "schema")]
+        impl schemars::JsonSchema for Request {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                "Request".into()
+            }
+
+            fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                let questions = [$(crate::schema::question::<$question>(generator)),*];
+                crate::schema::any_of(&questions, generator)
+            }
+        }
+
         impl Request {
             /// The names of all questions.
             pub const NAMES: &'static [&'static str] = &[$($question::NAME),*];
@@ -143,7 +155,7 @@ impl Request {
     }
 
     /// Reads a request together with the readings that it is about, and how it is answered:
-    /// `{"ask": "range", "by": "row", "x": "V", "y": "z", "eps": "1/2", "format": "csv"}`.
+    /// `{"ask": "range", "by": "row", "x": "V", "y": "z", "eps": "1/2", "format": "csv"}`. The schema `boundfit/request/1` describes it.
     ///
     /// # Errors
     /// The errors of [`Request::parse`].
@@ -151,6 +163,13 @@ impl Request {
         let mut keys = object(json)?;
         let common = Common::take(&mut keys)?;
         Ok((Request::of_keys(keys)?, common))
+    }
+
+    /// Returns the JSON Schema of what [`Request::with_readings`] reads: every question, each with the keys of all. The schema is closed,
+    /// and no key is null in it: a key that says nothing is left out.
+    #[cfg(feature = "schema")]
+    pub fn schema() -> boundfit_report::answer::DocumentSchema {
+        crate::schema::of_requests::<Request>()
     }
 
     /// The question that an object asks, in which no other keys are.

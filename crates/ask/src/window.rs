@@ -15,6 +15,7 @@ use crate::refusal::{Refusal, ValueProblem};
 
 /// The fits of the last readings, again and again as the window moves on.
 #[derive(Debug, Clone, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Window {
     /// The number of readings in a window, in order of rows.

@@ -12,8 +12,9 @@ use crate::misuse::NoProof;
 use crate::question::{Ask, Out, document, put};
 use crate::refusal::Refusal;
 
-/// The lines that agree with every reading where x has errors, too ([`Asked::x_errors`]).
+/// The lines that agree with every reading where x has errors, too.
 #[derive(Debug, Clone, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct FitXErrors {}
 

@@ -21,12 +21,17 @@ export const start = async (packed) => {
 };
 
 /**
+ * @typedef {import("./request.d.mts").Request} Request
+ * @typedef {Request | (Omit<Extract<Request, { ask: "fit" }>, "ask"> & { ask?: undefined })} Options
+ */
+
+/**
  * Answers a question about readings, the fit unless `options.ask` names another one, as JSON unless `options.format` says otherwise.
  *
  * Throws an Error in the words of the program where options or table are wrong. A trap, such as for lack of memory, is thrown too; the
  * engine is started anew then, so that the next call finds it whole.
  * @param {string | Uint8Array} table
- * @param {object} options the options of the program, with `_` in the place of `-` (docs/wasm.md)
+ * @param {Options} options the options of the program, with `_` in the place of `-` (docs/wasm.md)
  * @returns {string}
  */
 export const run = (table, options) => ask(runOnce, table, options);

@@ -16,7 +16,7 @@ use boundfit_tests::program::root;
 use serde_json::{Value, json};
 
 /// The list that all surfaces go through.
-fn list() -> Value {
+pub fn list() -> Value {
     serde_json::from_str(&fs::read_to_string(root().join("tests/questions.json")).unwrap()).unwrap()
 }
 

@@ -1,14 +1,21 @@
-//! Every document keeps to its JSON Schema: the golden ones, and what the program answers about sets of every kind.
+//! Every document keeps to its JSON Schema: the golden ones, and what the program answers about sets of every kind. The schema of requests
+//! allows what the reader of requests takes.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
+use boundfit::ask::Request;
 use boundfit_tests::cli::fits::{Case, all};
 use boundfit_tests::cli::{FIT_TRANSDUCER, boundfit, directory_with};
 use boundfit_tests::program::root;
 use boundfit_tests::schemas::{schemas, violations};
-use serde_json::Value;
+use serde_json::{Map, Value, json};
+
+use crate::matrix::list;
+
+/// The schema of what programs ask.
+const REQUEST: &str = "boundfit/request/1";
 
 /// The ten kinds of sets.
 const KINDS: [&str; 10] = [
@@ -138,7 +145,8 @@ fn answers_about_sets_of_every_kind_keep_to_their_schemas() {
         "check fixtures/claims/strip.csv --x x --y y --eps 1 --claim fixtures/claims/strip-null.json";
     seen.run(&root(), &format!("{claims} --format json"));
     seen.run(&root(), "judge fixtures/tiny-lp/maximise.mps --solution fixtures/solutions/tiny-lp/maximise.cbc.sol --format json");
-    let missing: Vec<&String> = seen.schemas.keys().filter(|name| !seen.kinds.contains_key(*name)).collect();
+    let is_missing = |name: &&String| *name != REQUEST && !seen.kinds.contains_key(*name);
+    let missing: Vec<&String> = seen.schemas.keys().filter(is_missing).collect();
     assert!(missing.is_empty(), "no document of {missing:?}");
     for name in ["boundfit/fit/2", "boundfit/status/1", "boundfit/predict/1"] {
         let kinds: Vec<&str> = seen.kinds[name].iter().map(String::as_str).collect();
@@ -190,4 +198,77 @@ fn a_document_with_one_wrong_value_does_not_keep_to_its_schema() {
         changes += 1;
     });
     assert!(changes > 300, "{changes}");
+}
+
+/// Returns whether the reader of requests takes one.
+fn is_taken(request: &Value) -> bool {
+    Request::with_readings(&request.to_string()).is_ok()
+}
+
+#[test]
+fn requests_of_every_question_keep_to_the_schema_and_wrong_ones_do_not() {
+    let (list, schema) = (list(), &schemas()[REQUEST]);
+    let mut changes = 0;
+    for (name, own) in list["questions"].as_object().unwrap() {
+        for line in list["about"].as_array().unwrap() {
+            let mut request = own["request"].clone();
+            request["ask"] = json!(name);
+            let words: Vec<&str> = line.as_str().unwrap().split(' ').skip(1).collect();
+            for option in words.chunks(2) {
+                let key = option[0].trim_start_matches("--").replace('-', "_");
+                let two = option[1].split_once(',').filter(|_| key == "x");
+                request[key] = two.map_or(json!(option[1]), |(one, other)| json!([one, other]));
+            }
+            assert_eq!(violations(&request, schema), Vec::<String>::new(), "{request}");
+            assert!(is_taken(&request), "{request}");
+            changed(&request, "request", &mut |wrong, place| {
+                assert!(!violations(&wrong, schema).is_empty(), "{place}: {wrong}");
+                assert!(!is_taken(&wrong), "{place}: {wrong}");
+                changes += 1;
+            });
+        }
+    }
+    assert!(changes > 500, "{changes}");
+}
+
+/// Every key of every question, and one that there is not, with values of every type.
+#[test]
+fn the_schema_of_requests_allows_what_the_reader_takes() {
+    let schema = &schemas()[REQUEST];
+    let values = json!([
+        true, 0, 7, -7, 1.5, 70_000, "7", {}, [], ["7"], ["7", "7"], ["7", "7", "7"], [7], [-7], [[1, 7]], [[1, null]],
+        [[1, 7, 9]], { "exact": "7" }, { "exact": 7 }, { "exact": "7", "text": "7" }, { "digits": 7 }, { "digits": -7 },
+        [{ "exact": "7" }], [{ "exact": "7" }, 7]
+    ]);
+    let keys = |schema: &Value| -> BTreeSet<String> {
+        let keys = schema["properties"].as_object().into_iter().flat_map(Map::keys).cloned();
+        keys.filter(|key| key != "ask").collect()
+    };
+    let questions = schema["anyOf"].as_array().unwrap();
+    let own: BTreeSet<String> = questions.iter().flat_map(keys).collect();
+    let (mut taken, mut refused) = (BTreeSet::new(), 0);
+    for question in questions {
+        // It has a question's other required keys, too.
+        let required = question["required"].as_array().unwrap().iter().filter_map(Value::as_str);
+        let mut request: Map<String, Value> = required.map(|key| (key.to_owned(), json!("7"))).collect();
+        request["ask"] = question["properties"]["ask"]["const"].clone();
+        for key in own.iter().chain(&keys(schema)).chain([&"unheard_of".to_owned()]) {
+            for value in values.as_array().unwrap() {
+                let mut request = request.clone();
+                request.insert(key.clone(), value.clone());
+                let request = Value::Object(request);
+                let found = violations(&request, schema);
+                assert_eq!(found.is_empty(), is_taken(&request), "{request}: {found:?}");
+                if found.is_empty() {
+                    taken.insert(key.clone());
+                } else {
+                    refused += 1
+                };
+            }
+        }
+    }
+    assert_eq!(taken, own.union(&keys(schema)).cloned().collect());
+    assert!(refused > 1_000, "{refused}");
+    let names: Vec<&Value> = questions.iter().map(|own| &own["properties"]["ask"]["const"]).collect();
+    assert_eq!(names, Request::NAMES);
 }

@@ -170,7 +170,7 @@ mdbook build docs",
     Step {
         name: "generated",
         holds: "schemas, declarations and references are those of the types and options",
-        changes: "types of answers, options",
+        changes: "types of answers and requests, options",
         // As in `differential`: of one package alone cargo would build all crates with other features.
         script: "\
 cargo test --workspace --locked --no-run --quiet

@@ -1,4 +1,4 @@
-//! Files that follow from the types of answers and from the options of the command line. Nobody edits them: `cargo xtask generate`
+//! Files that follow from the types of answers and requests, and from the options of the command line. Nobody edits them: `cargo xtask generate`
 //! writes them, and `cargo xtask generate --check` names those that are stale.
 
 mod markdown;
@@ -6,6 +6,7 @@ mod model;
 mod options;
 mod output;
 mod python;
+mod request;
 mod typescript;
 
 use std::fs;
@@ -13,11 +14,19 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use boundfit_ask::Request;
 use boundfit_report::answer::documents;
 use model::Document;
 
 /// The command that mends stale files.
 const COMMAND: &str = "cargo xtask generate";
+
+/// The comment above the types of documents.
+const ANSWERS: &str = "// The documents that boundfit writes, of which `run` of boundfit.mjs answers with the first; made by `cargo xtask generate`.\n\
+     // `JSON.parse(run(table, options))` is a `FitDocument`.\n";
+
+/// The comment above the types of requests.
+const REQUEST: &str = "// What `run` of boundfit.mjs takes; made by `cargo xtask generate`.\n";
 
 /// A file that is generated.
 struct Generated {
@@ -86,15 +95,21 @@ fn write() -> io::Result<()> {
 /// Every generated file.
 fn generated() -> Vec<Generated> {
     let documents: Vec<Document> = documents().into_iter().map(Document::new).collect();
-    let schemas = documents.iter().map(|document| {
+    let request = [Document::new(Request::schema())];
+    let schemas = documents.iter().chain(&request).map(|document| {
         let path = format!("schema/{}.json", document.name.replace('/', "-"));
         Generated::new(path, format!("{:#}\n", document.schema))
     });
     schemas
         .chain([
-            Generated::new("crates/lesson/engine/answers.d.mts", typescript::declarations(&documents)),
+            Generated::new(
+                "crates/lesson/engine/answers.d.mts",
+                typescript::declarations(ANSWERS, &documents),
+            ),
+            Generated::new("crates/lesson/engine/request.d.mts", typescript::declarations(REQUEST, &request)),
             Generated::new("python/boundfit/documents.py", python::declarations(&documents)),
             Generated::new("docs/reference/output.md", output::reference(&documents)),
+            Generated::new("docs/reference/request.md", request.iter().map(request::reference).collect()),
             Generated::new("docs/reference/options.md", options::reference(&boundfit_cli::command())),
         ])
         .collect()

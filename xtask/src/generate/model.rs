@@ -55,6 +55,8 @@ pub(super) enum Shape {
     /// A list of so many values of one shape.
     Repeated(Box<Shape>, u64),
     Tuple(Vec<Shape>),
+    /// An object with these fields, which has no name.
+    Object(Vec<Field>),
     /// Texts by name.
     Map(Box<Shape>),
     Named(String),
@@ -63,8 +65,7 @@ pub(super) enum Shape {
 
 impl Document {
     pub(super) fn new(DocumentSchema { name, command, mut schema }: DocumentSchema) -> Self {
-        let title = format!("{}Document", text(&schema, "title"));
-        let root = Definition::new(&title, &schema);
+        let root = Definition::new(text(&schema, "title"), &schema);
         let parts = schema.get("$defs").and_then(Value::as_object).into_iter().flatten();
         let mut parts: Vec<Definition> = parts.map(|(name, schema)| Definition::new(name, schema)).collect();
         parts.sort_by(|one, other| one.name.cmp(&other.name));
@@ -131,7 +132,7 @@ impl Field {
 )]
 impl Shape {
     /// # Panics
-    /// If a schema has a part that no type of an answer has yet.
+    /// If a schema has a part that no type has yet.
     fn of(schema: &Value) -> Self {
         let Some(schema) = schema.as_object() else { panic!("not the schema of a value: {schema}") };
         if let Some(Value::String(reference)) = schema.get("$ref") {
@@ -177,6 +178,9 @@ impl Shape {
             ("array", Some(Value::Array(parts)), _) => Shape::Tuple(parts.iter().map(Shape::of).collect()),
             ("array", None, [Some(least), Some(most)]) if least == most => Shape::Repeated(items(), most),
             ("array", None, _) => Shape::List(items()),
+            ("object", ..) if schema.contains_key("properties") => {
+                Shape::Object(Field::of(&Value::Object(schema.clone())))
+            }
             ("object", ..) => {
                 Shape::Map(Box::new(schema.get("additionalProperties").map_or(Shape::Null, Shape::of)))
             }

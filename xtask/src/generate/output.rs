@@ -41,7 +41,7 @@ pub(super) fn reference(documents: &[Document]) -> String {
     text
 }
 
-fn section(Definition { description, body, .. }: &Definition) -> String {
+pub(super) fn section(Definition { description, body, .. }: &Definition) -> String {
     let about = if description.is_empty() { String::new() } else { format!("\n{description}\n") };
     let table = match body {
         Body::Alias(shape) => format!("\n{}\n", typed(shape)),
@@ -54,7 +54,7 @@ fn section(Definition { description, body, .. }: &Definition) -> String {
     about + &table
 }
 
-fn rows(fields: &[Field]) -> String {
+pub(super) fn rows(fields: &[Field]) -> String {
     let row = |field: &Field| {
         format!("| `{}` | {} | {} |\n", field.name, cell(&typed(&field.shape)), cell(&field.description))
     };
@@ -73,6 +73,10 @@ fn typed(shape: &Shape) -> String {
         Shape::List(shape) => format!("list of {}", grouped(shape)),
         Shape::Repeated(shape, count) => format!("{count} × {}", grouped(shape)),
         Shape::Tuple(shapes) => format!("[{}]", joined(shapes, ", ")),
+        Shape::Object(fields) => {
+            let named = fields.iter().map(|field| format!("`{}`: {}", field.name, typed(&field.shape)));
+            format!("object with {}", named.collect::<Vec<_>>().join(", "))
+        }
         Shape::Map(shape) => format!("object of {}", grouped(shape)),
         Shape::Named(name) => format!("[{name}](#{})", anchor(name)),
         Shape::Any(shapes) => joined(shapes, " or "),

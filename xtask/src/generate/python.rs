@@ -98,6 +98,7 @@ fn typed(shape: &Shape) -> String {
         }
         Shape::List(shape) | Shape::Repeated(shape, _) => format!("list[{}]", typed(shape)),
         Shape::Tuple(shapes) => format!("list[{}]", joined(shapes)),
+        Shape::Object(_) => "dict[str, object]".to_owned(),
         Shape::Map(shape) => format!("dict[str, {}]", typed(shape)),
         Shape::Named(name) => name.clone(),
         Shape::Any(shapes) => joined(shapes),

@@ -4,11 +4,9 @@ use std::fmt::Write;
 
 use super::model::{Body, Definition, Document, Field, Shape, all};
 
-/// A module with a type for each document and each of its parts.
-pub(super) fn declarations(documents: &[Document]) -> String {
-    let mut text = "// The documents that boundfit writes, of which `run` of boundfit.mjs answers with the first; made by `cargo xtask generate`.\n\
-         // `JSON.parse(run(table, options))` is a `FitDocument`.\n"
-        .to_owned();
+/// A module with a type for each document and each of its parts, below a comment.
+pub(super) fn declarations(about: &str, documents: &[Document]) -> String {
+    let mut text = about.to_owned();
     for definition in all(documents) {
         let Definition { name, description, body } = definition;
         text.push('\n');
@@ -30,12 +28,15 @@ pub(super) fn declarations(documents: &[Document]) -> String {
 
 fn block(fields: &[Field], indent: &str) -> String {
     let mut text = "{\n".to_owned();
-    for Field { name, description, is_required, shape } in fields {
-        comment(&mut text, &format!("{indent}  "), description);
-        let mark = if *is_required { "" } else { "?" };
-        text.push_str(&format!("{indent}  {name}{mark}: {};\n", typed(shape)));
+    for field in fields {
+        comment(&mut text, &format!("{indent}  "), &field.description);
+        text.push_str(&format!("{indent}  {};\n", declared(field)));
     }
     text + indent + "}"
+}
+
+fn declared(Field { name, is_required, shape, .. }: &Field) -> String {
+    format!("{name}{}: {}", if *is_required { "" } else { "?" }, typed(shape))
 }
 
 fn comment(text: &mut String, indent: &str, description: &str) {
@@ -58,6 +59,9 @@ fn typed(shape: &Shape) -> String {
         },
         Shape::Repeated(shape, count) => format!("[{}]", vec![typed(shape); *count as usize].join(", ")),
         Shape::Tuple(shapes) => format!("[{}]", joined(shapes, ", ")),
+        Shape::Object(fields) => {
+            format!("{{ {} }}", fields.iter().map(declared).collect::<Vec<_>>().join("; "))
+        }
         Shape::Map(shape) => format!("Record<string, {}>", typed(shape)),
         Shape::Named(name) => name.clone(),
         Shape::Any(shapes) => joined(shapes, " | "),

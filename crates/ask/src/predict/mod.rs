@@ -30,6 +30,7 @@ const MOST_IN_THEOREM: usize = 200;
 /// The question for the line at an x, for the place of a further reading there, and for the x that a reading may come
 /// from.
 #[derive(Debug, Clone, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct Predict {
     /// The x in question: each text is numbers, `3.7,9/2`, or a column of a table, `FILE:COL`. Two regressors have
@@ -37,7 +38,7 @@ pub struct Predict {
     pub at: Vec<String>,
     /// The readings whose possible x are asked for, as in `at`.
     pub from: Vec<String>,
-    /// Values of x in equal steps, `FROM..TO/N`, before those of `at`.
+    /// Values of x in equal steps, `FROM..TO/N` such as `0..10/5`, before those of `at`.
     pub grid: Option<String>,
     /// The error bound of a further reading, where it is not that of the fitted ones: a number, or a law.
     pub new_eps: Option<String>,

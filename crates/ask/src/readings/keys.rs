@@ -29,9 +29,10 @@ macro_rules! keys {
     ) => {
         $(#[$about])*
         #[derive(Debug, Clone, Default, PartialEq, Eq)]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
         pub struct $name {
-            $($(#[$doc])* pub $field: $type,)*
-            $($($(#[$part_doc])* pub $part: $part_type,)*)?
+            $($(#[$doc])* #[cfg_attr(feature = "schema", schemars(rename = $key, default))] pub $field: $type,)*
+            $($($(#[$part_doc])* #[cfg_attr(feature = "schema", schemars(flatten))] pub $part: $part_type,)*)?
         }
 
         impl $name {

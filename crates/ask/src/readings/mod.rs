@@ -23,8 +23,9 @@ pub use limits::{AskedLimits, limits_of_files, range_of_limit, resolve_limits};
 pub use rows::{OfRows, Rows};
 pub use table::{RowWords, TableWords, named};
 
-/// The columns of one or two regressors.
+/// The column of x, or those of two regressors, by header names or by numbers from 1, as text.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged, expecting = "expected the name or number of a column as text, or an array of two of these")]
 pub enum Regressors {
     /// The x of a line.

@@ -5,8 +5,9 @@ use serde::Deserialize;
 
 use crate::refusal::{Refusal, ValueProblem};
 
-/// Data rows, counted from 1 without the header.
+/// Data rows, counted from 1 without the header: `[5, [14, 36], [40, null]]` or `"5,14..36,40.."` is 5, 14 to 36, and 40 to the end.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(
     untagged,
     expecting = "expected rows from 1 such as 5, [14, 36] or, to the end, [10, null], or a text such as \"1..22,24..\""
@@ -20,6 +21,7 @@ pub enum Rows {
 
 /// One row, or some that follow each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged, expecting = "expected a row from 1, or a first and a last one")]
 pub enum OfRows {
     /// This row.

@@ -56,7 +56,7 @@ keys! {
         "block" block: Option<String>,
         /// The sheet of a workbook.
         "sheet" sheet: Option<String>,
-        /// The most that an input may ask for of something.
+        /// The most that an input may ask for of something, by the names of limits: `{"digits": 20000}`.
         "limits" limits: AskedLimits,
     }
 }

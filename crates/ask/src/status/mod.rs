@@ -29,6 +29,7 @@ const MOST_PROVED: usize = 1_000;
 
 /// The status of every reading: what it says of the set of all readings, and of that of all others.
 #[derive(Debug, Clone, Default, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct Status {
     /// A table of further readings, in the same columns, which are judged by the set as it is.

@@ -344,30 +344,13 @@ type TextPart = string | TextPlace | { tag: string; attributes: Attributes; part
 /** An element of the page by its id: whichever kind it is, these are the properties that the script uses. */
 type PageElement = HTMLInputElement;
 
-/** A number or formula of a request: read as the table's numbers are, or exactly what it says. */
-type Given = string | { exact: string };
+type Given = import("../../engine/request.d.mts").Given;
 
-/** What is asked of the readings, by the keys of every surface: `ask::Readings` beside the question `fit`. */
-interface FitRequest {
-  ask: "fit";
-  x: string | string[];
-  y?: string;
-  eps?: Given;
-  eps_column?: string;
-  lower?: string;
-  upper?: string;
-  where?: Given[];
-  through_origin?: boolean;
-  x_origin?: Given;
-  reading?: string;
-  limits?: Record<string, number>;
-  /** First and last of the rows that are left out. */
-  without?: number[][];
-  header?: string;
-  delimiter?: string;
-  decimal?: string;
-  comment?: string;
-}
+/** The request of the page: a fit, of readings that are named, without rows that it names by first and last. */
+type FitRequest = Omit<Extract<import("../../engine/request.d.mts").Request, { ask: "fit" }>, "x" | "without"> & {
+  x: import("../../engine/request.d.mts").Regressors;
+  without?: [number, number][];
+};
 
 /** The key of a request that names a column. */
 type Role = "x" | "y" | "eps_column" | "lower" | "upper";

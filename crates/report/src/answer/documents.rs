@@ -25,12 +25,12 @@ use crate::answer::window::{GroupJson, WindowJson};
 use crate::answer::x_errors::XErrorJson;
 use crate::number::Number;
 
-/// A document with its JSON Schema.
+/// A document, or the request for one, with its JSON Schema.
 #[derive(Debug, Clone)]
 pub struct DocumentSchema {
     /// The name and number of the schema, `boundfit/fit/2`.
     pub name: &'static str,
-    /// The command that writes the document.
+    /// The command that writes the document, or the function that takes the request.
     pub command: &'static str,
     /// The schema, draft 2020-12. Its definitions have the names of the types without `Json`.
     pub schema: Value,
@@ -39,7 +39,15 @@ pub struct DocumentSchema {
 impl DocumentSchema {
     fn of<T: JsonSchema>(name: &'static str, command: &'static str) -> Self {
         let generator = SchemaSettings::draft2020_12().for_serialize().into_generator();
-        let mut schema = generator.into_root_schema_for::<T>().to_value();
+        let mut own = DocumentSchema::new(name, command, generator.into_root_schema_for::<T>());
+        let title = own.schema["title"].as_str().map(|title| format!("{title}Document"));
+        own.schema["title"] = title.into();
+        own
+    }
+
+    /// Takes the schema of a type, in which what may be absent is not null.
+    pub fn new(name: &'static str, command: &'static str, schema: Schema) -> Self {
+        let mut schema = schema.to_value();
         rename(&mut schema);
         absent_or_not_null(&mut schema);
         for (name, part) in schema.get_mut("$defs").and_then(Value::as_object_mut).into_iter().flatten() {
@@ -111,6 +119,9 @@ fn absent_or_not_null(schema: &mut Value) {
     for (name, field) in schema.get_mut("properties").and_then(Value::as_object_mut).into_iter().flatten() {
         if is_required(name) {
             continue;
+        }
+        if let Value::Object(field) = field {
+            field.retain(|keyword, value| keyword != "default" || !value.is_null());
         }
         for keyword in ["type", "anyOf"] {
             let Some(Value::Array(choices)) = field.get_mut(keyword) else { continue };

@@ -43,7 +43,7 @@ export function sheetOf(data, said = {}) {
   };
   const rows = [...data.readings.map((own) => row(own, true)), ...data.others.map((own) => row(own, false))];
   /** @type {FitRequest} */
-  const request = { ask: "fit", x: x.length === 1 ? x[0] : x };
+  const request = { ask: "fit", x: /** @type {FitRequest["x"]} */ (x.length === 1 ? x[0] : x) };
   own.slice(1).forEach((key, k) => Object.assign(request, { [key]: names[k] }));
   // That the cells have decimal commas is kept: so 1,234 is no thousands.
   Object.assign(request, picked({ ...asked, ...picked(said, TEXT_KEYS) }, [...TEXT_KEYS, "decimal"]));

@@ -34,7 +34,7 @@ const quoted = (text) => `\x22${text.replaceAll("\x22", "\x22\x22")}\x22`;
  * @param {number[]} rows ascending
  */
 export function rowRanges(rows) {
-  /** @type {number[][]} */
+  /** @type {[number, number][]} */
   const ranges = [];
   for (const row of rows) {
     const last = ranges.at(-1);
