@@ -3,6 +3,7 @@ is that of the tests in Rust, which hold it equal to the registry."""
 
 from __future__ import annotations
 
+import inspect
 import json
 import subprocess
 from pathlib import Path
@@ -11,6 +12,7 @@ from typing import Any
 import boundfit
 import pytest
 from boundfit import _asking, _boundfit
+from jsonschema import Draft202012Validator
 
 from conftest import ROOT, _program
 
@@ -34,6 +36,41 @@ FUNCTIONS = {
 
 def test_every_question_has_a_function() -> None:
     assert sorted(FUNCTIONS) == sorted(QUESTIONS)
+
+
+REQUEST: dict[str, Any] = json.loads((ROOT / "schema/boundfit-request-1.json").read_text())
+
+# Keys of an answer: Python has them where it is asked for.
+ANSWER = {"file", "row_numbers", "format", "digits", "rounding", "exact"}
+# Keys of a question that only reports have, or that no function has yet.
+REPORTS = {"fit": {"sweep", "brief", "full", "inverse"}, "status": {"all"}}
+# Parameters with other names than their keys, or without keys.
+NAMES = {"from_": "from", "eui": "no_eui"}
+DATA = {"path", "frame", "id", "how"}
+
+
+def parameters(function: Any) -> set[str]:
+    return {NAMES.get(name, name) for name in inspect.signature(function).parameters} - DATA
+
+
+def test_keywords_are_the_keys_of_a_request() -> None:
+    keywords = parameters(_asking.readings_of_file) | set(_asking.Table.__annotations__)
+    assert keywords | ANSWER == set(REQUEST["properties"])
+    assert set(_asking.How.__annotations__) < keywords
+    own: dict[Any, set[str]] = {}
+    for question in REQUEST["anyOf"]:
+        name = question["properties"]["ask"]["const"]
+        own.setdefault(FUNCTIONS[name], set()).update(question["properties"].keys() - {"ask"} - REPORTS.get(name, set()))
+    assert {function: parameters(function) - keywords for function in own} == own
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_requests_keep_to_the_schema(question: str) -> None:
+    schema = Draft202012Validator(REQUEST)
+    request = {"ask": question, **QUESTIONS[question]["request"], "x": "x", "y": "y", "eps": "1"}
+    schema.validate(request)
+    assert not schema.is_valid({**request, "unheard_of": 1})
+    assert not schema.is_valid({**request, "eps": True})
 
 
 def readings(line: str, question: str) -> _boundfit.Readings:
