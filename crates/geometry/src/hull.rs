@@ -111,7 +111,8 @@ fn chain<P: Site>(
     sorted: &[P],
     orientation: impl Fn(&P, &P, &P) -> Sign,
 ) -> Vec<Link> {
-    let mut chain: Vec<Link> = Vec::new();
+    // Room for the hull of a small table; a larger one grows.
+    let mut chain: Vec<Link> = Vec::with_capacity(sorted.len().min(32));
     for position in walk {
         // Walking forward the first point of each x is its lowest, walking back its highest.
         if chain.last().is_some_and(|last| sorted[last.position].is_above_or_below(&sorted[position])) {

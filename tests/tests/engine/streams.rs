@@ -288,8 +288,7 @@ impl Case {
         }
     }
 
-    fn scanned(&self, path: &Path, chunk_bytes: usize, most_bytes: Option<usize>) -> (Problem, Fit) {
-        let keep = Keep { most_rows: 0, most_bytes, ..Keep::default() };
+    fn scanned(&self, path: &Path, chunk_bytes: usize, keep: Keep) -> (Problem, Fit) {
         let options = options(self.reading, chunk_bytes);
         let source = Source::open(path.to_str().unwrap()).unwrap();
         self.fitted(
@@ -347,7 +346,10 @@ fn compare_cases(
         // The numbers in memory, and the file read again.
         for (position, (chunk, pool)) in chunks.into_iter().zip(&pools).enumerate() {
             let most_bytes = if (round + position) % 2 == 0 { None } else { Some(0) };
-            let streamed = pool.install(|| case.scanned(&path, chunk, most_bytes));
+            // The first rows wait until there are too many.
+            let most_rows = [0, case.text.lines().count() / 2][round / 2 % 2];
+            let keep = Keep { most_rows, most_bytes, ..Keep::default() };
+            let streamed = pool.install(|| case.scanned(&path, chunk, keep));
             assert_eq!(
                 essence(&streamed, &|row| row),
                 expected,
@@ -420,7 +422,7 @@ fn of_readings_through_one_vertex_few_are_kept() {
             conditions: Vec::new(),
             is_through_origin: false,
         };
-        let (problem, fit) = case.scanned(&path, 10_000, None);
+        let (problem, fit) = case.scanned(&path, 10_000, Keep { most_rows: 0, ..Keep::default() });
         let region = fit.fps.polyhedron().region();
         assert_eq!(region.kind(), kind);
         let measurements = &problem.measurements;

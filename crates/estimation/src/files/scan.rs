@@ -72,9 +72,8 @@ impl Measurements {
             return Ok(own);
         }
         columns.refuse_unbounded(&look.name, all.unbounded)?;
-        let is_summarised = meaning.is_open() && all.rows > keep.most_of_line;
         let mut in_columns = None;
-        let readings = if all.rows <= look.most_rows && !is_summarised {
+        let readings = if all.rows <= look.most_plain() {
             let mut rows = all.readings(&meaning);
             meaning.settle(&mut rows);
             Readings::All(rows)

@@ -37,7 +37,7 @@ pub struct Keep {
     /// True if what takes a second look is wanted of more readings than that: the EUI and, unless the model is a line under
     /// a uniform error bound, ε_min.
     pub eui: bool,
-    /// The most bytes of numbers that are kept for that. Default: 96 MiB of a file, 512 MiB of standard input. A file with more
+    /// The most bytes of numbers that are kept for that. Default: 192 MiB of a file, 512 MiB of standard input. A file with more
     /// is read again. Standard input with more cannot be read again: the results are unknown.
     pub most_bytes: Option<usize>,
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{LEAST_PLAIN, Parts, Rounding, significand};
+use super::{LEAST_PLAIN, Parts, Rounding, significand, significand_of};
 use crate::short_text::ShortText;
 use crate::{Integer, Rational};
 
@@ -78,7 +78,7 @@ fn last_place(centre: &Rational, error: &Rational, digits: usize) -> i64 {
         |value: &Rational, digits: usize| value.decimal_exponent().map(|first| first + 1 - digits as i64);
     let asked = match error.is_zero() {
         true => last(centre, digits).unwrap_or(0),
-        false => last(&error.rounded(digits, Rounding::Up), digits).unwrap_or(0),
+        false => significand_of(error, digits, Rounding::Up).exponent + 1 - digits as i64,
     };
     match last(centre, digits.max(MOST_DIGITS)) {
         Some(finest) if finest > asked && centre.exact_decimal(MOST_DIGITS).is_none() => finest,
@@ -107,8 +107,14 @@ impl PlacedDecimal {
 
     /// Returns whether a rounded one is written without a power of ten.
     pub(super) fn is_plain(&self) -> bool {
-        let first = self.units.to_string().len() as i64 - 1 + self.place;
-        self.place <= 0 && (self.units.is_zero() || first >= LEAST_PLAIN)
+        if self.place > 0 || self.units.is_zero() {
+            return self.place <= 0;
+        }
+        let first = match self.units.to_u64() {
+            Some(units) => i64::from(units.ilog10()),
+            None => self.units.to_string().len() as i64 - 1,
+        };
+        first + self.place >= LEAST_PLAIN
     }
 }
 

@@ -96,16 +96,20 @@ pub(super) fn tied<C: Coordinate>(
     positions: impl Iterator<Item = usize>,
     Listing { row, most }: Listing,
 ) -> Vec<Place<C>> {
-    /// Places that are remembered, as 2 to this power: few enough for a first-level cache.
-    const BITS: u32 = 10;
+    /// The most places that are remembered, as 2 to this power: few enough for a first-level cache.
+    const MOST_BITS: u32 = 10;
     /// Odd numbers of which the products have no pattern: 2⁶⁴ over the golden ratio, and another.
     const FACTORS: [u64; 2] = [0x9e37_79b9_7f4a_7c15, 0xc2b2_ae3d_27d4_eb4f];
-    let mut recent = vec![usize::MAX; 1 << BITS];
-    let mut places: Vec<Place<C>> = Vec::new();
+    /// The rows for which there is room from the start.
+    const FEW: usize = 64;
+    // Twice as many as there are rows, where these are few.
+    let bits = (usize::BITS + 1 - x.len().leading_zeros()).min(MOST_BITS);
+    let mut recent = vec![usize::MAX; 1 << bits];
+    let mut places: Vec<Place<C>> = Vec::with_capacity(x.len().min(FEW));
     for position in positions {
         let (x, y) = (x[position], y[position]);
         let mixed = x.bits().wrapping_mul(FACTORS[0]) ^ y.bits().wrapping_mul(FACTORS[1]);
-        let slot = &mut recent[(mixed.wrapping_mul(FACTORS[0]) >> (u64::BITS - BITS)) as usize];
+        let slot = &mut recent[(mixed.wrapping_mul(FACTORS[0]) >> (u64::BITS - bits)) as usize];
         match places.get_mut(*slot) {
             Some(place) if place.x == x && place.y == y => place.rows.push(|| row(position), most),
             _ => {
