@@ -79,6 +79,20 @@ fn leading(large: &[u64], small: &[u64]) -> (u128, u128) {
     (top(large), top(small))
 }
 
+/// Quotient and remainder. Two of three quotients in Euclid's algorithm are below 4, and a division of 128 bits takes longer than
+/// three subtractions.
+fn divided(a: u128, b: u128) -> (u128, u128) {
+    let mut rest = a;
+    for quotient in 0..4 {
+        if rest < b {
+            return (quotient, rest);
+        }
+        rest -= b;
+    }
+    let quotient = a / b;
+    (quotient, a - quotient * b)
+}
+
 /// Several of Euclid's steps at once: `(a, b)` becomes `(|u0·a - v0·b|, |u1·a - v1·b|)`.
 struct Steps {
     of_large: [u64; 2],
@@ -93,11 +107,10 @@ impl Steps {
         let (mut a, mut b) = leading(large, small);
         let mut steps = Steps { of_large: [1, 0], of_small: [0, 1], is_even: true };
         while b > 0 {
-            let (quotient, rest) = (a / b, a % b);
-            let next = |pair: [u64; 2]| {
-                let next = quotient.checked_mul(pair[1].into())?.checked_add(pair[0].into())?;
-                Some([pair[1], u64::try_from(next).ok()?])
-            };
+            let (quotient, rest) = divided(a, b);
+            // A quotient beyond a word does not fit into the next `of_small`.
+            let Ok(quotient) = u64::try_from(quotient) else { break };
+            let next = |pair: [u64; 2]| Some([pair[1], quotient.checked_mul(pair[1])?.checked_add(pair[0])?]);
             let (Some(of_large), Some(of_small)) = (next(steps.of_large), next(steps.of_small)) else {
                 break;
             };
