@@ -2,6 +2,9 @@
 //! calling thread alone, and no answer depends on it.
 
 #[cfg(feature = "parallel")]
+use std::sync::Mutex;
+
+#[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
 /// Returns the number of threads in the current pool.
@@ -17,12 +20,28 @@ pub(crate) fn count() -> usize {
 }
 
 /// The results for all items in their order, made on the threads of the current pool; a single one on this thread.
+#[allow(clippy::expect_used, reason = "each slot is visited once, and a panic in it ends the visit of all")]
 pub fn map<I: Send, T: Send>(items: Vec<I>, make: impl Fn(I) -> T + Sync + Send) -> Vec<T> {
     #[cfg(feature = "parallel")]
     if items.len() > 1 {
-        return items.into_par_iter().map(make).collect();
+        let slots: Vec<Mutex<(Option<I>, Option<T>)>> =
+            items.into_iter().map(|item| Mutex::new((Some(item), None))).collect();
+        for_each(slots.len(), &|index| {
+            if let Some(Ok(mut slot)) = slots.get(index).map(Mutex::lock) {
+                slot.1 = slot.0.take().map(&make);
+            }
+        });
+        let made = slots.into_iter().map(|slot| slot.into_inner().ok().and_then(|(_, made)| made));
+        return made.map(|made| made.expect("all slots are visited")).collect();
     }
     items.into_iter().map(make).collect()
+}
+
+/// Visits the indices below a count on the threads of the current pool. The visit is a trait object, so that a build compiles rayon's
+/// part once and not for each use of [`map`].
+#[cfg(feature = "parallel")]
+fn for_each(count: usize, visit: &(dyn Fn(usize) + Sync)) {
+    (0..count).into_par_iter().for_each(visit);
 }
 
 /// Does some work on a thread of the pool and, at the same time, some on this one.
