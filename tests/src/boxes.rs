@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -38,6 +39,44 @@ pub struct Boxes {
 /// A line a1·θ1 + a2·θ2 = b.
 type Boundary = [Q; 3];
 
+/// The point (x/w, y/w), w > 0, as x, y, w: no fraction is reduced until a point is a corner.
+type Point = [BigInt; 3];
+
+/// Readings and conditions multiplied by what makes them integers.
+struct Definition {
+    readings: Vec<WholeReading>,
+    conditions: Vec<[BigInt; 3]>,
+}
+
+/// A reading, times `unit`.
+struct WholeReading {
+    x: BigInt,
+    /// δ, negative under strong agreement.
+    width: BigInt,
+    bounds: [Option<BigInt>; 2],
+    unit: BigInt,
+}
+
+impl Definition {
+    fn holds(&self, [x, y, w]: &Point) -> bool {
+        let meets = |WholeReading { x: own, width, bounds: [lower, upper], unit }: &WholeReading| {
+            let value = x * own + y * unit;
+            let slack = if x.is_negative() { -x * width } else { x * width };
+            lower.as_ref().is_none_or(|lower| lower * w - &slack <= value)
+                && upper.as_ref().is_none_or(|upper| value <= upper * w + &slack)
+        };
+        self.readings.iter().all(meets) && self.conditions.iter().all(|[a1, a2, b]| a1 * x + a2 * y <= b * w)
+    }
+}
+
+/// Fractions times their least common denominator, and that denominator.
+fn whole<const N: usize>(fractions: [&Q; N]) -> ([BigInt; N], BigInt) {
+    // A unit over a denominator, reduced, has the denominator's factors that the unit lacks.
+    let lacking = |unit: &BigInt, own: &Q| Q::new(unit.clone(), own.denom().clone()).denom().clone();
+    let unit = fractions.iter().fold(BigInt::from(1), |unit, own| &unit * lacking(&unit, own));
+    (fractions.map(|own| own.numer() * (&unit / own.denom())), unit)
+}
+
 impl BoxReading {
     /// Returns the reading with all bounds multiplied; a reading without both bounds on y, or with bounds that cross,
     /// keeps its bounds.
@@ -64,15 +103,24 @@ impl Boxes {
 
     /// The definition: |y - θ1·x - θ2| ≤ ε ± |θ1|·δ.
     pub fn contain(&self, [theta1, theta2]: &Theta) -> bool {
-        let meets = |reading: &BoxReading| {
-            let value = theta1 * &reading.x + theta2;
-            let slack =
-                if self.is_strong { -theta1.abs() * &reading.width } else { theta1.abs() * &reading.width };
-            reading.lower.as_ref().is_none_or(|lower| lower - &slack <= value)
-                && reading.upper.as_ref().is_none_or(|upper| value <= upper + &slack)
+        let ([x, y], w) = whole([theta1, theta2]);
+        self.definition().holds(&[x, y, w])
+    }
+
+    /// The definition in integers.
+    fn definition(&self) -> Definition {
+        let reading = |BoxReading { x, width, lower, upper }: &BoxReading| {
+            let zero = Q::zero();
+            let bounds = [lower, upper].map(|bound| bound.as_ref().unwrap_or(&zero));
+            let ([x, width, low, high], unit) = whole([x, width, bounds[0], bounds[1]]);
+            let bounds = [lower.is_some().then_some(low), upper.is_some().then_some(high)];
+            let width = if self.is_strong { -width } else { width };
+            WholeReading { x, width, bounds, unit }
         };
-        let holds = |[a1, a2, b]: &[Q; 3]| &(a1 * theta1 + a2 * theta2) <= b;
-        self.readings.iter().all(meets) && self.conditions.iter().all(holds)
+        Definition {
+            readings: self.readings.iter().map(reading).collect(),
+            conditions: self.conditions.iter().map(|condition| whole(condition.each_ref()).0).collect(),
+        }
     }
 
     /// The boundaries that matter to lines whose slope has this sign; with 0 to any.
@@ -100,26 +148,43 @@ impl Boxes {
 
     /// Every corner of the set of lines whose slope has this sign or is 0; with 0 of the set of all lines, where that is convex.
     pub fn corners(&self, sign: i64) -> BTreeSet<Theta> {
-        let boundaries = self.boundaries(sign);
         let mut corners = BTreeSet::new();
+        self.each_corner(sign, |[x, y, w]| {
+            corners.insert([Q::new(x, w.clone()), Q::new(y, w)]);
+            true
+        });
+        corners
+    }
+
+    /// Visits the corners, some more than once, until a visit says that it is enough.
+    fn each_corner(&self, sign: i64, mut goes_on: impl FnMut(Point) -> bool) {
+        let definition = self.definition();
+        let boundaries = self.boundaries(sign);
+        let boundaries: Vec<[BigInt; 3]> =
+            boundaries.iter().map(|boundary| whole(boundary.each_ref()).0).collect();
         for (index, [a, b, c]) in boundaries.iter().enumerate() {
             for [d, e, f] in &boundaries[index + 1..] {
-                let determinant = a * e - b * d;
-                if determinant.is_zero() {
-                    continue;
-                }
-                let theta = [(c * e - b * f) / &determinant, (a * f - c * d) / &determinant];
-                if is_on_side(sign, &theta[0]) && !corners.contains(&theta) && self.contain(&theta) {
-                    corners.insert(theta);
+                let meet = [c * e - b * f, a * f - c * d, a * e - b * d];
+                let meet = if meet[2].is_negative() { meet.map(|own| -own) } else { meet };
+                let is_corner =
+                    meet[2].is_positive() && is_on_side(sign, &meet[0]) && definition.holds(&meet);
+                if is_corner && !goes_on(meet) {
+                    return;
                 }
             }
         }
-        corners
     }
 
     /// Returns whether some line agrees. Each side has a corner if it has a point, since no boundary that matters to a reading is vertical.
     pub fn have_a_line(&self) -> bool {
-        [1, -1].iter().any(|sign| !self.corners(*sign).is_empty())
+        [1, -1].iter().any(|sign| {
+            let mut is_empty = true;
+            self.each_corner(*sign, |_| {
+                is_empty = false;
+                false
+            });
+            !is_empty
+        })
     }
 
     /// Returns whether the lines of one side, of which there must be one, go on for ever so that this form of θ grows.
@@ -153,7 +218,7 @@ impl Boxes {
     }
 }
 
-fn is_on_side(sign: i64, slope: &Q) -> bool {
+fn is_on_side(sign: i64, slope: &impl Signed) -> bool {
     match sign {
         0 => true,
         1 => !slope.is_negative(),
