@@ -16,7 +16,7 @@ fn generated_tables() {
     for number in 0..6000 {
         let Case { bytes, columns, options } = case(&mut rng);
         let expected = by_reference(&bytes, &columns, &options);
-        for (pool, threads) in POOLS.iter().zip([1, 2, 8]) {
+        for (pool, threads) in POOLS.iter().zip([1, 2, 4]) {
             for chunk_bytes in CHUNKS {
                 let options = ScanOptions { chunk_bytes, ..options.clone() };
                 let actual = pool.install(|| by_scan(&bytes, &columns, &options));

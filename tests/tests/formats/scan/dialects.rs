@@ -201,7 +201,7 @@ fn a_table_has_the_same_rows_in_every_dialect() {
         let plain = Plain::new(&mut rng);
         let expected = by_scan(plain.text().as_bytes(), &columns, &options(AskedDialect::default())).unwrap();
         let Written { bytes, asked } = written(&plain, &mut rng);
-        for (pool, threads) in POOLS.iter().zip([1, 2, 8]) {
+        for (pool, threads) in POOLS.iter().zip([1, 2, 4]) {
             for chunk_bytes in CHUNKS {
                 let options = ScanOptions { chunk_bytes, ..options(asked) };
                 let found = pool.install(|| by_scan(&bytes, &columns, &options));

@@ -2,7 +2,7 @@
 //! match the data.
 
 use std::fs;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock, OnceLock};
 
 use boundfit_tests::program::root;
 use resvg::tiny_skia::Pixmap;
@@ -12,18 +12,41 @@ use super::{picture, svg};
 
 const FIGURES: [&str; 6] = ["data", "eui", "pui", "fps", "corridor", "directions"];
 
-/// The fits of `fixtures/tables/fits.txt`, each with its exit status.
-fn fits() -> Vec<(i32, String)> {
+/// A fit of `fixtures/tables/fits.txt`.
+struct Fit {
+    status: i32,
+    line: String,
+    plain: OnceLock<Vec<String>>,
+}
+
+static FITS: LazyLock<Vec<Fit>> = LazyLock::new(|| {
     let text = fs::read_to_string(root().join("fixtures/tables/fits.txt")).unwrap();
     let lines = text.lines().filter(|line| !line.starts_with('#'));
-    let fits: Vec<(i32, String)> = lines
+    let fits: Vec<Fit> = lines
         .map(|line| {
             let (status, rest) = line.split_once(' ').unwrap();
-            (status.parse().unwrap(), format!("fixtures/{rest}"))
+            let line = format!("fixtures/{rest}");
+            Fit { status: status.parse().unwrap(), line, plain: OnceLock::new() }
         })
         .collect();
     assert!(fits.len() >= 40, "{}", fits.len());
     fits
+});
+
+impl Fit {
+    /// All of [`FIGURES`], from one run of the program: starting it takes as long as drawing a figure.
+    fn drawn(&self, look: &str) -> Vec<String> {
+        let folder = tempfile::tempdir().unwrap();
+        let line = format!("{} --figure all --real-text{look} -o {}", self.line, folder.path().display());
+        assert_eq!(picture(&line, self.status), b"");
+        FIGURES.map(|figure| fs::read_to_string(folder.path().join(format!("{figure}.svg"))).unwrap()).into()
+    }
+
+    /// A figure that is drawn once for all tests.
+    fn plain(&self, figure: &str) -> &str {
+        let figures = self.plain.get_or_init(|| self.drawn(""));
+        &figures[FIGURES.iter().position(|own| *own == figure).unwrap()]
+    }
 }
 
 /// A label, and left, top, right and bottom of its letters.
@@ -31,10 +54,12 @@ type Label = (String, [f32; 4]);
 
 /// All labels of a figure whose texts are texts, and the size of the picture.
 fn labels(svg: &str) -> (Vec<Label>, [f32; 2]) {
-    let mut fonts = Database::new();
-    fonts.load_font_data(fs::read(root().join("crates/figures/fonts/Inter-Regular-subset.otf")).unwrap());
-    let options = Options { fontdb: Arc::new(fonts), ..Options::default() };
-    let tree = Tree::from_str(svg, &options).unwrap();
+    static OPTIONS: LazyLock<Options> = LazyLock::new(|| {
+        let mut fonts = Database::new();
+        fonts.load_font_data(fs::read(root().join("crates/figures/fonts/Inter-Regular-subset.otf")).unwrap());
+        Options { fontdb: Arc::new(fonts), ..Options::default() }
+    });
+    let tree = Tree::from_str(svg, &OPTIONS).unwrap();
     let mut found = Vec::new();
     collect(tree.root(), &mut found);
     (found, [tree.size().width(), tree.size().height()])
@@ -74,15 +99,15 @@ pub fn assert_labels_have_room(svg: &str, line: &str) {
 
 #[test]
 fn no_two_labels_overlap_and_none_leaves_the_picture() {
-    for (status, fit) in fits() {
-        for figure in FIGURES {
-            for look in ["", " --flip", " --size 85mm --font-size 8pt", " --size 85mm --font-size 8pt --flip"]
-            {
-                if look.ends_with("--flip") && matches!(figure, "fps" | "directions") {
+    for fit in &*FITS {
+        for look in ["", " --flip", " --size 85mm --font-size 8pt", " --size 85mm --font-size 8pt --flip"] {
+            let drawn = if look.is_empty() { Vec::new() } else { fit.drawn(look) };
+            for (index, figure) in FIGURES.iter().enumerate() {
+                let svg = drawn.get(index).map_or_else(|| fit.plain(figure), String::as_str);
+                if look.ends_with("--flip") && matches!(*figure, "fps" | "directions") {
                     continue;
                 }
-                let line = format!("{fit} --figure {figure} --real-text{look}");
-                assert_labels_have_room(&svg(&line, status), &line);
+                assert_labels_have_room(svg, &format!("{} --figure {figure} --real-text{look}", fit.line));
             }
         }
     }
@@ -122,10 +147,10 @@ fn ticks(labels: &[Label]) -> [Vec<(f64, f64)>; 2] {
 
 #[test]
 fn ticks_stand_where_their_numbers_are() {
-    for (status, fit) in fits() {
+    for fit in &*FITS {
         for figure in ["data", "fps"] {
-            let line = format!("{fit} --figure {figure} --real-text");
-            let (labels, _) = labels(&svg(&line, status));
+            let line = format!("{} --figure {figure}", fit.line);
+            let (labels, _) = labels(fit.plain(figure));
             for (axis, ticks) in ticks(&labels).iter().enumerate() {
                 let mut ticks = ticks.clone();
                 ticks.sort_by(|one, other| one.0.total_cmp(&other.0));
@@ -178,14 +203,14 @@ fn first_panel(svg: &str, across: bool) -> Vec<(f64, f64)> {
 #[test]
 fn vertices_stand_at_their_numbers() {
     let mut checked = 0;
-    for (status, fit) in fits() {
-        let text = svg(&format!("{fit} --figure fps --real-text"), status);
+    for drawn in &*FITS {
+        let (fit, text) = (&drawn.line, drawn.plain("fps"));
         // A factor taken out of tick labels is written beside the axis.
         if !text.contains("Feasible parameter set: polygon") || text.contains("×10") || text.contains("\n+")
         {
             continue;
         }
-        let [across, up] = [true, false].map(|across| scale(&first_panel(&text, across)));
+        let [across, up] = [true, false].map(|across| scale(&first_panel(text, across)));
         let (Some((across, _)), Some((up, _))) = (across, up) else { continue };
         let plain: Vec<&str> = fit.split_whitespace().collect();
         let plain: Vec<&str> = plain
@@ -234,9 +259,9 @@ fn vertices_stand_at_their_numbers() {
 
 #[test]
 fn rows_of_two_regressors_are_counted_from_one() {
-    for (status, fit) in fits().into_iter().filter(|(_, fit)| fit.contains("--x ") && fit.contains(",")) {
-        let line = format!("{fit} --figure corridor --real-text");
-        let (labels, _) = labels(&svg(&line, status));
+    for fit in FITS.iter().filter(|fit| fit.line.contains("--x ") && fit.line.contains(",")) {
+        let line = &fit.line;
+        let (labels, _) = labels(fit.plain("corridor"));
         if !labels.iter().any(|(text, _)| text.contains("data row")) {
             continue;
         }
