@@ -60,8 +60,8 @@ impl Rational {
         ceil(self.nearest_f64())
     }
 
-    /// The least binary64 that is not below this error bound and the distance of its estimate from [`Rational::to_f64`] together: around
-    /// that double it covers what the error bound covers around the estimate. Exact.
+    /// The least binary64 that is not below this error bound plus the distance of its estimate from [`Rational::to_f64`]. Around that
+    /// double it covers what the error bound covers around the estimate. Exact.
     pub fn ceil_to_f64_beside(&self, estimate: &Self) -> f64 {
         let (double, side) = estimate.nearest_f64();
         if side.is_eq() || double.is_infinite() {
@@ -397,7 +397,7 @@ mod tests {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             state >> 1
         };
-        // Of all lengths, also those at which another algorithm takes over, and doubles and ties among them.
+        // Lengths are those at which another algorithm takes over, too, and doubles and ties are among the numbers.
         let mut number = || {
             let bits = |word: u64| Integer::from(word | 1) * Integer::power_of_two(word % 3 * (word % 40));
             let (above, below) = (bits(word()), bits(word()));

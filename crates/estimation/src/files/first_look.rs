@@ -50,7 +50,7 @@ pub(super) struct FirstLook<'a> {
 /// The readings and sums that the first look keeps of all readings. There are no sums of so few that all become numbers.
 pub(super) struct Collected {
     pub(super) batches: Vec<Batch>,
-    /// How many of the batches, which are the first, have not been summed up.
+    /// The number of batches, the first ones, that have not been summed up.
     waiting: usize,
     pub(super) rows: usize,
     /// The first row without bounds.
@@ -71,7 +71,7 @@ struct Digest {
     kept_rows: Option<KeptRows>,
 }
 
-/// What is kept of a batch in place of its readings.
+/// Sums and columns that are kept of a batch in place of its readings.
 struct Summed {
     part: Part,
     kept: Option<KeptPart>,

@@ -34,7 +34,7 @@ static FITS: LazyLock<Vec<Fit>> = LazyLock::new(|| {
 });
 
 impl Fit {
-    /// All of [`FIGURES`], from one run of the program: starting it takes as long as drawing a figure.
+    /// All of [`FIGURES`], from one run of the program: starting it takes about half as long as a figure does.
     fn drawn(&self, look: &str) -> Vec<String> {
         let folder = tempfile::tempdir().unwrap();
         let line = format!("{} --figure all --real-text{look} -o {}", self.line, folder.path().display());
