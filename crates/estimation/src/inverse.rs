@@ -141,8 +141,8 @@ fn ranges_of_corners(corners: &[[Integer; 2]], theta1: &Interval) -> Option<Rang
 fn sign_on_axis([x, y]: &[Integer; 2], [next_x, next_y]: &[Integer; 2]) -> Option<Sign> {
     match (x.sign(), next_x.sign()) {
         (Sign::Zero, _) => Some(y.sign()),
-        (Sign::Negative, Sign::Positive) => Some((next_x * y).cmp(&(x * next_y)).into()),
-        (Sign::Positive, Sign::Negative) => Some((x * next_y).cmp(&(next_x * y)).into()),
+        (Sign::Negative, Sign::Positive) => Some(Integer::compare([(next_x, y)], [(x, next_y)]).into()),
+        (Sign::Positive, Sign::Negative) => Some(Integer::compare([(x, next_y)], [(next_x, y)]).into()),
         _ => None,
     }
 }

@@ -42,7 +42,7 @@ impl Rational {
     }
 
     /// The binary64 of [`Rational::to_f64`] and how it compares with this number. Exact. Cost: one division of machine words for
-    /// numbers of up to 62 bits, and for most others.
+    /// numbers of up to 63 bits, and for most others.
     pub fn nearest_f64(&self) -> (f64, Ordering) {
         let (numerator, denominator) = self.terms();
         nearest(numerator, denominator)
@@ -105,9 +105,9 @@ fn floor((nearest, side): (f64, Ordering)) -> f64 {
     if side.is_gt() { nearest.next_down() } else { nearest }
 }
 
-/// The least double that is not below the number to which this one is the nearest.
+/// The least double that is not below the number to which this one is the nearest; never -0.0.
 fn ceil((nearest, side): (f64, Ordering)) -> f64 {
-    if side.is_lt() { nearest.next_up() } else { nearest }
+    if side.is_lt() { nearest.next_up() } else { nearest + 0.0 }
 }
 
 /// The binary64 nearest to `mantissa · 10^exponent`, when that takes one division or multiplication of numbers that
@@ -154,8 +154,8 @@ fn nearest_of_words(numerator: &Integer, denominator: &Integer) -> Option<(f64, 
     let shift = 55 + numerator.leading_zeros() as i32 - denominator.leading_zeros() as i32;
     let (above, below) = (u128::from(numerator), u128::from(denominator));
     let (above, below) = if shift < 0 { (above, below << -shift) } else { (above << shift, below) };
-    let (quotient, is_exact) = (above / below, above % below == 0);
-    let quotient = quotient as u64;
+    let quotient = above / below;
+    let (quotient, is_exact) = (quotient as u64, quotient * below == above);
     let significand = (quotient | u64::from(!is_exact)) as f64;
     let side = match (significand as u64).cmp(&quotient) {
         Ordering::Equal if !is_exact => Ordering::Less,
@@ -251,12 +251,19 @@ mod tests {
         Reading::Decimal.read(text, &Limits::default()).unwrap()
     }
 
+    /// A small generator is enough here: digits, sign and exponent from one multiplicative sequence.
+    fn states(mut state: u64) -> impl FnMut() -> u64 {
+        move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state
+        }
+    }
+
     #[test]
     fn agrees_with_the_standard_library_on_decimal_text() {
-        // A small generator is enough here: digits, sign and exponent from one multiplicative sequence.
-        let mut state: u64 = 0x9e37_79b9_7f4a_7c15;
+        let mut states = states(0x9e37_79b9_7f4a_7c15);
         for _ in 0..20_000 {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let state = states();
             let digits = state >> (state % 60);
             let exponent = (state >> 40) as i64 % 700 - 350;
             let text = format!("{}{digits}e{exponent}", if state & 1 == 0 { "-" } else { "" });
@@ -266,11 +273,8 @@ mod tests {
 
     #[test]
     fn long_numbers_are_rounded_as_their_text_is() {
-        let mut state: u64 = 0x1234_5678_9abc_def1;
-        let mut word = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            state >> 33
-        };
+        let mut states = states(0x1234_5678_9abc_def1);
+        let mut word = || states() >> 33;
         for _ in 0..20_000 {
             let digits: String = (0..1 + word() % 60).map(|_| (b'1' + (word() % 9) as u8) as char).collect();
             let text = format!("{digits}e{}", word() as i64 % 700 - 380);
@@ -294,9 +298,9 @@ mod tests {
 
     #[test]
     fn plain_doubles_are_the_nearest() {
-        let mut state: u64 = 0x2545_f491_4f6c_dd1d;
+        let mut states = states(0x2545_f491_4f6c_dd1d);
         for _ in 0..20_000 {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let state = states();
             let digits = (state >> 1) >> (state % 60);
             let exponent = (state >> 40) as i64 % [50, 700][(state >> 33) as usize % 2] - 25;
             let text = format!("{digits}e{exponent}");
@@ -392,11 +396,8 @@ mod tests {
 
     #[test]
     fn the_side_of_the_nearest_double_is_that_of_the_exact_one() {
-        let mut state: u64 = 0x1234_5678_9abc_def1;
-        let mut word = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            state >> 1
-        };
+        let mut states = states(0x1234_5678_9abc_def1);
+        let mut word = || states() >> 1;
         // Lengths are those at which another algorithm takes over, too, and doubles and ties are among the numbers.
         let mut number = || {
             let bits = |word: u64| Integer::from(word | 1) * Integer::power_of_two(word % 3 * (word % 40));

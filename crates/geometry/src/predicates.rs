@@ -44,7 +44,7 @@ pub fn side(half_plane: &HalfPlane, point: &Point) -> Side {
 /// The sign of `a·d`: whether moving in a direction leads towards the boundary and beyond (positive), along it
 /// (zero) or away from it (negative).
 pub fn approach(half_plane: &HalfPlane, direction: &Direction) -> Sign {
-    (half_plane.a1() * direction.dx() + half_plane.a2() * direction.dy()).sign()
+    Integer::compare([(half_plane.a1(), direction.dx()), (half_plane.a2(), direction.dy())], []).into()
 }
 
 /// Returns the turn from `u` to `v`.

@@ -4,8 +4,6 @@ use boundfit_estimation::{Central, Fit, InverseParameter, Problem};
 use boundfit_exact::{Endpoint, Interval, Rational};
 use csv::Writer;
 
-use crate::number::{down, up};
-
 const COLUMNS: [&str; 8] =
     ["quantity", "parameter", "lower", "upper", "value", "lower_exact", "upper_exact", "value_exact"];
 
@@ -41,7 +39,7 @@ pub fn fit_csv(problem: &Problem, fit: &Fit) -> String {
         table.inverse("offset", &inverse.offset);
     }
     if let Some(minimax) = &fit.minimax {
-        table.value("least_error_bound", "", up(&minimax.least), &minimax.least);
+        table.value("least_error_bound", "", minimax.least.ceil_to_f64(), &minimax.least);
     }
     table.into_text()
 }
@@ -104,8 +102,8 @@ impl Table {
             end.value()
                 .map_or((none.to_owned(), String::new()), |value| (shown(double(value)), value.to_string()))
         };
-        let (lower, lower_exact) = end(interval.lower(), &down, "-inf");
-        let (upper, upper_exact) = end(interval.upper(), &up, "inf");
+        let (lower, lower_exact) = end(interval.lower(), &Rational::floor_to_f64, "-inf");
+        let (upper, upper_exact) = end(interval.upper(), &Rational::ceil_to_f64, "inf");
         let names = [quantity, parameter].map(str::to_owned);
         let [quantity, parameter] = names;
         self.row([quantity, parameter, lower, upper, String::new(), lower_exact, upper_exact, String::new()]);

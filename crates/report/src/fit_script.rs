@@ -6,7 +6,6 @@ use boundfit_exact::{Endpoint, Interval, Rational};
 use crate::answer::parts::ProgramJson;
 use crate::fit_json::uniform_minimum;
 use crate::generators::ActiveNames;
-use crate::number::{down, up};
 use crate::script::{assignment, literal, quoted, region_script};
 use crate::style::{LONGEST_FRACTION, USUAL_DIGITS};
 
@@ -44,9 +43,9 @@ pub fn fit_script(problem: &Problem, fit: &Fit, names: &ActiveNames<'_>) -> Stri
     text.push_str(&estimate("minimax", fit.minimax.as_ref().map(|own| &own.theta)));
     let least = fit.minimax.as_ref().map(|own| &own.least);
     let uniform = uniform_minimum(problem, fit);
-    text.push_str(&scalar("eps_min", uniform.map(|value| (up(value), value.to_string()))));
+    text.push_str(&scalar("eps_min", uniform.map(|value| (value.ceil_to_f64(), value.to_string()))));
     let factor = least.filter(|_| uniform.is_none());
-    text.push_str(&scalar("eps_factor", factor.map(|value| (up(value), value.to_string()))));
+    text.push_str(&scalar("eps_factor", factor.map(|value| (value.ceil_to_f64(), value.to_string()))));
     let inverse = fit.inverse(problem.measurements.model());
     for (name, own) in
         [("gain", inverse.as_ref().map(|own| &own.gain)), ("offset", inverse.as_ref().map(|own| &own.offset))]
@@ -111,7 +110,10 @@ fn intervals(name: &str, intervals: &[Interval]) -> String {
         Endpoint::Unbounded => (none, word.to_owned()),
     };
     let row = |own: &Interval| {
-        vec![end(own.lower(), down, f64::NEG_INFINITY, "-Inf"), end(own.upper(), up, f64::INFINITY, "Inf")]
+        vec![
+            end(own.lower(), Rational::floor_to_f64, f64::NEG_INFINITY, "-Inf"),
+            end(own.upper(), Rational::ceil_to_f64, f64::INFINITY, "Inf"),
+        ]
     };
     both(name, 2, intervals.iter().map(row).collect())
 }

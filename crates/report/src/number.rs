@@ -96,17 +96,6 @@ impl Number {
     }
 }
 
-/// The largest double that is not greater.
-pub(crate) fn down(value: &Rational) -> f64 {
-    // Not -0.0 for 0.
-    value.floor_to_f64() + 0.0
-}
-
-/// The least double that is not smaller.
-pub(crate) fn up(value: &Rational) -> f64 {
-    value.ceil_to_f64() + 0.0
-}
-
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut fields = serializer.serialize_struct("Number", 4)?;
@@ -147,7 +136,7 @@ mod tests {
 
     #[test]
     fn zero_has_no_sign() {
-        let doubles = [up(&Rational::zero()), down(&Rational::zero())];
+        let doubles = [Rational::zero().ceil_to_f64(), Rational::zero().floor_to_f64()];
         assert_eq!(doubles.map(f64::is_sign_negative), [false; 2]);
     }
 
@@ -157,13 +146,13 @@ mod tests {
         for value in
             [Rational::ratio(1, 3), Rational::ratio(-1, 3), Rational::ratio(1, 10), huge.clone(), -&huge]
         {
-            let (below, above) = (down(&value), up(&value));
+            let (below, above) = (value.floor_to_f64(), value.ceil_to_f64());
             assert!(Rational::from_f64(below).is_none_or(|double| double <= value), "{value}");
             assert!(Rational::from_f64(above).is_none_or(|double| double >= value), "{value}");
             assert!(above == below.next_up(), "{value}: {below} {above}");
         }
-        assert_eq!((down(&Rational::ratio(3, 4)), up(&Rational::ratio(3, 4))), (0.75, 0.75));
-        assert_eq!((down(&huge), up(&huge)), (f64::MAX, f64::INFINITY));
+        assert_eq!((Rational::ratio(3, 4).floor_to_f64(), Rational::ratio(3, 4).ceil_to_f64()), (0.75, 0.75));
+        assert_eq!((huge.floor_to_f64(), huge.ceil_to_f64()), (f64::MAX, f64::INFINITY));
     }
 
     #[test]

@@ -72,7 +72,7 @@ fn orientation(p: &Place<f64>, q: &Place<f64>, r: &Place<f64>) -> Sign {
         return doubled_area(&point(px, py), &point(qx, qy), &point(rx, ry)).cmp(&0).into();
     }
     let ([px, qx, rx], [py, qy, ry]) = (aligned(&x), aligned(&y));
-    ((qx - &px) * (ry - &py)).cmp(&((qy - &py) * (rx - &px))).into()
+    Integer::compare([(&(qx - &px), &(ry - &py))], [(&(qy - &py), &(rx - &px))]).into()
 }
 
 /// A finite binary64 as `significand · 2^exponent`, the significand odd or 0.

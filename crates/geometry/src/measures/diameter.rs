@@ -42,7 +42,7 @@ fn step(p: &Point, q: &Point) -> [Integer; 2] {
 
 /// Returns the side of one step on which another goes.
 fn turn(along: &[Integer; 2], step: &[Integer; 2]) -> Sign {
-    (&along[0] * &step[1]).cmp(&(&along[1] * &step[0])).into()
+    Integer::compare([(&along[0], &step[1])], [(&along[1], &step[0])]).into()
 }
 
 fn squared_distance(p: &Point, q: &Point) -> Fraction {

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::RangeInclusive;
 
-use boundfit_exact::{Endpoint, Fraction, Interval, LongSum, Rational};
+use boundfit_exact::{Endpoint, Fraction, Integer, Interval, LongSum, Rational};
 use boundfit_geometry::predicates::by_tightness;
 use boundfit_geometry::{LayerOf, Point};
 
@@ -230,7 +230,7 @@ impl Lines {
             // By the angle of the way: a vertical boundary goes up and comes last.
             let (f, g) = (&one.below, &other.below);
             let is_vertical = f.a2().is_zero().cmp(&g.a2().is_zero());
-            let steeper = || (g.a1() * f.a2()).cmp(&(f.a1() * g.a2()));
+            let steeper = || Integer::compare([(g.a1(), f.a2())], [(f.a1(), g.a2())]);
             // Among parallel boundaries it is the leftmost, which is the uppermost unless they are vertical.
             let leftmost = || {
                 let upper = by_tightness(f, g);

@@ -102,7 +102,7 @@ impl Chain {
         place: &Place,
     ) -> [usize; 2] {
         let compare = |position: usize| match self.corner(store, position) {
-            Some((x, w)) => (x * &place.denominator).cmp(&(&place.numerator * w)),
+            Some((x, w)) => Integer::compare([(&x, &place.denominator)], [(&place.numerator, &w)]),
             None => Ordering::Greater,
         };
         // Corners lie from left to right by angle below, and from right to left above.

@@ -5,7 +5,6 @@ use boundfit_questions::Best;
 
 use super::{NextReadingReport, is_short};
 use crate::fit_csv::shown;
-use crate::number::up;
 use crate::range::exact;
 use crate::style::Style;
 
@@ -17,8 +16,9 @@ use crate::style::Style;
 /// An empty set has the header only.
 pub fn next_reading_csv(report: &NextReadingReport<'_>) -> String {
     let mut text = "goal,now,worst,at,now_exact,worst_exact\n".to_owned();
-    let double =
-        |value: &Option<Rational>| value.as_ref().map_or_else(|| "inf".to_owned(), |value| shown(up(value)));
+    let double = |value: &Option<Rational>| {
+        value.as_ref().map_or_else(|| "inf".to_owned(), |value| shown(value.ceil_to_f64()))
+    };
     let style = Style::default();
     let own = |value: &Option<Rational>| {
         value.as_ref().filter(|value| is_short(value, &style)).map(exact).unwrap_or_default()

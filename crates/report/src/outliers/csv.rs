@@ -5,7 +5,6 @@ use boundfit_questions::Outliers;
 use csv::Writer;
 
 use crate::fit_csv::shown;
-use crate::number::{down, up};
 
 const COLUMNS: [&str; 8] =
     ["set", "rows", "kind", "vertices", "theta1_lower", "theta1_upper", "theta2_lower", "theta2_upper"];
@@ -48,7 +47,8 @@ pub fn outliers_csv(outliers: Option<&Outliers>) -> String {
 }
 
 fn ends(interval: &Interval) -> [String; 2] {
-    let lower = interval.lower().value().map_or_else(|| "-inf".to_owned(), |value| shown(down(value)));
-    let upper = interval.upper().value().map_or_else(|| "inf".to_owned(), |value| shown(up(value)));
+    let lower =
+        interval.lower().value().map_or_else(|| "-inf".to_owned(), |value| shown(value.floor_to_f64()));
+    let upper = interval.upper().value().map_or_else(|| "inf".to_owned(), |value| shown(value.ceil_to_f64()));
     [lower, upper]
 }

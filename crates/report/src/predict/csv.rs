@@ -8,7 +8,6 @@ use csv::Writer;
 
 use super::Prediction;
 use crate::fit_csv::shown;
-use crate::number::{down, up};
 
 /// Writes predictions as a table. Values asked for have a row each, with the interval of the line and the interval of
 /// a further reading. Readings have a row for each interval of x that they may come from, or one row without ends and
@@ -79,8 +78,8 @@ fn sources(prediction: &Prediction, table: &mut Table) -> io::Result<()> {
             let (lower, upper) = (&own.lower, &own.upper);
             table.write_record([
                 double.clone(),
-                double_of(lower, down, "-inf"),
-                double_of(upper, up, "inf"),
+                double_of(lower, Rational::floor_to_f64, "-inf"),
+                double_of(upper, Rational::ceil_to_f64, "inf"),
                 kind(lower).to_owned(),
                 kind(upper).to_owned(),
                 exact.clone(),
@@ -102,8 +101,8 @@ fn kind(end: &Option<PossibleEnd>) -> &'static str {
 }
 
 fn doubles_of(interval: &Interval) -> [String; 2] {
-    let lower = interval.lower().value().map_or_else(|| "-inf".to_owned(), |end| shown(down(end)));
-    let upper = interval.upper().value().map_or_else(|| "inf".to_owned(), |end| shown(up(end)));
+    let lower = interval.lower().value().map_or_else(|| "-inf".to_owned(), |end| shown(end.floor_to_f64()));
+    let upper = interval.upper().value().map_or_else(|| "inf".to_owned(), |end| shown(end.ceil_to_f64()));
     [lower, upper]
 }
 

@@ -5,7 +5,6 @@ use boundfit_exact::{Endpoint, Interval};
 use boundfit_questions::{Side, XErrorFit};
 
 use crate::fit_csv::Table;
-use crate::number::up;
 use crate::style::Style;
 use crate::wkt::region_wkt;
 
@@ -43,7 +42,7 @@ pub fn x_error_csv(answer: &XErrorFit, plain: &Fit) -> String {
     }
     if let Ok(least) = &answer.least {
         match least.exact() {
-            Some(value) => table.value("least_factor", "", up(value), value),
+            Some(value) => table.value("least_factor", "", value.ceil_to_f64(), value),
             None => {
                 let [lower, upper] = [&least.lower, &least.upper].map(|end| Endpoint::Finite(end.clone()));
                 if let Some(interval) = Interval::new(lower, upper) {
