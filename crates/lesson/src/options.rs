@@ -58,6 +58,9 @@ pub enum LessonError {
         /// The largest number of readings.
         limit: usize,
     },
+    /// A page that the engine alone fills, where there is none.
+    #[error("this build has no engine for pages (feature engine, which `cargo install` turns on)")]
+    NoEngine,
     /// A picture that cannot be drawn.
     #[cfg(feature = "figures")]
     #[error(transparent)]

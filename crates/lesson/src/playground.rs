@@ -12,8 +12,11 @@ use crate::texts::Language;
 /// the page fits it. Every run gives the same bytes.
 ///
 /// # Errors
-/// Where the page cannot be written.
+/// Where the page cannot be written, and in a build without the engine.
 pub fn playground(language: Language) -> Result<String, LessonError> {
+    if !cfg!(feature = "engine") {
+        return Err(LessonError::NoEngine);
+    }
     let model = Model::Line { x: "x".into() };
     let bound = ErrorBound::Uniform(Rational::one());
     let readings = Measurements::new(model, "y".into(), bound, Vec::new());
