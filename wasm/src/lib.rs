@@ -58,7 +58,7 @@ pub fn columns(table: Vec<u8>, options: &str) -> Result<String, Refused> {
     columns::columns(table, options).map_err(|refusal| Refused::of(&refusal))
 }
 
-/// What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/2`. Of linear programs it has what the
+/// What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/3`. Of linear programs it has what the
 /// exact simplex answers.
 ///
 /// `table` and `options` are as in [`run`](fn@run).

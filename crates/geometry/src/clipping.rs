@@ -76,14 +76,6 @@ pub fn steps(system: &System, order: &[usize]) -> Vec<Step> {
             let redundant = clipper.redundancy(index, &before);
             clipper.clip(index);
             let after = clipper.region();
-            let missing_in = |region: &Region, other: &Region| -> Vec<Point> {
-                let others = other.vertices();
-                let missing = region
-                    .vertices()
-                    .iter()
-                    .filter(|v| others.iter().all(|other| other.point() != v.point()));
-                missing.map(|v| v.point().clone()).collect()
-            };
             let step = Step {
                 index,
                 born: missing_in(&after, &before),
@@ -96,6 +88,20 @@ pub fn steps(system: &System, order: &[usize]) -> Vec<Step> {
             step
         })
         .collect()
+}
+
+/// The vertices of a region that are none of another one. Most are vertices of both, in the same order around them, so that
+/// each is looked for behind the one found last.
+fn missing_in(region: &Region, other: &Region) -> Vec<Point> {
+    let others = other.vertices();
+    let mut next = 0;
+    let is_missing = |vertex: &&Vertex| {
+        let mut behind = (next..others.len()).chain(0..next);
+        let found = behind.find(|&number| others[number].point() == vertex.point());
+        next = found.map_or(next, |number| number + 1);
+        found.is_none()
+    };
+    region.vertices().iter().filter(is_missing).map(|vertex| vertex.point().clone()).collect()
 }
 
 /// A corner of the polygon on the sphere.

@@ -1,5 +1,7 @@
 //! A system of linear inequalities: the input of both intersection algorithms.
 
+use std::ops::Range;
+
 use boundfit_exact::Work;
 
 use crate::half_plane::{Constraint, HalfPlane, Inequality};
@@ -25,6 +27,17 @@ impl System {
         self.constraints.push(inequality.constraint());
         self.inequalities.push(inequality);
         self.inequalities.len() - 1
+    }
+
+    /// The system without some that follow each other; those behind them move up.
+    ///
+    /// # Panics
+    /// When an index is out of range.
+    pub fn without(&self, indices: Range<usize>) -> Self {
+        let mut rest = self.clone();
+        rest.inequalities.drain(indices.clone());
+        rest.constraints.drain(indices);
+        rest
     }
 
     /// The work that intersecting takes as far as numbers are long; rows are counted from 1. Cost: linear.
@@ -95,5 +108,7 @@ mod tests {
             assert_eq!(system.push(inequality), index);
             assert_eq!((system.len(), system.is_empty()), (index + 1, false));
         }
+        let kept = [&system.inequalities()[..1], &system.inequalities()[3..]].concat();
+        assert_eq!(system.without(1..3), System::new(kept));
     }
 }

@@ -16,7 +16,7 @@ export function __wbg_reset_state(): void;
 export function columns(table: Uint8Array | number[], options: string): string;
 
 /**
- * What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/2`. Of linear programs it has what the
+ * What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/3`. Of linear programs it has what the
  * exact simplex answers.
  *
  * `table` and `options` are as in [`run`](fn@run).

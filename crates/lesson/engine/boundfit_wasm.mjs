@@ -58,7 +58,7 @@ export function columns(table, options) {
 }
 
 /**
- * What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/2`. Of linear programs it has what the
+ * What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/3`. Of linear programs it has what the
  * exact simplex answers.
  *
  * `table` and `options` are as in [`run`](fn@run).

@@ -3,7 +3,7 @@
 use boundfit_estimation::{Fit, Model, Problem};
 use boundfit_exact::english::unit_by;
 use boundfit_exact::{Foreign, Reading};
-use boundfit_report::{FitJson, Number, Origin, SweepJson};
+use boundfit_report::{FitJson, Number, Origin};
 use serde::Serialize;
 
 use crate::asked::{AskedJson, asked};
@@ -18,10 +18,10 @@ use crate::outliers::{OutliersJson, outliers};
 use crate::points::Points;
 use crate::questions::{Facts, Question, questions};
 use crate::readings::{self, ConditionJson, EpsilonJson, ModelJson, ReadingJson};
-use crate::sweep::sweep;
+use crate::sweep::{SweepJson, sweep};
 use crate::texts::{Message, Value, say, text};
 
-/// The document of schema `boundfit/lesson/2`. Texts from outside are in it as they are shown.
+/// The document of schema `boundfit/lesson/3`. Texts from outside are in it as they are shown.
 #[derive(Debug, Serialize)]
 pub(crate) struct LessonJson {
     schema: &'static str,
@@ -102,7 +102,7 @@ pub(crate) fn build(
         asked(problem, reading, options, file.raw(), &readings::shown_others(measurements));
     let facts = Facts { problem, fit, styles, programs: &programs, without: &without };
     Ok(LessonJson {
-        schema: "boundfit/lesson/2",
+        schema: "boundfit/lesson/3",
         title: options.title.as_ref().map_or_else(
             || say(&default_title(file, problem), options.language),
             |title| title.raw().to_owned(),

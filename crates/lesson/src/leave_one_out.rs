@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use boundfit_estimation::{Fit, Fps, Measurements, Problem, bounds_of_reading};
+use boundfit_estimation::{Fit, Problem, bounds_of_reading};
 use boundfit_exact::{Endpoint, Interval, Rational};
-use boundfit_geometry::Region;
+use boundfit_geometry::{Polyhedron, Region};
 use boundfit_lp::End;
 use boundfit_report::{Number, RangeJson, Style};
 use serde::Serialize;
@@ -51,7 +51,7 @@ pub(crate) fn leave_one_out(problem: &Problem, fit: &Fit) -> Vec<Without> {
     let without_one = |position: usize| {
         let bounds = bounds_of_reading(rows, position);
         if needed.iter().any(|index| bounds.contains(index)) {
-            return without(problem, fit, position, bounds);
+            return without(fit, rows[position].row, bounds);
         }
         // The irredundant half-planes are all there, and leave the same.
         Without {
@@ -66,20 +66,16 @@ pub(crate) fn leave_one_out(problem: &Problem, fit: &Fit) -> Vec<Without> {
     (0..rows.len()).map(without_one).collect()
 }
 
-fn without(problem: &Problem, fit: &Fit, position: usize, bounds: Range<usize>) -> Without {
-    let all = &problem.measurements;
-    let mut rows = all.kept().to_vec();
-    let row = rows.remove(position).row;
-    let rest =
-        Measurements::new(all.model().clone(), all.response().to_owned(), all.error_bound().clone(), rows);
-    let fps = Fps::of_every_half_plane(&rest, &problem.conditions);
-    let pui = fps.polyhedron().bounding_box();
+fn without(fit: &Fit, row: usize, bounds: Range<usize>) -> Without {
+    let whole = fit.fps.polyhedron();
+    let rest = Polyhedron::intersect(whole.system().without(bounds.clone()));
+    let pui = rest.bounding_box();
     let moved = match (fit.pui_intervals(), &pui) {
         (Some(before), Some(after)) => moved(&before, after),
         _ => Vec::new(),
     };
-    let region = fps.polyhedron().region();
-    let matters = !same_set(region, fit.fps.polyhedron().region());
+    let region = rest.region();
+    let matters = !same_set(region, whole.region());
     Without { row, matters, region: region.clone(), lacking: bounds, pui, moved }
 }
 

@@ -12,7 +12,7 @@
 //!
 //! [`polytope`] answers about half-planes without readings, for the page's second view.
 //!
-//! The page's script may rely on the schema `boundfit/lesson/2`, whose types are in `page/js/lesson.d.ts`; its
+//! The page's script may rely on the schema `boundfit/lesson/3`, whose types are in `page/js/lesson.d.ts`; its
 //! sources are in the folder `page`.
 //!
 //! ```
@@ -114,7 +114,7 @@ pub fn check_work(problem: &Problem, limit: u64) -> Result<(), TooMuchWork> {
     work.of_leaving_out_each(readings).check(1, limit)
 }
 
-/// Everything that the page shows, schema `boundfit/lesson/2`. Numbers are exact, their decimals rounded: ends of
+/// Everything that the page shows, schema `boundfit/lesson/3`. Numbers are exact, their decimals rounded: ends of
 /// intervals outward, error bounds upward, all others to nearest.
 ///
 /// Cost for N readings: one fit without each of them, O(N² log N), and three runs of clipping. Every LP solver of

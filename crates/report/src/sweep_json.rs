@@ -2,7 +2,7 @@
 
 use boundfit_estimation::{
     ActiveBounds, BoundName, Breakpoint, Family, Linear, MovingArea, MovingVertex, Piece, Problem, Section,
-    Ties,
+    SectionVertex, Ties,
 };
 use boundfit_exact::Rational;
 use boundfit_geometry::{Direction, RegionKind};
@@ -28,9 +28,7 @@ impl SweepJson {
             pieces: pieces.map(|piece| piece_json(piece, style)).collect(),
         }
     }
-}
 
-impl SweepJson {
     /// Returns whether the fraction of an area is too long to be written.
     pub(crate) fn lacks_fraction(&self) -> bool {
         let areas = self.breakpoints.iter().filter_map(|breakpoint| breakpoint.area.as_ref());
@@ -40,68 +38,85 @@ impl SweepJson {
 }
 
 fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) -> BreakpointJson {
-    let Section { kind, vertices, rays, lines, boundaries, pui } = &breakpoint.section;
-    let measures = breakpoint.section.measures();
-    let area = measures.area().filter(|_| *kind != RegionKind::Empty);
-    let epsilon = problem.measurements.error_bound().uniform();
-    let epsilon = epsilon.map(|epsilon| style.upper_number(&(epsilon * &breakpoint.s)));
-    BreakpointJson {
-        s: style.upper_number(&breakpoint.s),
-        epsilon,
-        kind: kind.name(),
-        vertices: vertices
-            .iter()
-            .map(|vertex| VertexJson { theta: style.numbers(&vertex.theta), active: listed(&vertex.active) })
-            .collect(),
-        rays: directions(rays),
-        lines: directions(lines),
-        boundaries: boundaries
-            .iter()
-            .map(|boundary| BoundaryJson {
-                normal: direction(&boundary.normal),
-                offset: style.number(&boundary.offset),
-                active: listed(&boundary.active),
-            })
-            .collect(),
-        pui: pui.as_ref().map(|pui| pui.each_ref().map(|interval| RangeJson::new(interval, style))),
-        area: area.map(|area| style.measure_number(&area)),
-        entering: names(&breakpoint.entering),
-        leaving: names(&breakpoint.leaving),
-    }
+    let vertex = |vertex: &SectionVertex| VertexJson {
+        theta: style.numbers(&vertex.theta),
+        active: listed(&vertex.active),
+    };
+    BreakpointJson::new(problem, breakpoint, breakpoint.section.vertices.iter().map(vertex).collect(), style)
 }
 
 fn piece_json(piece: &Piece, style: &Style) -> PieceJson {
     let vertex = |vertex: &MovingVertex| VertexJson {
-        theta: vertex.theta.each_ref().map(linear),
+        theta: vertex.theta.each_ref().map(LinearJson::from),
         active: listed(&vertex.active),
     };
-    let range = |[lower, upper]: &[Option<Linear>; 2]| RangeJson {
-        lower: lower.as_ref().map(linear),
-        upper: upper.as_ref().map(linear),
-    };
-    PieceJson {
-        from: style.upper_number(&piece.from),
-        to: style.upper_number(&piece.to),
-        kind: piece.kind.name(),
-        vertices: piece.vertices.iter().map(vertex).collect(),
-        rays: directions(&piece.rays),
-        lines: directions(&piece.lines),
-        boundaries: piece
-            .boundaries
-            .iter()
-            .map(|boundary| BoundaryJson {
-                normal: direction(&boundary.normal),
-                offset: linear(&boundary.offset),
-                active: listed(&boundary.active),
-            })
-            .collect(),
-        pui: piece.pui.as_ref().map(|pui| pui.each_ref().map(range)),
-        area: piece.area().map(|area| quadratic(&area, style)),
+    PieceJson::new(piece, piece.vertices.iter().map(vertex).collect(), style)
+}
+
+impl<V> BreakpointJson<V> {
+    /// A breakpoint with its vertices in the form of the caller.
+    pub fn new(problem: &Problem, breakpoint: &Breakpoint, vertices: Vec<V>, style: &Style) -> Self {
+        let Section { kind, vertices: _, rays, lines, boundaries, pui } = &breakpoint.section;
+        let measures = breakpoint.section.measures();
+        let area = measures.area().filter(|_| *kind != RegionKind::Empty);
+        let epsilon = problem.measurements.error_bound().uniform();
+        let epsilon = epsilon.map(|epsilon| style.upper_number(&(epsilon * &breakpoint.s)));
+        BreakpointJson {
+            s: style.upper_number(&breakpoint.s),
+            epsilon,
+            kind: kind.name(),
+            vertices,
+            rays: directions(rays),
+            lines: directions(lines),
+            boundaries: boundaries
+                .iter()
+                .map(|boundary| BoundaryJson {
+                    normal: direction(&boundary.normal),
+                    offset: style.number(&boundary.offset),
+                    active: listed(&boundary.active),
+                })
+                .collect(),
+            pui: pui.as_ref().map(|pui| pui.each_ref().map(|interval| RangeJson::new(interval, style))),
+            area: area.map(|area| style.measure_number(&area)),
+            entering: names(&breakpoint.entering),
+            leaving: names(&breakpoint.leaving),
+        }
     }
 }
 
-fn linear(Linear { constant, slope }: &Linear) -> LinearJson {
-    LinearJson { constant: constant.to_string(), slope: slope.to_string() }
+impl<V> PieceJson<V> {
+    /// A piece with its vertices in the form of the caller.
+    pub fn new(piece: &Piece, vertices: Vec<V>, style: &Style) -> Self {
+        let range = |[lower, upper]: &[Option<Linear>; 2]| RangeJson {
+            lower: lower.as_ref().map(LinearJson::from),
+            upper: upper.as_ref().map(LinearJson::from),
+        };
+        PieceJson {
+            from: style.upper_number(&piece.from),
+            to: style.upper_number(&piece.to),
+            kind: piece.kind.name(),
+            vertices,
+            rays: directions(&piece.rays),
+            lines: directions(&piece.lines),
+            boundaries: piece
+                .boundaries
+                .iter()
+                .map(|boundary| BoundaryJson {
+                    normal: direction(&boundary.normal),
+                    offset: LinearJson::from(&boundary.offset),
+                    active: listed(&boundary.active),
+                })
+                .collect(),
+            pui: piece.pui.as_ref().map(|pui| pui.each_ref().map(range)),
+            area: piece.area().map(|area| quadratic(&area, style)),
+        }
+    }
+}
+
+impl From<&Linear> for LinearJson {
+    fn from(Linear { constant, slope }: &Linear) -> Self {
+        LinearJson { constant: constant.to_string(), slope: slope.to_string() }
+    }
 }
 
 fn quadratic(area: &MovingArea, style: &Style) -> QuadraticJson {

@@ -100,6 +100,24 @@ fn bounds_of_each_row_are_swept_by_a_common_factor() {
 }
 
 #[test]
+fn readings_with_one_bound_leave_the_same_set_at_every_factor() {
+    let fit = report(&format!(
+        "{} --sweep 1/2..2",
+        FIT_TRANSDUCER.replace("--y z --rows 14..36 --eps 0.5e-3", "--rows 14..36 --lower z")
+    ));
+    let sweep = &fit["sweep"];
+    assert_eq!(exact(&sweep["least"]), Rational::zero());
+    let (breakpoints, pieces) =
+        (sweep["breakpoints"].as_array().unwrap(), sweep["pieces"].as_array().unwrap());
+    assert_eq!((breakpoints.len(), pieces.len()), (2, 1));
+    assert_eq!(fit["fps"]["kind"], "unbounded-polygon");
+    for set in [&of_breakpoint(&breakpoints[0]), &of_breakpoint(&breakpoints[1])] {
+        assert_eq!(*set, of_fit(&fit));
+    }
+    assert_eq!(of_piece(&pieces[0], &Rational::one()), of_fit(&fit));
+}
+
+#[test]
 fn a_fit_without_a_sweep_has_none() {
     assert_eq!(report(FIT_TRANSDUCER).get("sweep"), None);
 }

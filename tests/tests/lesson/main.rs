@@ -13,3 +13,4 @@ mod page;
 mod polytope;
 mod questions;
 mod statements;
+mod sweep;

@@ -5,7 +5,7 @@ use std::ops::{Add, Sub};
 use boundfit_exact::Rational;
 
 /// `constant + slope·s`.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Linear {
     /// The value at s = 0.
     pub constant: Rational,

@@ -57,8 +57,13 @@ impl Family {
         let from = from.max(Rational::zero());
         let to = to.max(from.clone());
         let system = GrowingSystem::new(problem);
-        let minimax = Minimax::new(&problem.measurements, &problem.conditions);
-        let least = minimax.and_then(|minimax| minimax.least_factor(problem.measurements.error_bound()));
+        let least = if problem.measurements.has_widths() {
+            let minimax = Minimax::new(&problem.measurements, &problem.conditions);
+            minimax.and_then(|minimax| minimax.least_factor(problem.measurements.error_bound()))
+        } else {
+            // Nothing grows: all sets are the same one.
+            (!system.polyhedron(&from).region().is_empty()).then(Rational::zero)
+        };
         // Sets grow with s: empty below the least factor, never above it.
         let born = least
             .as_ref()

@@ -208,6 +208,14 @@ impl Integer {
         }
     }
 
+    /// The number of bits of [`Integer::power_of_ten`], without the power.
+    pub fn bits_of_power_of_ten(exponent: u32) -> u64 {
+        // log2(10) to 27 decimals: no multiple below 2^32 comes near enough to an integer for their error to matter.
+        const LOG: u128 = 3_321_928_094_887_362_347_870_319_429;
+        const UNIT: u128 = 10_u128.pow(27);
+        (u128::from(exponent) * LOG / UNIT) as u64 + 1
+    }
+
     /// 2 to the given power.
     pub fn power_of_two(exponent: u64) -> Self {
         Integer::from_big(BigInt::from(1) << exponent)
@@ -422,6 +430,18 @@ impl Integer {
         match value.to_i128() {
             Some(value) => Integer::of_word(value),
             None => Integer(Big(Box::new(value))),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bits_of_powers_of_ten_are_those_of_the_powers() {
+        for exponent in (0..2_000).chain([9_999, 40_000]) {
+            assert_eq!(Integer::bits_of_power_of_ten(exponent), Integer::power_of_ten(exponent).bits());
         }
     }
 }

@@ -7,33 +7,21 @@ use boundfit_exact::{Fraction, Integer, LongSum};
 
 use crate::point::Point;
 
-/// The sums of the shoelace formula: twice the area, six times the integrals of both coordinates.
+/// The sums of the shoelace formula: twice the area, and six times the integrals of both coordinates where they are asked for.
 #[derive(Debug)]
 pub(super) struct ExactMoments {
     doubled_area: LongSum,
-    sixfold_moments: [LongSum; 2],
+    sixfold_moments: [OnceCell<LongSum>; 2],
     total: OnceCell<Fraction>,
 }
 
 impl ExactMoments {
     /// Returns the moments of the corners of a polygon. Adds nothing yet.
     pub(super) fn new(corners: &[Cow<Point>]) -> Self {
-        let edges = || {
-            let points = corners.iter().map(Cow::as_ref);
-            let next = points.clone().cycle().skip(1);
-            points.zip(next).map(|(p, q)| doubled_triangle(p, q))
-        };
-        let moment = |axis: usize| {
-            let points = corners.iter().map(Cow::as_ref);
-            let next = points.clone().cycle().skip(1);
-            edges().zip(points.zip(next)).filter_map(move |((doubled, weight), (p, q))| {
-                let (sum, _) = corners_sum(p, q, axis);
-                Fraction::new(doubled * sum, &weight * &weight)
-            })
-        };
+        let edges = edges(corners).map(|(p, q)| doubled_triangle(p, q));
         ExactMoments {
-            doubled_area: edges().filter_map(|(doubled, weight)| Fraction::new(doubled, weight)).collect(),
-            sixfold_moments: [0, 1].map(|axis| moment(axis).collect()),
+            doubled_area: edges.filter_map(|(doubled, weight)| Fraction::new(doubled, weight)).collect(),
+            sixfold_moments: Default::default(),
             total: OnceCell::new(),
         }
     }
@@ -42,12 +30,22 @@ impl ExactMoments {
         self.total.get_or_init(|| self.doubled_area.total())
     }
 
+    fn sixfold_moment(&self, corners: &[Cow<Point>], axis: usize) -> &LongSum {
+        let term = |(p, q): (&Point, &Point)| {
+            let (doubled, weight) = doubled_triangle(p, q);
+            let (sum, _) = corners_sum(p, q, axis);
+            Fraction::new(doubled * sum, &weight * &weight)
+        };
+        self.sixfold_moments[axis].get_or_init(|| edges(corners).filter_map(term).collect())
+    }
+
     pub(super) fn area(&self) -> Fraction {
         halved(self.doubled_area())
     }
 
-    pub(super) fn centroid(&self, axis: usize) -> Fraction {
-        quotient(&self.sixfold_moments[axis].total(), self.doubled_area())
+    /// The centroid of the corners that these moments are of.
+    pub(super) fn centroid(&self, corners: &[Cow<Point>], axis: usize) -> Fraction {
+        quotient(&self.sixfold_moment(corners, axis).total(), self.doubled_area())
     }
 
     /// Computes [`ExactMoments::area`], where the common denominator has at most so many bits.
@@ -56,10 +54,16 @@ impl ExactMoments {
     }
 
     /// Computes [`ExactMoments::centroid`], where both common denominators have at most so many bits.
-    pub(super) fn centroid_within(&self, axis: usize, bits: u64) -> Option<Fraction> {
-        let moment = self.sixfold_moments[axis].total_within(bits)?;
+    pub(super) fn centroid_within(&self, corners: &[Cow<Point>], axis: usize, bits: u64) -> Option<Fraction> {
+        let moment = self.sixfold_moment(corners, axis).total_within(bits)?;
         Some(quotient(&moment, &self.doubled_area.total_within(bits)?))
     }
+}
+
+/// Each corner with the next one.
+fn edges<'a>(corners: &'a [Cow<Point>]) -> impl Iterator<Item = (&'a Point, &'a Point)> {
+    let points = corners.iter().map(Cow::as_ref);
+    points.clone().zip(points.cycle().skip(1))
 }
 
 /// Twice the area of the triangle of the origin and two points, as numerator and denominator.

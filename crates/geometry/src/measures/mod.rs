@@ -6,6 +6,7 @@ mod rough;
 
 use std::borrow::Cow;
 use std::cell::OnceCell;
+use std::cmp::Ordering;
 
 use boundfit_exact::{Fraction, Integer, LongSum, Rational, Rounding};
 
@@ -150,23 +151,29 @@ impl<'a> Measure<'a> {
             Kind::Short(value) => value.clone(),
             Kind::Sum(sum) => sum.total().into(),
             Kind::Area { of, unit } => divided(of.exact().area().into(), unit),
-            Kind::Centroid { of, axis } => Rational::from(of.exact().centroid(*axis)),
+            Kind::Centroid { of, axis } => Rational::from(of.exact().centroid(&of.corners, *axis)),
         }
     }
 
     /// The number itself where neither its fraction nor the common denominator of the sums that it is made of has more than
     /// so many decimal digits. Cost: common divisors of that length.
     pub fn exact_within(&self, digits: usize) -> Option<Rational> {
-        let longest = Integer::power_of_ten(u32::try_from(digits).ok()?);
-        let bits = longest.bits();
+        let digits = u32::try_from(digits).ok()?;
+        let bits = Integer::bits_of_power_of_ten(digits);
         let value = match &self.0 {
             Kind::Short(value) => value.clone(),
             Kind::Sum(sum) => sum.total_within(bits)?.into(),
             Kind::Area { of, unit } => divided(of.exact().area_within(bits)?.into(), unit),
-            Kind::Centroid { of, axis } => Rational::from(of.exact().centroid_within(*axis, bits)?),
+            Kind::Centroid { of, axis } => {
+                Rational::from(of.exact().centroid_within(&of.corners, *axis, bits)?)
+            }
         };
-        let is_short = value.numerator().abs() < longest && value.denominator() < longest;
-        is_short.then_some(value)
+        // The power itself is needed by the few numbers that have as many bits.
+        let is_short = |part: Integer| match part.bits().cmp(&bits) {
+            Ordering::Equal => part < Integer::power_of_ten(digits),
+            order => order.is_lt(),
+        };
+        (is_short(value.numerator().abs()) && is_short(value.denominator())).then_some(value)
     }
 
     /// Returns a short number that is rounded to at most so many significant digits like this one, in every
@@ -254,7 +261,7 @@ impl<'a> Measure<'a> {
             Kind::Short(value) => return value.clone(),
             Kind::Sum(sum) => (sum.total(), &Rational::one()),
             Kind::Area { of, unit } => (of.exact().area(), unit),
-            Kind::Centroid { of, axis } => (of.exact().centroid(*axis), &Rational::one()),
+            Kind::Centroid { of, axis } => (of.exact().centroid(&of.corners, *axis), &Rational::one()),
         };
         let near = self.enclosures(digits).last().map(|(_, upper)| upper.rounded(digits, Rounding::Down));
         let is = |short: &Rational| Fraction::from(&(short * unit)) == value;

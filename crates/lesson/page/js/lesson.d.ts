@@ -1,4 +1,4 @@
-// The document that the engine hands to the page, schema `boundfit/lesson/2`, made by `crates/lesson/src/data.rs`.
+// The document that the engine hands to the page, schema `boundfit/lesson/3`, made by `crates/lesson/src/data.rs`.
 // Half-planes a·θ ≤ b, readings and points of the parameter plane are referred to by their index in the lists
 // `half_planes`, `readings` and `points`. Half-planes come reading by reading, the upper bound before the lower one where there
 // are both; those of the conditions follow.
@@ -117,15 +117,23 @@ interface OrderData {
   steps: StepData[];
 }
 
-/** The set at a factor where half-planes enter or leave. */
-type BreakpointData = Shown<Omit<import("../../engine/answers.d.mts").Breakpoint, "area">> & { area: MeasureData | null };
+/** The set at a factor where half-planes enter or leave; vertices are indices of the sweep's own. */
+type BreakpointData = Shown<Omit<import("../../engine/answers.d.mts").Breakpoint, "area" | "vertices">> & {
+  area: MeasureData | null;
+  vertices: number[];
+};
 
-/** The set between two breakpoints. */
-type PieceData = Shown<Omit<import("../../engine/answers.d.mts").Piece, "area">> & { area: AreaPolynomialData | null };
+/** The set between two breakpoints; vertices are indices of the sweep's own. */
+type PieceData = Shown<Omit<import("../../engine/answers.d.mts").Piece, "area" | "vertices">> & {
+  area: AreaPolynomialData | null;
+  vertices: number[];
+};
 
 /** The sets under error bounds multiplied by s; `least` is the smallest s that leaves a feasible parameter. */
 interface SweepData {
   least: NumberData | null;
+  /** Both parameters of each vertex of these sets, as functions of s. */
+  vertices: PolynomialData[][];
   breakpoints: BreakpointData[];
   pieces: PieceData[];
 }
@@ -194,7 +202,7 @@ interface AskedData {
 }
 
 interface LessonData {
-  schema: "boundfit/lesson/2";
+  schema: "boundfit/lesson/3";
   title: string;
   /** Whether the title was made of the file and the columns. */
   is_default_title: boolean;

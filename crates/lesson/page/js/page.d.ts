@@ -63,7 +63,7 @@ interface Vertex {
 /** What the document says of a region, in any of its forms. */
 interface RegionSource {
   kind: Kind;
-  vertices: (number | { theta: (NumberData | PolynomialData)[]; active: BoundName[] })[];
+  vertices: (number | { theta: NumberData[]; active: BoundName[] })[];
   rays: (Exact | NumberData)[][];
   lines: (Exact | NumberData)[][];
   boundaries: (number | { active: BoundName[] })[];

@@ -23,8 +23,8 @@ pub struct SweepJson {
 
 /// A factor at which half-planes enter or leave the shape, and the set there.
 #[derive(Debug, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct BreakpointJson {
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Breakpoint"))]
+pub struct BreakpointJson<V = VertexJson<Number, ActiveJson>> {
     /// The factor, rounded up.
     pub s: Number,
     /// The error bound s·ε, rounded up; null where readings differ in their bounds.
@@ -33,7 +33,7 @@ pub struct BreakpointJson {
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::kinds())))]
     pub kind: &'static str,
     /// The vertices, counter-clockwise from the lexicographically smallest.
-    pub vertices: Vec<VertexJson<Number, ActiveJson>>,
+    pub vertices: Vec<V>,
     /// Directions in which the set goes on without end, as coprime integers.
     pub rays: Vec<[String; 2]>,
     /// Directions in which the set goes on without end both ways, as coprime integers.
@@ -52,8 +52,8 @@ pub struct BreakpointJson {
 
 /// The set between two breakpoints; every number is a function of s.
 #[derive(Debug, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct PieceJson {
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Piece"))]
+pub struct PieceJson<V = VertexJson<LinearJson, ActiveJson>> {
     /// The factor at which it begins, rounded up.
     pub from: Number,
     /// The factor at which it ends, rounded up.
@@ -62,7 +62,7 @@ pub struct PieceJson {
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::kinds())))]
     pub kind: &'static str,
     /// The vertices, counter-clockwise.
-    pub vertices: Vec<VertexJson<LinearJson, ActiveJson>>,
+    pub vertices: Vec<V>,
     /// Directions in which the set goes on without end, as coprime integers.
     pub rays: Vec<[String; 2]>,
     /// Directions in which the set goes on without end both ways, as coprime integers.

@@ -156,6 +156,6 @@ fn row(best: &Best, style: &Style) -> Vec<Text> {
 /// Returns whether a fraction has no more digits than reports write.
 fn is_short(value: &Rational, style: &Style) -> bool {
     let longest = u32::try_from(style.longest_fraction).unwrap_or(u32::MAX);
-    let longest = Integer::power_of_ten(longest).bits();
+    let longest = Integer::bits_of_power_of_ten(longest);
     value.numerator().bits() < longest && value.denominator().bits() < longest
 }

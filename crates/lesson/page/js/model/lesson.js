@@ -115,10 +115,7 @@ function referenceLine(lesson) {
 function regionOf(lesson, source, { s = ONE, without = [], among = null } = {}) {
   const vertices = source.vertices.map((vertex) => {
     if (typeof vertex === "number") return { theta: lesson.points[vertex], active: null };
-    const theta = vertex.theta.map((value) =>
-      "slope" in value ? evaluate(value, s) : exactOf(value),
-    );
-    return { theta, active: vertex.active };
+    return { theta: vertex.theta.map(exactOf), active: vertex.active };
   });
   // A side of a region without vertices comes as an index or with the names active along it.
   /** @param {number | { active: BoundName[] }} boundary */
@@ -197,12 +194,27 @@ export function partOf(lesson, stop) {
 }
 
 /**
+ * The vertices of a part of the sweep at a factor.
+ * @param {Lesson} lesson
+ * @param {{ vertices: number[] }} part
+ * @param {Rational} s
+ * @returns {Pair[]}
+ */
+export function verticesAt(lesson, part, s) {
+  const paths = sweepOf(lesson).vertices;
+  return part.vertices.map((index) => paths[index].map((path) => evaluate(path, s)));
+}
+
+/**
  * The region with every error bound multiplied by the s of a stop.
  * @param {Lesson} lesson
  * @param {Stop} stop
  */
 export function sweptRegion(lesson, stop) {
-  return regionOf(lesson, partOf(lesson, stop), { s: stop.s });
+  const { s } = stop;
+  const part = partOf(lesson, stop);
+  const vertices = verticesAt(lesson, part, s).map((theta) => ({ theta, active: null }));
+  return { ...regionOf(lesson, { ...part, vertices: [] }, { s }), vertices };
 }
 
 /**

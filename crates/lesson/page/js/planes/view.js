@@ -3,6 +3,7 @@
 // fractions, so that what remains is small and safe as a floating-point number. A view is the part of the frame that
 // is shown.
 
+import { verticesAt } from "../model/lesson.js";
 import { ONE, Rational, ZERO, coordinate, decimalPower, dot, extremes, proportions } from "../model/rational.js";
 
 const WORTH_STRAIGHTENING = 0.02;
@@ -135,11 +136,13 @@ export function parameterFrame(lesson, shear) {
   /** @param {Pair} options */
   const axes = ([first, second]) => [first, second.plus(shear.times(first))];
   const { fit, sweep } = lesson.data;
-  const wide = sweep === null ? [] : sweep.breakpoints.flatMap((b) => b.vertices.map((v) => v.theta));
+  // Sets grow with the error bounds: the last one holds all others.
+  const widest = sweep?.breakpoints.at(-1);
+  const wide = widest ? verticesAt(lesson, widest, Rational.parse(widest.s.exact)) : [];
   const estimates = [fit.least_squares, fit.minimax].flatMap((estimate) => (estimate === null ? [] : [estimate.theta]));
   /** @param {NumberData[]} theta */
   const exact = (theta) => theta.map((value) => Rational.parse(value.exact));
-  const sets = [lesson.fps.vertices.map((v) => v.theta), wide.map(exact), estimates.map(exact)];
+  const sets = [lesson.fps.vertices.map((v) => v.theta), wide, estimates.map(exact)];
   const points = sets.map((set) => set.map(axes)).filter((set) => set.length > 0);
   const origin = points.length > 0 ? spreadOf(points[0]).map((axis) => axis.middle) : [ZERO, ZERO];
   const widths = [0, 1].map((axis) => {
