@@ -158,7 +158,7 @@ pub(crate) fn finished(mut drawing: Drawing, options: &PlotOptions) -> Result<Pi
         }
     }
     let look = Look { page: Page::of(options), greyscale: options.greyscale };
-    Picture::new(&render::svg(&drawing, &look)?, drawing, look)
+    Ok(Picture::new(render::svg(&drawing, &look)?, drawing, look))
 }
 
 /// Draws a linear program in two variables: the feasible set, the optimal points, and the direction in which the
@@ -178,7 +178,7 @@ pub(crate) fn finished(mut drawing: Drawing, options: &PlotOptions) -> Result<Pi
 /// let names = ["x".into(), "y".into()];
 /// let (gain, options) = ([Rational::one(), Rational::one()], PlotOptions::default());
 /// let picture = draw_program(&triangle, &gain, &names, &"a triangle".into(), &options)?;
-/// assert!(picture.svg().contains("optimal"));
+/// assert!(picture.svg()?.contains("optimal"));
 /// # Ok::<(), boundfit_figures::FigureError>(())
 /// ```
 pub fn draw_program(

@@ -18,7 +18,7 @@
 //! let measurements = Measurements::new(model, "y".into(), ErrorBound::Uniform(bound.clone()), rows);
 //! let problem = Problem { measurements, conditions: Vec::new() };
 //! let picture = draw(&problem, &fit(&problem), Figure::Fps, &PlotOptions::default())?;
-//! assert!(picture.svg().starts_with("<svg"));
+//! assert!(picture.svg()?.starts_with("<svg"));
 //! # Ok::<(), boundfit_figures::FigureError>(())
 //! ```
 

@@ -1,5 +1,7 @@
 //! A drawn figure: one picture, encoded as SVG, PNG, PDF or source for TikZ.
 
+use std::sync::OnceLock;
+
 use crate::drawing::Drawing;
 use crate::error::FigureError;
 use crate::outlines::Outlines;
@@ -85,7 +87,8 @@ impl PictureFormat {
 /// A drawn figure.
 #[derive(Debug, Clone)]
 pub struct Picture {
-    outlines: Outlines,
+    /// Made when they are asked for: letters take most of the time of a picture.
+    outlines: OnceLock<Outlines>,
     /// The document with its texts.
     source: String,
     drawing: Drawing,
@@ -93,9 +96,17 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Takes an SVG document apart into paths; texts become outlines of the embedded font, with the feature `outlines`.
-    pub(crate) fn new(svg: &str, drawing: Drawing, look: Look) -> Result<Self, FigureError> {
-        Ok(Picture { outlines: Outlines::of(svg)?, source: svg.to_owned(), drawing, look })
+    pub(crate) fn new(source: String, drawing: Drawing, look: Look) -> Self {
+        Picture { outlines: OnceLock::new(), source, drawing, look }
+    }
+
+    /// The paths of the document; texts become outlines of the embedded font, with the feature `outlines`.
+    fn outlines(&self) -> Result<&Outlines, FigureError> {
+        if let Some(outlines) = self.outlines.get() {
+            return Ok(outlines);
+        }
+        let made = Outlines::of(&self.source)?;
+        Ok(self.outlines.get_or_init(|| made))
     }
 
     /// The bytes of a file in this format.
@@ -112,9 +123,9 @@ impl Picture {
     /// When the pixels of a PNG are too many, or cannot be encoded, and for PNG and PDF in a build without the feature `outlines`.
     pub fn encoded_as(&self, format: PictureFormat, encoding: &Encoding) -> Result<Vec<u8>, FigureError> {
         match format {
-            PictureFormat::Svg => Ok(self.svg_document(encoding.real_text).into_bytes()),
-            PictureFormat::Png => self.outlines.png(encoding.dpi),
-            PictureFormat::Pdf => self.outlines.pdf(&self.drawing.title, &self.drawing.description),
+            PictureFormat::Svg => Ok(self.svg_document(encoding.real_text)?.into_bytes()),
+            PictureFormat::Png => self.outlines()?.png(encoding.dpi),
+            PictureFormat::Pdf => self.outlines()?.pdf(&self.drawing.title, &self.drawing.description),
             #[cfg(feature = "tikz")]
             PictureFormat::Tikz => Ok(render::source(&self.drawing, &self.look, false)?.into_bytes()),
             #[cfg(feature = "tikz")]
@@ -124,32 +135,35 @@ impl Picture {
 
     /// A self-contained SVG document without fonts (with texts as texts in a build without the feature `outlines`), with title and description for those who cannot see it.
     /// Every call gives the same bytes.
-    pub fn svg(&self) -> String {
+    ///
+    /// # Errors
+    /// When the picture has no size.
+    pub fn svg(&self) -> Result<String, FigureError> {
         self.svg_document(false)
     }
 
-    fn svg_document(&self, real_text: bool) -> String {
+    fn svg_document(&self, real_text: bool) -> Result<String, FigureError> {
         // Where the embedded font is not installed, one like it.
         let with_texts = || {
             let font = format!("font-family=\"{}\"", text::FAMILY);
             self.source.replace(&font, &font.replace("Inter\"", "Inter, Helvetica, Arial, sans-serif\""))
         };
-        let outlined = if real_text { None } else { self.outlines.svg() };
+        let outlined = if real_text { None } else { self.outlines()?.svg() };
         let document = outlined.unwrap_or_else(with_texts);
         let Drawing { title, description, .. } = &self.drawing;
         let (title, description) = (text::escaped(title), text::escaped(description));
         let head =
             format!("<title>{title}</title>\n<desc>{description}</desc>\n<metadata>boundfit</metadata>\n");
-        match document.split_once(">\n") {
+        Ok(match document.split_once(">\n") {
             Some((opening, rest)) => {
                 let view = match opening.contains("viewBox") {
                     true => String::new(),
-                    false => self.outlines.view(),
+                    false => self.outlines()?.view(),
                 };
                 format!("{opening} {view} role=\"img\">\n{head}{rest}\n")
             }
             None => document,
-        }
+        })
     }
 
     /// A PNG of 192 dots per inch: 1600 pixels wide at the usual size. Every call gives the same bytes.
@@ -157,6 +171,6 @@ impl Picture {
     /// # Errors
     /// When the pixels cannot be encoded, and in a build without the feature `outlines`.
     pub fn png(&self) -> Result<Vec<u8>, FigureError> {
-        self.outlines.png(Encoding::default().dpi)
+        self.outlines()?.png(Encoding::default().dpi)
     }
 }

@@ -3,7 +3,7 @@
 use boundfit_formats::{ColumnSelector, ScanOptions, TableOptions};
 use boundfit_tests::generate::seeded;
 
-use super::both::{POOLS, by_reference, by_scan};
+use super::both::{POOLS, by_reference, by_scan, pools};
 use super::tables::{Case, case};
 
 /// Chunks of so many bytes, at least.
@@ -16,10 +16,11 @@ fn generated_tables() {
     for number in 0..6000 {
         let Case { bytes, columns, options } = case(&mut rng);
         let expected = by_reference(&bytes, &columns, &options);
-        for (pool, threads) in POOLS.iter().zip([1, 2, 4]) {
-            for chunk_bytes in CHUNKS {
-                let options = ScanOptions { chunk_bytes, ..options.clone() };
-                let actual = pool.install(|| by_scan(&bytes, &columns, &options));
+        for (pool, threads) in pools(number) {
+            let by_chunks =
+                |chunk_bytes| by_scan(&bytes, &columns, &ScanOptions { chunk_bytes, ..options.clone() });
+            let found = pool.install(|| CHUNKS.map(by_chunks));
+            for (chunk_bytes, actual) in CHUNKS.iter().zip(found) {
                 let text = String::from_utf8_lossy(&bytes);
                 let table = &options.table;
                 assert_eq!(

@@ -14,6 +14,12 @@ pub static POOLS: LazyLock<Vec<ThreadPool>> = LazyLock::new(|| {
     [1, 2, 4].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build().unwrap()).into()
 });
 
+/// The pool of one thread, and one of several for this case: 2 and 4 take turns. Threads that wait for each other take most of the
+/// time of a small table.
+pub fn pools(case: usize) -> [(&'static ThreadPool, usize); 2] {
+    [(&POOLS[0], 1), if case.is_multiple_of(2) { (&POOLS[1], 2) } else { (&POOLS[2], 4) }]
+}
+
 /// Returns the reference's reading of these bytes: its result, or its message.
 pub fn by_reference(
     bytes: &[u8],

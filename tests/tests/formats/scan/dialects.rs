@@ -9,7 +9,7 @@ use rand::RngExt;
 use rand::seq::IndexedRandom;
 use rand_chacha::ChaCha8Rng;
 
-use super::both::{POOLS, by_scan};
+use super::both::{by_scan, pools};
 
 /// Chunks of so many bytes, at least.
 const CHUNKS: [usize; 3] = [1, 13, 4096];
@@ -201,10 +201,11 @@ fn a_table_has_the_same_rows_in_every_dialect() {
         let plain = Plain::new(&mut rng);
         let expected = by_scan(plain.text().as_bytes(), &columns, &options(AskedDialect::default())).unwrap();
         let Written { bytes, asked } = written(&plain, &mut rng);
-        for (pool, threads) in POOLS.iter().zip([1, 2, 4]) {
-            for chunk_bytes in CHUNKS {
-                let options = ScanOptions { chunk_bytes, ..options(asked) };
-                let found = pool.install(|| by_scan(&bytes, &columns, &options));
+        for (pool, threads) in pools(number) {
+            let by_chunks =
+                |chunk_bytes| by_scan(&bytes, &columns, &ScanOptions { chunk_bytes, ..options(asked) });
+            let all = pool.install(|| CHUNKS.map(by_chunks));
+            for (chunk_bytes, found) in CHUNKS.iter().zip(all) {
                 let text = String::from_utf8_lossy(&bytes);
                 let case = || {
                     format!("case {number}, {threads} threads, chunks of {chunk_bytes}: {asked:?}\n{text:?}")
