@@ -1,8 +1,9 @@
-// How long a fit of 23 readings takes in the module: `node wasm/times.mjs`. Processor time, since the machine may be busy.
+// How long a fit of 23 readings takes in the module, and what an edit of a page with many readings asks: `node wasm/times.mjs`.
+// Processor time, since the machine may be busy.
 
 import { readFileSync } from "node:fs";
 
-import { run, start } from "../crates/lesson/engine/boundfit.mjs";
+import { lesson, run, start } from "../crates/lesson/engine/boundfit.mjs";
 
 const at = (name) => new URL(name, import.meta.url);
 const began = process.cpuUsage();
@@ -26,4 +27,19 @@ for (const format of ["json", "text", "proof"]) {
   }
   times.sort((one, other) => one - other);
   console.log(`${format}: ${times[10].toFixed(2)} ms a call, median of 20 times 100`);
+}
+
+// A smooth curve with 15 decimals: every reading decides.
+for (const count of [100, 300]) {
+  const rows = Array.from({ length: count }, (_, row) => (row / count).toFixed(3));
+  const curve = ["x,y", ...rows.map((x) => `${x},${Math.sqrt(1 + Number(x)).toFixed(15)}`)].join("\n");
+  const times = [];
+  let size = 0;
+  for (let round = 0; round < 5; round += 1) {
+    const then = process.cpuUsage();
+    size = JSON.stringify(lesson(curve, { x: "x", y: "y", eps: "0.05" })).length;
+    times.push(since(then));
+  }
+  times.sort((one, other) => one - other);
+  console.log(`lesson of ${count} readings of a curve: ${times[2].toFixed(0)} ms, ${(size / 1e6).toFixed(1)} MB, median of 5`);
 }

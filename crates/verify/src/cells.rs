@@ -240,7 +240,7 @@ impl Model {
         for Source { quantity, column, .. } in &self.sources {
             let (mantissa, exponent) = match (quantity, column) {
                 (Quantity::Number | Quantity::Abs, 0) => (1, 0),
-                (Quantity::Number, column) if self.takes_plain => plain_decimal(cells.get(*column)?)?,
+                (Quantity::Number, column) if self.takes_plain => cells.decimal(*column)?,
                 _ => return None,
             };
             self.plain.push((mantissa, u32::try_from(-exponent).ok()?));

@@ -2,7 +2,10 @@
 //! the hash of all bytes.
 
 use std::io::{self, BufRead, BufReader, Chain, Cursor, Read};
+use std::ops::Range;
 
+use boundfit_exact::{PlainPrefix, plain_decimal, plain_prefix};
+use memchr::{memchr, memchr3};
 use sha2::{Digest, Sha256};
 
 use crate::failure::{Failure, Refusal};
@@ -85,6 +88,7 @@ impl<R: Read> Rows<R> {
             if buffer.is_empty() {
                 if length > 0 {
                     self.row.end_cell()?;
+                    self.row.end();
                 }
                 return Ok(length > 0);
             }
@@ -102,6 +106,7 @@ impl<R: Read> Rows<R> {
                 return Err(Failure::Refused(Refusal::RowTooLong { row: self.count + 1, limit }));
             }
             if line_end.is_some() {
+                self.row.end();
                 return Ok(true);
             }
         }
@@ -112,7 +117,7 @@ impl<R: Read> Rows<R> {
 struct Row {
     shape: Shape,
     state: State,
-    /// The text of the cells that are kept, and where each of them ends.
+    /// The text of the cells that are kept, a line feed behind each of them, and where each of them ends.
     text: Vec<u8>,
     ends: Vec<usize>,
     /// The number of cells that have ended.
@@ -140,6 +145,11 @@ impl Row {
         (self.state, self.cells) = (State::CellStart, 0);
     }
 
+    /// Adds what may be looked at behind the last cell.
+    fn end(&mut self) {
+        self.text.extend_from_slice(&[b'\n'; LOOK_AHEAD]);
+    }
+
     /// Returns whether it is one cell of white space. The first cell is always kept.
     fn is_blank(&self) -> bool {
         self.cells == 1 && self.text.trim_ascii().is_empty()
@@ -158,7 +168,7 @@ impl Row {
                     at += 1;
                 }
                 State::Quoted => {
-                    let own = up_to(piece.get(at..), |byte| byte == b'"');
+                    let own = up_to(piece.get(at..), |rest| memchr(b'"', rest));
                     self.keep(own);
                     at += own.len();
                     if at < piece.len() {
@@ -169,8 +179,7 @@ impl Row {
                 State::CellStart | State::AfterQuote | State::Plain => {
                     self.state = State::Plain;
                     let delimiter = self.shape.delimiter;
-                    let is_end = |byte| byte == delimiter || byte == b'\n' || byte == b'\r';
-                    let own = up_to(piece.get(at..), is_end);
+                    let own = up_to(piece.get(at..), |rest| memchr3(delimiter, b'\n', b'\r', rest));
                     self.keep(own);
                     at += own.len();
                     let Some(&end) = piece.get(at) else { break };
@@ -196,6 +205,7 @@ impl Row {
     fn end_cell(&mut self) -> Result<(), Failure> {
         if self.cells < self.shape.kept {
             self.ends.push(self.text.len());
+            self.text.push(b'\n');
         }
         self.cells += 1;
         if self.cells > self.shape.columns {
@@ -206,11 +216,13 @@ impl Row {
 }
 
 /// The bytes before the first one that ends them.
-fn up_to(bytes: Option<&[u8]>, is_end: impl Fn(u8) -> bool) -> &[u8] {
+fn up_to(bytes: Option<&[u8]>, end: impl Fn(&[u8]) -> Option<usize>) -> &[u8] {
     let bytes = bytes.unwrap_or_default();
-    let length = bytes.iter().position(|&byte| is_end(byte)).unwrap_or(bytes.len());
-    bytes.get(..length).unwrap_or_default()
+    bytes.get(..end(bytes).unwrap_or(bytes.len())).unwrap_or_default()
 }
+
+/// The number of bytes that a short number is read from, in one go, without a look at where its cell ends.
+const LOOK_AHEAD: usize = 32;
 
 /// The first cells of a row.
 #[derive(Clone, Copy)]
@@ -222,9 +234,25 @@ pub(crate) struct Cells<'a> {
 impl<'a> Cells<'a> {
     /// The cell of a column, from 1.
     pub(crate) fn get(self, column: usize) -> Option<&'a [u8]> {
+        self.text.get(self.range(column)?)
+    }
+
+    fn range(self, column: usize) -> Option<Range<usize>> {
         let index = column.checked_sub(1)?;
-        let start = index.checked_sub(1).map_or(Some(0), |before| self.ends.get(before).copied())?;
-        self.text.get(start..*self.ends.get(index)?)
+        let start =
+            index.checked_sub(1).map_or(Some(0), |before| self.ends.get(before).map(|end| end + 1))?;
+        Some(start..*self.ends.get(index)?)
+    }
+
+    /// The cell of a column, from 1, as [`plain_decimal`] reads it.
+    pub(crate) fn decimal(self, column: usize) -> Option<(i64, i32)> {
+        let cell = self.range(column)?;
+        match plain_prefix(self.text.get(cell.start..)?) {
+            Some(PlainPrefix { mantissa, fraction_digits, length }) if length == cell.len() => {
+                Some(if mantissa == 0 { (0, 0) } else { (mantissa, -fraction_digits) })
+            }
+            _ => plain_decimal(self.text.get(cell)?),
+        }
     }
 }
 

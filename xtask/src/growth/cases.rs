@@ -74,6 +74,7 @@ pub(super) static CASES: &[Case] = &[
         "convert DATA --x x --y y --eps 1 --to mps --objective theta1-max -o OUT --force",
     ),
     case("plot", Data::Line, "plot DATA --x x --y y --eps 1 --figure data --format svg -o OUT --force"),
+    case("lesson", Data::Line, "lesson DATA --x x --y y --eps 1 --limit readings=1000 -o OUT --force"),
     case("polygon", Data::HalfPlanes, "polygon DATA --format csv"),
     case("judge", Data::Program, "judge DATA"),
     Case {
