@@ -90,6 +90,25 @@ pub fn rebuilt(problem: &Problem, rows: Vec<Measurement>, error_bound: ErrorBoun
     Problem { measurements, conditions: problem.conditions.clone() }
 }
 
+/// The problem with readings that are intervals: with and without y, open on one side, and crossing.
+pub fn in_intervals(problem: &Problem, rng: &mut ChaCha8Rng) -> Problem {
+    let mut rows = problem.measurements.kept().to_vec();
+    for row in &mut rows {
+        let (y, epsilon) = y_and_epsilon(row);
+        let sides = (y - epsilon, y + epsilon * Rational::from(rng.random_range(0..3_i64)));
+        let (lower, upper, response) = match rng.random_range(0..6) {
+            0 => (Some(sides.0), None, None),
+            1 => (None, Some(sides.1), Some(y.clone())),
+            2 => (Some(sides.1), Some(sides.0), None),
+            3 => (Some(sides.0), Some(sides.1), Some(y.clone())),
+            _ => (Some(sides.0), Some(sides.1), None),
+        };
+        row.bounds = Bounds::Between { lower, upper, response };
+    }
+    let columns = ErrorBound::Interval { lower: Some("low".into()), upper: Some("high".into()) };
+    rebuilt(problem, rows, columns)
+}
+
 /// Least squares and EUI by their definitions, θ̂ = A·y with A = (ΦᵀΦ)⁻¹Φᵀ and Σ_k |A_jk|·ε_k, one fraction after the other.
 pub fn naive_least_squares(measurements: &Measurements) -> Result<LeastSquares, NoLeastSquares> {
     let rows = measurements.all().expect("every reading is kept");

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{
-    ErrorBound, Family, Fps, Measurement, Measurements, Model, Piece, Problem, Section, fit,
+    Bounds, ErrorBound, Family, Fps, Measurement, Measurements, Model, Piece, Problem, Section, fit,
 };
 use boundfit_exact::{Endpoint, Rational};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::definitions::section;
 use boundfit_tests::generate::seeded;
-use boundfit_tests::readings::{noisy_line, problem, rebuilt, y_and_epsilon};
+use boundfit_tests::readings::{in_intervals, noisy_line, problem, rebuilt, with_rows, y_and_epsilon};
 use rand::RngExt;
 
 /// The set with every error bound multiplied, computed afresh.
@@ -21,6 +21,23 @@ fn fresh(problem: &Problem, s: &Rational) -> Section {
         per_row => per_row.clone(),
     };
     let problem = rebuilt(problem, rows, error_bound);
+    section(&Fps::of_every_half_plane(&problem.measurements, &problem.conditions))
+}
+
+/// The set of readings that are intervals, each of them about its middle a factor as wide.
+fn fresh_intervals(problem: &Problem, s: &Rational) -> Section {
+    let scaled = |row: &Measurement| {
+        let mut row = row.clone();
+        if let Bounds::Between { lower: Some(lower), upper: Some(upper), .. } = &mut row.bounds
+            && lower <= upper
+        {
+            let (middle, half_width) = ((&*lower + &*upper).half(), (&*upper - &*lower).half());
+            (*lower, *upper) = (&middle - &half_width * s, &middle + &half_width * s);
+        }
+        row
+    };
+    let rows = problem.measurements.kept().iter().map(scaled).collect();
+    let problem = with_rows(problem, rows);
     section(&Fps::of_every_half_plane(&problem.measurements, &problem.conditions))
 }
 
@@ -94,6 +111,25 @@ fn at_every_factor_the_family_equals_a_fresh_fit() {
             "{kind:?} was hit too seldom: {kinds:?}"
         );
     }
+}
+
+#[test]
+fn intervals_and_readings_with_one_bound_equal_a_fresh_fit() {
+    let mut rng = seeded(46);
+    let (mut growing, mut constant) = (0, 0);
+    for case in 0..600 {
+        let problem = in_intervals(&problem(&mut rng), &mut rng);
+        let family = Family::new(&problem, Rational::zero(), Rational::from(3));
+        check_structure(&family, case);
+        let sets = family.pieces().iter().filter(|piece| piece.kind != RegionKind::Empty).count();
+        *(if sets > 1 { &mut growing } else { &mut constant }) += sets.min(1);
+        let middles = family.pieces().iter().map(|piece| (&piece.from + &piece.to).half());
+        let ends = family.breakpoints().iter().map(|breakpoint| breakpoint.s.clone());
+        for s in middles.chain(ends) {
+            assert_eq!(family.at(&s), Some(fresh_intervals(&problem, &s)), "case {case} at s = {s}");
+        }
+    }
+    assert!(growing > 50 && constant > 50, "{growing} families grow, {constant} do not");
 }
 
 #[test]

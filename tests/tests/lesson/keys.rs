@@ -2,13 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use boundfit_estimation::{Bounds, ErrorBound};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::Polyhedron;
 use boundfit_tests::generate::seeded;
-use boundfit_tests::readings::{problem as random_problem, rebuilt, y_and_epsilon};
+use boundfit_tests::readings::{in_intervals, problem as random_problem, y_and_epsilon};
 use boundfit_tests::shape::{shape, subsystem};
-use rand::RngExt;
 use serde_json::Value;
 
 use crate::document::{Lesson, count, fixtures, generated, items, steam_generator, transducer};
@@ -59,26 +57,12 @@ fn every_promised_key_is_there_with_its_type() {
     }
 }
 
-/// Generated fits of readings that are intervals: with and without y, open on one side, and crossing.
+/// Generated fits of readings that are intervals.
 pub(crate) fn with_intervals(seed: u64, count: usize) -> Vec<Lesson> {
     let mut rng = seeded(seed);
     let lesson = |number: usize| {
-        let problem = random_problem(&mut rng);
-        let mut rows = problem.measurements.kept().to_vec();
-        for row in &mut rows {
-            let (y, epsilon) = y_and_epsilon(row);
-            let sides = (y - epsilon, y + epsilon * Rational::from(rng.random_range(0..3_i64)));
-            let (lower, upper, response) = match rng.random_range(0..6) {
-                0 => (Some(sides.0), None, None),
-                1 => (None, Some(sides.1), Some(y.clone())),
-                2 => (Some(sides.1), Some(sides.0), None),
-                3 => (Some(sides.0), Some(sides.1), Some(y.clone())),
-                _ => (Some(sides.0), Some(sides.1), None),
-            };
-            row.bounds = Bounds::Between { lower, upper, response };
-        }
-        let columns = ErrorBound::Interval { lower: Some("low".into()), upper: Some("high".into()) };
-        Lesson::of(&format!("seed {seed}, {number}"), rebuilt(&problem, rows, columns))
+        let problem = in_intervals(&random_problem(&mut rng), &mut rng);
+        Lesson::of(&format!("seed {seed}, {number}"), problem)
     };
     (0..count).map(lesson).collect()
 }
