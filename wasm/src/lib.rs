@@ -58,8 +58,8 @@ pub fn columns(table: Vec<u8>, options: &str) -> Result<String, Refused> {
     columns::columns(table, options).map_err(|refusal| Refused::of(&refusal))
 }
 
-/// What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/3`. Of linear programs it has what the
-/// exact simplex answers.
+/// Returns the data of the page of `boundfit lesson`: the document of schema `boundfit/lesson/3`. The exact simplex alone answers its
+/// linear programs.
 ///
 /// `table` and `options` are as in [`run`](fn@run).
 ///
@@ -70,7 +70,7 @@ pub fn lesson(table: Vec<u8>, options: &str) -> Result<String, Refused> {
     answer::lesson(table, options).map_err(|refusal| Refused::of(&refusal))
 }
 
-/// What there is to say about half-planes: the document of schema `boundfit/polytope/1`.
+/// Returns the answer about half-planes: the document of schema `boundfit/polytope/1`.
 ///
 /// `text` has one half-plane a line, such as `2x + 3y <= 6`, in UTF-8, and `options` is a JSON object whose keys may be `objective`, two
 /// numbers as text, and `start`, the number of a vertex from 0.

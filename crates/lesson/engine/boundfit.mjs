@@ -37,8 +37,8 @@ export const start = async (packed) => {
 export const run = (table, options) => ask(runOnce, table, options);
 
 /**
- * What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/3`, but for what float LP solvers
- * answer. Throws as {@link run} does.
+ * Returns the data of the page of `boundfit lesson`: the document of schema `boundfit/lesson/3`. The exact simplex alone answers its
+ * linear programs. Throws as {@link run} does.
  * @param {string | Uint8Array} table
  * @param {object} options those of {@link run}, and of a lesson (docs/wasm.md)
  * @returns {string}

@@ -58,8 +58,8 @@ export function columns(table, options) {
 }
 
 /**
- * What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/3`. Of linear programs it has what the
- * exact simplex answers.
+ * Returns the data of the page of `boundfit lesson`: the document of schema `boundfit/lesson/3`. The exact simplex alone answers its
+ * linear programs.
  *
  * `table` and `options` are as in [`run`](fn@run).
  *
@@ -103,7 +103,7 @@ export function lesson(table, options) {
 }
 
 /**
- * What there is to say about half-planes: the document of schema `boundfit/polytope/1`.
+ * Returns the answer about half-planes: the document of schema `boundfit/polytope/1`.
  *
  * `text` has one half-plane a line, such as `2x + 3y <= 6`, in UTF-8, and `options` is a JSON object whose keys may be `objective`, two
  * numbers as text, and `start`, the number of a vertex from 0.

@@ -383,7 +383,7 @@ fn long_tables_stream_through_sieves() {
 #[test]
 fn long_and_far_numbers_stream_as_short_ones_do() {
     compare(300, 63, 1..=30, FAR, [1, 7, 4096]);
-    compare(12, 64, 500..=1_000, LONG, [25_000, 10_000, 2048]);
+    compare(12, 64, 1_000..=2_000, LONG, [50_000, 20_000, 4096]);
 }
 
 /// The answer and its proofs are the same where one reading stands for all that go through a vertex.
