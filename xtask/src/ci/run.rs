@@ -4,6 +4,7 @@ use std::env;
 use std::fmt;
 use std::fs::{self, File};
 use std::io::{self, BufRead, BufReader, Write};
+use std::path::PathBuf;
 use std::process::{Command, ExitCode, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -46,12 +47,30 @@ impl fmt::Display for Tests {
     }
 }
 
-/// The shell that runs a script from the top of the repository and stops at its first failure; `$built` is cargo's folder.
-fn shell(script: &str) -> Command {
+/// A file of a step below cargo's folder of this repository.
+fn file_of(step: &Step, extension: &str) -> PathBuf {
+    root().join("target").join(step.name).with_extension(extension)
+}
+
+/// The shell that runs the script of a step from the top of the repository and stops at its first failure; `$built` is cargo's
+/// folder. It writes down its times.
+fn shell(step: &Step) -> Command {
     let mut shell = Command::new("bash");
+    let script = format!("trap 'times > \"$times\"' EXIT\n{}", step.script);
     shell.env("built", env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| root().join("target").into()));
-    shell.args(["-euo", "pipefail", "-c", script]).current_dir(root()).stdin(Stdio::null());
+    shell.env("times", file_of(step, "times"));
+    shell.args(["-euo", "pipefail", "-c", &script]).current_dir(root()).stdin(Stdio::null());
     shell
+}
+
+/// The processor time in seconds of what a shell has started: the second line of its times, such as `1m2.345s 0m6.789s`.
+fn processor_time(times: &str) -> Option<f64> {
+    let of_children = times.lines().nth(1)?.split_whitespace();
+    let seconds = of_children.map(|time| {
+        let (minutes, seconds) = time.strip_suffix('s')?.split_once('m')?;
+        Some(60.0 * minutes.parse::<f64>().ok()? + seconds.parse::<f64>().ok()?)
+    });
+    seconds.sum()
 }
 
 /// An error if a script has failed.
@@ -63,11 +82,11 @@ fn outcome(status: io::Result<ExitStatus>) -> Outcome {
     }
 }
 
-/// Runs a script and shows what it prints as it comes; its tests are counted if it has any.
-fn run_script(script: &str, tests: &mut Tests) -> Outcome {
+/// Runs the script of a step and shows what it prints as it comes; its tests are counted if it has any.
+fn run_script(step: &Step, tests: &mut Tests) -> Outcome {
     let mut counted = Tests::default();
     let failed = |error: io::Error| format!("bash: {error}");
-    let mut child = shell(script).stdout(Stdio::piped()).spawn().map_err(failed)?;
+    let mut child = shell(step).stdout(Stdio::piped()).spawn().map_err(failed)?;
     if let Some(stdout) = child.stdout.take() {
         for line in BufReader::new(stdout).lines() {
             let line = line.map_err(failed)?;
@@ -83,11 +102,11 @@ fn run_script(script: &str, tests: &mut Tests) -> Outcome {
 
 /// Runs the script of a step beside others, and prints what it has printed when it ends. It ends early if another step has failed.
 fn run_beside(step: &Step, has_failed: &AtomicBool) -> Outcome {
-    let path = root().join(format!("target/{}.log", step.name));
+    let path = file_of(step, "log");
     let failed = |error: io::Error| format!("{}: {error}", path.display());
     let log = File::create(&path).map_err(failed)?;
     let errors = log.try_clone().map_err(failed)?;
-    let mut child = shell(step.script).stdout(log).stderr(errors).spawn().map_err(failed)?;
+    let mut child = shell(step).stdout(log).stderr(errors).spawn().map_err(failed)?;
     let status = loop {
         match child.try_wait() {
             Ok(None) if has_failed.load(Ordering::Relaxed) => {
@@ -132,7 +151,10 @@ impl Run {
             }
             let started = Instant::now();
             let outcome = self.wait_for_programs(step).and_then(|()| run(step));
-            let time = format!("{:5} s  {}", started.elapsed().as_secs(), step.name);
+            let processors =
+                fs::read_to_string(file_of(step, "times")).ok().as_deref().and_then(processor_time);
+            let (seconds, processors) = (started.elapsed().as_secs(), processors.unwrap_or_default());
+            let time = format!("{seconds:5} s {processors:6.0} s  {}", step.name);
             self.times.lock().unwrap_or_else(PoisonError::into_inner).push(time);
             outcome.map_err(|message| {
                 self.has_failed.store(true, Ordering::Relaxed);
@@ -147,7 +169,7 @@ impl Run {
         let (beside, others): (Vec<&Step>, Vec<&Step>) = steps.iter().partition(|step| step.beside);
         let shown = |step: &Step| {
             println!("\n== {}: {}", step.name, step.holds);
-            run_script(step.script, tests)
+            run_script(step, tests)
         };
         if others.is_empty() {
             return self.lane(&beside, shown);
@@ -176,7 +198,7 @@ pub(super) fn run(steps: &[&'static Step], install: bool) -> ExitCode {
         }
         Err(message) => (Err(message), Vec::new()),
     };
-    println!("\n== time of each step, {} s in all", started.elapsed().as_secs());
+    println!("\n== time and processor time of each step, {} s in all", started.elapsed().as_secs());
     let times = times.join("\n");
     println!("{times}");
     let _ = fs::write(root().join("target/ci-times.log"), times + "\n");
@@ -191,8 +213,6 @@ pub(super) fn run(steps: &[&'static Step], install: bool) -> ExitCode {
 
 #[cfg(test)]
 mod tests {
-    use std::path::PathBuf;
-
     use super::*;
 
     const STEP: Step =
@@ -217,10 +237,16 @@ mod tests {
 
     #[test]
     fn a_script_stops_at_its_first_failure() {
-        let mut tests = Tests::default();
-        assert_eq!(run_script("true | cat", &mut tests), Ok(()));
-        assert!(run_script("false | cat\ntrue", &mut tests).is_err());
-        assert!(run_script("echo \"$undefined_name\"", &mut tests).is_err());
+        let run = |script| run_script(&Step { name: "script", script, ..STEP }, &mut Tests::default());
+        assert_eq!(run("true | cat"), Ok(()));
+        assert!(run("false | cat\ntrue").is_err());
+        assert!(run("echo \"$undefined_name\"").is_err());
+    }
+
+    #[test]
+    fn the_processor_time_is_that_of_what_a_shell_starts() {
+        assert_eq!(processor_time("0m9.000s 0m9.000s\n1m2.250s 0m0.500s\n"), Some(62.75));
+        assert_eq!(processor_time(""), None);
     }
 
     #[test]
