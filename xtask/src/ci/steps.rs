@@ -242,7 +242,9 @@ BOUNDFIT_PROGRAM=$built/release/boundfit SMALL_CASES=5000 cargo test --workspace
         // wasm/README.md names the commit that the checked-in module is from. A clone without that commit builds the module.
         script: "\
 commit=$(sed -n 's/.* were made on commit \\([0-9a-f]*\\) .*/\\1/p' wasm/README.md)
-if git diff --quiet \"$commit\" -- 'crates/*/src' 'crates/*/Cargo.toml' wasm/src wasm/pack wasm/Cargo.toml wasm/Cargo.lock wasm/build.sh; then
+crates=$(sed -n 's|^name = \"boundfit-\\(.*\\)\"|crates/\\1/src crates/\\1/Cargo.toml|p' wasm/Cargo.lock)
+own='crates/boundfit/src crates/boundfit/Cargo.toml wasm/src wasm/pack wasm/Cargo.toml wasm/Cargo.lock wasm/build.sh'
+if git diff --quiet \"$commit\" -- $crates $own; then
   echo \"not built: its source has not changed since $commit, from which the checked-in module is\"
 elif [ \"$(id -u)\" = 0 ] && apt-get install --simulate rustc-web rust-web-src binaryen > target/compiler.log 2>&1; then
   CARGO_TARGET_DIR=wasm/target cargo clippy --manifest-path wasm/Cargo.toml --workspace --locked -- -D warnings

@@ -98,10 +98,10 @@ fn allowed(problem: &Problem, bound: BoundName) -> Option<Allowed> {
         }
         BoundName::Upper(row) | BoundName::Lower(row) => {
             let reading = problem.measurements.kept().iter().find(|reading| reading.row == row)?;
-            let sides: Vec<_> = half_planes(reading).map(|(_, side)| side).collect();
-            let upper = matches!(bound, BoundName::Upper(_));
-            let side = if upper { "upper" } else { "lower" };
-            (format!("allowed by row {row} ({side} bound thick)"), sides, usize::from(!upper))
+            let (names, sides): (Vec<BoundName>, Vec<Inequality>) = half_planes(reading).unzip();
+            let own = names.iter().position(|name| *name == bound)?;
+            let side = if matches!(bound, BoundName::Upper(_)) { "upper" } else { "lower" };
+            (format!("allowed by row {row} ({side} bound thick)"), sides, own)
         }
     };
     let bound = half_plane(&inequalities[own]);

@@ -1,5 +1,6 @@
 //! `boundfit plot`, started as a user would start it.
 
+mod generated;
 mod geometry;
 mod golden;
 mod look;

@@ -297,3 +297,21 @@ fn why_there_is_no_eui_is_the_true_reason() {
         assert!(!text.contains("dependent") && !text.contains("proportional"), "{words}");
     }
 }
+
+#[test]
+fn readings_with_one_bound_contradict_each_other_in_pictures() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("one-sided.csv");
+    for (text, sides) in [
+        ("x,low,high\n0,1,\n0,,0\n", ["row 1 (lower", "row 2 (upper"]),
+        ("x,low,high\n0,,0\n0,1,\n", ["row 1 (upper", "row 2 (lower"]),
+        ("x,low,high\n0,0,1\n0,2,\n", ["row 1 (upper", "row 2 (lower"]),
+    ] {
+        fs::write(&data, text).unwrap();
+        let text =
+            svg(&format!("{} --x x --lower low --upper high --figure fps --real-text", data.display()), 3);
+        for side in sides {
+            assert!(text.contains(&format!("allowed by {side} bound thick)")), "{side}: {text}");
+        }
+    }
+}
