@@ -244,7 +244,7 @@ BOUNDFIT_PROGRAM=$built/release/boundfit SMALL_CASES=5000 cargo test --workspace
 commit=$(sed -n 's/.* were made on commit \\([0-9a-f]*\\) .*/\\1/p' wasm/README.md)
 crates=$(sed -n 's|^name = \"boundfit-\\(.*\\)\"|crates/\\1/src crates/\\1/Cargo.toml|p' wasm/Cargo.lock)
 own='crates/boundfit/src crates/boundfit/Cargo.toml wasm/src wasm/pack wasm/Cargo.toml wasm/Cargo.lock wasm/build.sh'
-if git diff --quiet \"$commit\" -- $crates $own; then
+if git diff --quiet \"$commit\" -- $crates $own 2> /dev/null; then
   echo \"not built: its source has not changed since $commit, from which the checked-in module is\"
 elif [ \"$(id -u)\" = 0 ] && apt-get install --simulate rustc-web rust-web-src binaryen > target/compiler.log 2>&1; then
   CARGO_TARGET_DIR=wasm/target cargo clippy --manifest-path wasm/Cargo.toml --workspace --locked -- -D warnings
