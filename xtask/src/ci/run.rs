@@ -150,11 +150,12 @@ impl Run {
                 break;
             }
             let started = Instant::now();
+            let _ = fs::remove_file(file_of(step, "times"));
             let outcome = self.wait_for_programs(step).and_then(|()| run(step));
-            let processors =
-                fs::read_to_string(file_of(step, "times")).ok().as_deref().and_then(processor_time);
-            let (seconds, processors) = (started.elapsed().as_secs(), processors.unwrap_or_default());
-            let time = format!("{seconds:5} s {processors:6.0} s  {}", step.name);
+            let times = fs::read_to_string(file_of(step, "times")).unwrap_or_default();
+            // A step that was stopped has not written its times.
+            let processors = processor_time(&times).map_or("?".to_owned(), |seconds| format!("{seconds:.0}"));
+            let time = format!("{:5} s {processors:>6} s  {}", started.elapsed().as_secs(), step.name);
             self.times.lock().unwrap_or_else(PoisonError::into_inner).push(time);
             outcome.map_err(|message| {
                 self.has_failed.store(true, Ordering::Relaxed);

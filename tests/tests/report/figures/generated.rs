@@ -1,4 +1,4 @@
-//! Every figure of generated readings: all kinds of sets, and all kinds of bounds.
+//! Every figure of generated readings: most kinds of sets, under bounds around y and under intervals, open ones too.
 
 use std::collections::BTreeSet;
 
