@@ -123,7 +123,7 @@ pub fn in_unit(problem: &Problem, factor: &Rational) -> Problem {
     let condition = |condition: &Condition| {
         let Inequality { a: [a1, a2], b } = condition.inequality();
         let relation = if condition.is_equation() { "=" } else { "<=" };
-        let text = format!("{a1}*theta1 + {a2}*theta2 {relation} {}", b * factor).replace("+ -", "- ");
+        let text = format!("{a1}*theta1 + {a2}*theta2 {relation} {}", b * factor);
         parse_condition(&text)
     };
     let conditions = problem.conditions.iter().map(condition).collect();

@@ -49,7 +49,7 @@ pub fn problem(rng: &mut ChaCha8Rng) -> Problem {
 fn condition(rng: &mut ChaCha8Rng) -> Condition {
     let relation = ["<=", ">=", "<=", ">=", "="][rng.random_range(0..5)];
     let [a, b, c] = [0; 3].map(|_| rng.random_range(-4..=4));
-    parse_condition(&format!("{a}*theta1 + {b}*theta2 {relation} {c}").replace("+ -", "- "))
+    parse_condition(&format!("{a}*theta1 + {b}*theta2 {relation} {c}"))
 }
 
 /// A condition from its text.

@@ -162,7 +162,7 @@ impl Readings {
     fn conditions(&self) -> Vec<Condition> {
         let text = |&([a, b, c], is_equation): &([i64; 3], bool)| {
             let relation = if is_equation { "=" } else { "<=" };
-            format!("{a}*theta1 + {b}*theta2 {relation} {c}").replace("+ -", "- ")
+            format!("{a}*theta1 + {b}*theta2 {relation} {c}")
         };
         self.conditions.iter().map(|condition| parse_condition(&text(condition))).collect()
     }

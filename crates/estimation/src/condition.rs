@@ -61,7 +61,8 @@ impl TextProblem for ParseConditionErrorKind {
 
 impl Condition {
     /// Reads a condition: sums of numbers, `theta1`, `theta2` and `number*theta1`, with `<=`, `>=` or `=` between them.
-    /// `θ1`, `θ2`, `≤`, `≥`, `==` and a missing `*` are understood. Exact as `reading` says.
+    /// `θ1`, `θ2`, `≤`, `≥`, `==`, a missing `*` and a sign after a sign (`+ -1*theta2`) are understood. Exact as `reading`
+    /// says.
     ///
     /// # Errors
     /// With the position where the text stops making sense.
@@ -160,17 +161,15 @@ impl Parser<'_> {
     /// Coefficients of θ1, θ2 and 1.
     fn sum(&mut self) -> Result<[Rational; 3], ParseConditionError> {
         let mut total = [Rational::zero(), Rational::zero(), Rational::zero()];
-        let mut first = true;
-        loop {
-            let negative = self.scanner.take(&["-"]).is_some();
-            let signed = negative || self.scanner.take(&["+"]).is_some();
-            if !first && !signed {
-                return Ok(total);
-            }
+        let mut operator = Some("+");
+        while let Some(word) = operator {
+            // A program that prints `{a}*theta1 + {b}*theta2` writes `2*theta1 + -1*theta2`.
+            let sign = self.scanner.take(&["-", "+"]).unwrap_or("+");
             let (column, value) = self.term()?;
-            total[column] = &total[column] + if negative { -value } else { value };
-            first = false;
+            total[column] = &total[column] + if word == sign { value } else { -value };
+            operator = self.scanner.take(&["-", "+"]);
         }
+        Ok(total)
     }
 
     fn term(&mut self) -> Result<(usize, Rational), ParseConditionError> {
@@ -228,6 +227,8 @@ mod tests {
             ("-1/2*theta2+theta2 >= 1e+2", ratio(0, 1), ratio(-1, 2), ratio(-100, 1)),
             ("0*theta1 <= -1", ratio(0, 1), ratio(0, 1), ratio(-1, 1)),
             ("0 <= theta2", ratio(0, 1), ratio(-1, 1), ratio(0, 1)),
+            ("2*theta1 + -1*theta2 <= -2", ratio(2, 1), ratio(-1, 1), ratio(-2, 1)),
+            ("+theta1 - -3*theta2 - +1/2 >= - 4", ratio(-1, 1), ratio(-3, 1), ratio(7, 2)),
         ] {
             assert_eq!(parse(text), Ok(Inequality::new(a1, a2, b)), "{text}");
         }
@@ -273,6 +274,8 @@ mod tests {
             ("theta1 = theta2 = 0", 16, Kind::SecondRelation),
             ("theta1 <= ", 10, Kind::NotATerm),
             ("theta3 >= 0", 0, Kind::NotATerm),
+            ("--theta1 >= 0", 1, Kind::NotATerm),
+            ("theta1 + - -theta2 >= 0", 11, Kind::NotATerm),
             ("2*3 >= 0", 2, Kind::NotATerm),
             ("0 <= theta1 <= 1", 12, Kind::SecondRelation),
             ("theta1 * 2 <= 1", 7, Kind::NoRelation),

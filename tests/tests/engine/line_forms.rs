@@ -168,8 +168,7 @@ fn an_equation_is_two_inequalities() {
         let rows = readings(&mut rng, uniform);
         let [a, b, c] = [0; 3].map(|_| rng.random_range(-3..=3));
         let under = |relations: &[&str]| {
-            let text =
-                |relation: &&str| format!("{a}*theta1 + {b}*theta2 {relation} {c}").replace("+ -", "- ");
+            let text = |relation: &&str| format!("{a}*theta1 + {b}*theta2 {relation} {c}");
             let conditions = relations.iter().map(|relation| parse_condition(&text(relation))).collect();
             Problem { conditions, ..problem(&rows, uniform) }
         };

@@ -69,7 +69,7 @@ fn problem(case: &Case) -> Problem {
 fn condition(strip: &Strip) -> Condition {
     let (relation, [a, b]) = (if strip.lower.is_some() { "=" } else { "<=" }, strip.a);
     let right = strip.upper.expect("an upper bound");
-    parse_condition(&format!("{a}*theta1 + {b}*theta2 {relation} {right}").replace("+ -", "- "))
+    parse_condition(&format!("{a}*theta1 + {b}*theta2 {relation} {right}"))
 }
 
 /// The half-planes of what is left without some rows.

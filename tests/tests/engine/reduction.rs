@@ -68,9 +68,7 @@ impl Case {
         while rng.random_bool(0.25) {
             let [a, b, c] = [0; 3].map(|_| rng.random_range(-4..=4));
             let relation = if rng.random_bool(0.5) { "<=" } else { ">=" };
-            conditions.push(parse_condition(
-                &format!("{a}*theta1 + {b}*theta2 {relation} {c}").replace("+ -", "- "),
-            ));
+            conditions.push(parse_condition(&format!("{a}*theta1 + {b}*theta2 {relation} {c}")));
         }
         Case { rows, reading, epsilon: small * scale, conditions }
     }

@@ -77,8 +77,7 @@ fn case(rng: &mut ChaCha8Rng) -> Case {
         true => Model::Line { x: "x".into() },
         false => Model::TwoRegressors { regressors: ["u".into(), "v".into()] },
     };
-    let condition =
-        |[a, b, c]: &Row| parse_condition(&format!("{a}*theta1 + {b}*theta2 <= {c}").replace("+ -", "- "));
+    let condition = |[a, b, c]: &Row| parse_condition(&format!("{a}*theta1 + {b}*theta2 <= {c}"));
     let conditions_read = conditions.iter().map(condition).collect();
     let measurements = Measurements::new(model, "y".into(), error_bound, rows);
     Case { readings, conditions, problem: Problem { measurements, conditions: conditions_read } }

@@ -117,9 +117,7 @@ impl Case {
         while rng.random_bool(0.2) {
             let [a, b, c] = [0; 3].map(|_| rng.random_range(-4..=4));
             let relation = if rng.random_bool(0.5) { "<=" } else { ">=" };
-            conditions.push(parse_condition(
-                &format!("{a}*theta1 + {b}*theta2 {relation} {c}").replace("+ -", "- "),
-            ));
+            conditions.push(parse_condition(&format!("{a}*theta1 + {b}*theta2 {relation} {c}")));
         }
         let reading = if rng.random_bool(0.3) { Reading::Binary64 } else { Reading::Decimal };
         let is_through_origin = is_line && rng.random_bool(0.15);

@@ -83,7 +83,7 @@ fn sum(rows: &[Row], terms: &Value) -> (Pair, Number) {
 }
 
 fn text_of(rows: &[Row]) -> String {
-    rows.iter().map(|[a, b, c]| format!("{a}*x + {b}*y <= {c}\n").replace("+ -", "- ")).collect()
+    rows.iter().map(|[a, b, c]| format!("{a}*x + {b}*y <= {c}\n")).collect()
 }
 
 #[test]
