@@ -28,6 +28,9 @@ impl From<Exit> for ExitCode {
     }
 }
 
+/// How a command ends.
+pub(crate) type CommandResult = Result<Exit, Failure>;
+
 /// A refusal, with the settings that would avoid it.
 pub(crate) trait Refused: Display {
     fn ways(&self) -> Vec<Way>;

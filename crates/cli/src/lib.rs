@@ -2,9 +2,9 @@
 //!
 //! | module | what it has |
 //! |---|---|
-//! | `arguments` | options of every command, with their help |
 //! | `usage` | command lines that are not understood, with a tip |
-//! | `commands` | one file per command: from arguments to the answer |
+//! | `commands` | the registry, and one file or folder per command: options, help, from arguments to the answer |
+//! | `options` | options that several commands share |
 //! | `readings` | readings of a file, asked for in the words that every surface has |
 //! | `input`, `output` | files that are read, and files that are written whole or not at all |
 //! | `work`, `memory` | limits of work and memory of each command |
@@ -15,12 +15,12 @@
 // Code that reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
-mod arguments;
 mod commands;
 mod exit;
 mod input;
 mod interrupt;
 mod memory;
+mod options;
 mod output;
 mod progress;
 mod readings;
@@ -31,8 +31,7 @@ use std::process::ExitCode;
 
 use clap::CommandFactory;
 
-use crate::arguments::{Arguments, Command};
-use crate::exit::Exit;
+use crate::commands::Arguments;
 
 /// Runs the command that the program's arguments ask for and returns the exit status.
 /// - 0: an answer
@@ -44,27 +43,7 @@ use crate::exit::Exit;
 pub fn main() -> ExitCode {
     let arguments = usage::parse();
     interrupt::leave_nothing_behind();
-    let result = match arguments.command {
-        Command::Fit(arguments) => commands::fit::run(&arguments),
-        Command::Predict(arguments) => commands::predict::run(&arguments),
-        Command::Next(arguments) => commands::next::run(&arguments),
-        Command::Linearity(arguments) => commands::linearity::run(&arguments),
-        Command::Check(arguments) => commands::check::run(&arguments),
-        Command::Verify(arguments) => commands::verify::run(&arguments),
-        Command::Judge(arguments) => commands::judge::run(&arguments),
-        Command::Convert(arguments) => commands::convert::run(&arguments),
-        Command::Range(arguments) => commands::range::run(&arguments),
-        Command::Status(arguments) => commands::status::run(&arguments),
-        Command::Outliers(arguments) => commands::outliers::run(&arguments),
-        Command::Reduce(arguments) => commands::reduce::run(&arguments),
-        Command::Polygon(arguments) => commands::polygon::run(&arguments),
-        Command::Plot(arguments) => commands::plot::run(&arguments),
-        Command::Lesson(arguments) => commands::lesson::run(&arguments),
-        Command::Playground(arguments) => commands::playground::run(&arguments),
-        Command::Completions { shell, file } => commands::completions::run(shell, &file),
-        Command::Man { topic, file } => commands::man::run(topic.as_deref(), &file),
-    };
-    match result {
+    match arguments.command.run() {
         Ok(exit) => exit.into(),
         Err(failure) => failure.report(),
     }
@@ -74,6 +53,3 @@ pub fn main() -> ExitCode {
 pub fn command() -> clap::Command {
     Arguments::command()
 }
-
-/// A failure that ends the program.
-type CommandResult = Result<Exit, exit::Failure>;

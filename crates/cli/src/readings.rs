@@ -10,10 +10,10 @@ use boundfit_lesson::LessonError;
 use boundfit_questions::XErrorProblem;
 use boundfit_report::Origin;
 
-use crate::arguments::Words;
 use crate::exit::Failure;
 use crate::input;
 use crate::memory;
+use crate::options::Words;
 use crate::progress::ReadingProgress;
 
 /// A file, opened, and what is asked of which of its readings.

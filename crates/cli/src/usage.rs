@@ -7,7 +7,7 @@ use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, FromArgMatches};
 
-use crate::arguments::{Arguments, alone, with_short_help};
+use crate::commands::{Arguments, alone, with_short_help};
 
 /// The options that short options may be meant for. There are none for these, since a table may have columns of any
 /// name.

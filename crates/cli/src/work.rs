@@ -5,8 +5,8 @@ use boundfit_exact::{Foreign, Limit, TooMuchWork, Work};
 use boundfit_lesson::check_work;
 use boundfit_questions::times::check_outliers;
 
-use crate::arguments::LimitArguments;
 use crate::exit::{Failure, raises};
+use crate::options::LimitArguments;
 
 /// The cost of each command relative to a fit, as far as long numbers are concerned. It is the work for readings of
 /// thousands of digits, divided by the work of `fit`.

@@ -6,11 +6,10 @@ use boundfit_ask::{Ask, Form, Out, Paper, Refusal, Shows};
 use boundfit_report::{Origin, Style, Theory};
 
 use super::proof_file::{self, SmallFile};
-use crate::CommandResult;
-use crate::arguments::{OutputArguments, ReplaceArguments, TableFormat, Words};
-use crate::exit::{Exit, Failure};
+use crate::exit::{CommandResult, Exit, Failure};
 use crate::input;
 use crate::memory;
+use crate::options::{OutputArguments, ReplaceArguments, TableFormat, Words};
 use crate::output::{self, Guard, Output, Stop};
 use crate::progress::while_working;
 

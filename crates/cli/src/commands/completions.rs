@@ -1,17 +1,32 @@
 //! `boundfit completions`.
 
-use clap::CommandFactory;
+use clap::{Args, CommandFactory};
 use clap_complete::{Shell, generate};
 
-use crate::CommandResult;
-use crate::arguments::{Arguments, FileArguments};
-use crate::exit::{Exit, Failure};
+use super::Arguments;
+use crate::exit::{CommandResult, Exit, Failure};
+use crate::options::{FileArguments, Notes};
 use crate::output;
 
+pub(super) const NOTES: Notes = Notes {
+    examples: &[("For every user of bash", "boundfit completions bash > /etc/bash_completion.d/boundfit")],
+    statuses: &[],
+};
+
+/// Print a completion script for a shell
+#[derive(Debug, Args)]
+#[command(after_help = NOTES.to_string())]
+pub(crate) struct CompletionsArguments {
+    /// The shell
+    shell: Shell,
+    #[command(flatten)]
+    file: FileArguments,
+}
+
 /// Prints a completion script.
-pub(crate) fn run(shell: Shell, file: &FileArguments) -> CommandResult {
+pub(super) fn run(CompletionsArguments { shell, file }: &CompletionsArguments) -> CommandResult {
     let mut script = Vec::new();
-    generate(shell, &mut Arguments::command(), "boundfit", &mut script);
+    generate(*shell, &mut Arguments::command(), "boundfit", &mut script);
     output::write(
         &String::from_utf8(script).map_err(Failure::data)?,
         file.output.as_deref(),

@@ -1,19 +1,119 @@
 //! `boundfit linearity`.
 
-use boundfit_ask::Calibrated;
+use boundfit_ask::{Calibrated, Given, Linearity as Question, Readings, Regressors, Through};
 use boundfit_figures::{PictureFormat, PlotOptions, draw_linearity};
 use boundfit_questions::Linearity;
+use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
 
 use super::asked::Job;
 use super::pictures;
-use crate::CommandResult;
-use crate::arguments::{LinearityArguments, refuse_without_picture};
-use crate::exit::Failure;
+use crate::exit::{CommandResult, Failure};
+use crate::options::{
+    BAD_DATA, BAD_USAGE, LabelArguments, LookArguments, Notes, OutputArguments, RowArguments, TableArguments,
+    TableFormat, Words, column_text, refuse_without_picture,
+};
 use crate::output;
 use crate::progress::while_working;
 
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        (
+            "A sensor read upscale and downscale, in two columns, with its picture",
+            "boundfit linearity lvdt.csv --x x_mm --up up_mV --down down_mV --figure lvdt.svg",
+        ),
+        (
+            "Readings below each other, with a column that says up or down; percent of a stated full scale",
+            "boundfit linearity cycles.csv --x mm --y mV --direction dir --full-scale 4",
+        ),
+        ("Readings of which no direction is known", "boundfit linearity transducer.csv --x Vz --y z"),
+    ],
+    statuses: &[(0, "an answer was found"), BAD_DATA, BAD_USAGE],
+};
+
+/// State how far a sensor is from a straight line, as laws and data sheets do: independent, terminal, zero-based and
+/// least-squares linearity
+///
+/// Independent linearity is the largest deviation of the characteristic (the average of upscale and downscale readings)
+/// from the best straight line; three readings prove it. Terminal linearity uses the line through both ends of the
+/// range, zero-based linearity the best line through a given point, and least-squares linearity the least-squares line.
+/// Each value is given in units of y and in percent of full scale, for the average, for upscale and for downscale
+/// readings. Hysteresis is the largest difference between both directions at one x, repeatability the largest spread of
+/// readings at one x in one direction.
+#[derive(Debug, Args)]
+#[command(after_help = NOTES.to_string())]
+pub(crate) struct LinearityArguments {
+    /// A table of readings, or - for standard input
+    data: String,
+    /// Column of the applied x, by header name or number from 1
+    #[arg(long, value_name = "COL", required = true)]
+    x: String,
+    /// Column of the sensor's output. Without --direction each reading is used as it is and none are averaged
+    #[arg(long, value_name = "COL", required_unless_present = "up", conflicts_with_all = ["up", "down"])]
+    y: Option<String>,
+    /// Column of the sensor's output for rising x; a cell may be empty if only the other direction was read
+    #[arg(long, value_name = "COL", value_parser = column_text, requires = "down")]
+    up: Option<String>,
+    /// Column of the sensor's output for falling x
+    #[arg(long, value_name = "COL", value_parser = column_text, requires = "up")]
+    down: Option<String>,
+    /// Column with the direction: rising (up, upscale, rising, increasing, +, 1) or falling (down, downscale, falling,
+    /// decreasing, -, -1, 0) x. The first of two other words means up
+    #[arg(long, value_name = "COL", value_parser = column_text, requires = "y", conflicts_with_all = ["up", "down"])]
+    direction: Option<String>,
+    /// Full scale for percents. Default: the span of y (of the average)
+    #[arg(long, value_name = "NUM", allow_hyphen_values = true)]
+    full_scale: Option<String>,
+    /// The point of zero-based linearity. Default: 0,0
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    through: Option<String>,
+    #[command(flatten)]
+    rows: RowArguments,
+    #[command(flatten)]
+    table: TableArguments,
+    /// Write a proof of the independent linearity to this file, for readings of which each row is a point; 'boundfit
+    /// verify' checks it
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    proof: Option<String>,
+    /// Draw the deviations in percent of full scale, as data sheets do, to this file (.svg, .png, .pdf, .tikz or .tex)
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    figure: Option<String>,
+    #[command(flatten)]
+    labels: LabelArguments,
+    #[command(flatten)]
+    look: LookArguments,
+    #[command(flatten)]
+    output: OutputArguments<TableFormat>,
+}
+
+impl LinearityArguments {
+    /// The readings.
+    fn words(&self) -> Words<'_> {
+        let readings = Readings {
+            x: Some(Regressors::One(self.x.clone())),
+            y: self.y.clone(),
+            rows: self.rows.words(),
+            table: self.table.words(),
+            ..Readings::default()
+        };
+        Words { path: &self.data, readings, limits: &self.table.limits }
+    }
+
+    /// The question.
+    fn question(&self) -> Question {
+        Question {
+            up: self.up.clone(),
+            down: self.down.clone(),
+            direction: self.direction.clone(),
+            full_scale: self.full_scale.clone().map(Given::Read),
+            through: self.through.clone().map(Through::Text),
+            keeps_every: self.figure.is_some(),
+        }
+    }
+}
+
 /// Reads the calibration and writes its linearity, and its picture if one is asked for.
-pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
+pub(super) fn run(arguments: &LinearityArguments) -> CommandResult {
     check_proof(arguments)?;
     let job = Job::of(arguments.words(), &arguments.output, arguments.proof.as_deref())?;
     let mut guard = job.guard(&arguments.output.file.replace, &[])?;

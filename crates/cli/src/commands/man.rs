@@ -2,20 +2,35 @@
 
 use std::io;
 
-use clap::{Command, CommandFactory};
+use clap::{Args, Command, CommandFactory};
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, roman};
 
-use crate::CommandResult;
-use crate::arguments::{Arguments, FileArguments, Notes, notes};
-use crate::exit::{Exit, Failure};
+use super::{Arguments, named};
+use crate::exit::{CommandResult, Exit, Failure};
+use crate::options::{FileArguments, Notes};
 use crate::output;
 
+pub(super) const NOTES: Notes = Notes {
+    examples: &[("The page of 'fit' as a file", "boundfit man fit > boundfit-fit.1")],
+    statuses: &[],
+};
+
+/// Print the manual page (roff) of the program or of one of its commands
+#[derive(Debug, Args)]
+#[command(after_help = NOTES.to_string())]
+pub(crate) struct ManArguments {
+    /// A command. Default: the program itself
+    topic: Option<String>,
+    #[command(flatten)]
+    file: FileArguments,
+}
+
 /// Prints the manual page of the program or of one of its commands.
-pub(crate) fn run(topic: Option<&str>, file: &FileArguments) -> CommandResult {
+pub(super) fn run(ManArguments { topic, file }: &ManArguments) -> CommandResult {
     let mut program = Arguments::command();
     program.build();
-    let command = match topic {
+    let command = match topic.as_deref() {
         None => program,
         Some(topic) => {
             let names: Vec<&str> = program.get_subcommands().map(Command::get_name).collect();
@@ -55,8 +70,8 @@ fn page(command: Command) -> io::Result<Vec<u8>> {
     if has_commands {
         manual.render_subcommands_section(&mut page)?;
     }
-    if let Some(notes) = notes(&name) {
-        endings(notes).to_writer(&mut page)?;
+    if let Some(command) = named(&name) {
+        endings(command.notes).to_writer(&mut page)?;
     }
     Ok(page)
 }

@@ -1,11 +1,78 @@
 //! `boundfit outliers`.
 
+use boundfit_ask::Outliers;
+use boundfit_exact::Limit;
+use boundfit_questions::OutlierLimits;
+use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
+
 use super::asked::Job;
-use crate::CommandResult;
-use crate::arguments::OutliersArguments;
+use crate::exit::CommandResult;
+use crate::options::{
+    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, TableFormat, ThreadArguments, limits,
+};
+
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        (
+            "Which of all 46 readings have to be left out for a line within 0.5 mm of the others",
+            "boundfit outliers transducer.csv --x Vz --y z --eps 0.5e-3",
+        ),
+        (
+            "How the set grows when up to 3 readings more than 0 may be missed, as JSON",
+            "boundfit outliers readings.csv --x x --y y --eps 0.1 --most 3 --format json",
+        ),
+        (
+            "The picture of what is left",
+            "boundfit plot readings.csv --x x --y y --eps 0.1 --figure outliers -o outliers.svg",
+        ),
+    ],
+    statuses: &[
+        (0, "the least number is found, be it 0"),
+        BAD_DATA,
+        BAD_USAGE,
+        (3, "nothing is left whatever is left out, since the conditions contradict each other"),
+    ],
+};
+
+/// Find the fewest readings to leave out so that some parameters agree with all others
+///
+/// A reading is left out with both of its bounds; conditions (--where) are never left out. The report contains the
+/// smallest number q, every set of q readings that leaves something, by how much each of its readings is missed, and
+/// the remaining polygons. There is one convex polygon per set, and they are apart from each other. --most adds the
+/// ranges, area, pieces and holes of the parameters that miss at most 0, 1, 2 ... readings.
+#[derive(Debug, Args)]
+#[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction, Limit::Sets, Limit::Steps])))]
+pub(crate) struct OutliersArguments {
+    #[command(flatten)]
+    data: DataArguments,
+    /// Also report how the set grows if up to Q readings may be missed: pieces, holes, ranges and area for each number
+    /// from 0 to Q
+    #[arg(long, value_name = "Q")]
+    most: Option<u32>,
+    /// Also write a proof of the answer to this file; 'boundfit verify' checks it against the data. In FILE.v it is a
+    /// theorem for the kernel of Coq instead. - means standard output if the report goes to a file
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    proof_library: bool,
+    #[command(flatten)]
+    threads: ThreadArguments,
+    #[command(flatten)]
+    output: OutputArguments<TableFormat>,
+}
+
+impl OutliersArguments {
+    /// Returns the question.
+    fn question(&self) -> Outliers {
+        let OutlierLimits { sets, steps } = self.data.table.limits.outliers();
+        Outliers { most: self.most.map(|most| most as usize), max_sets: Some(sets), max_steps: Some(steps) }
+    }
+}
 
 /// Reads the data, finds the outliers and writes the report.
-pub(crate) fn run(arguments: &OutliersArguments) -> CommandResult {
+pub(super) fn run(arguments: &OutliersArguments) -> CommandResult {
     arguments.threads.set()?;
     let job = Job::of(arguments.data.words(), &arguments.output, arguments.proof.as_deref())?
         .with_theory(arguments.proof_library)?;

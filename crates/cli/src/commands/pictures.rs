@@ -2,8 +2,8 @@
 
 use boundfit_figures::PictureFormat;
 
-use crate::arguments::ending;
 use crate::exit::Failure;
+use crate::options::ending;
 
 /// The format that the end of a file's name tells.
 pub(super) fn told_by_name(file: &str) -> Option<PictureFormat> {

@@ -1,14 +1,99 @@
 //! `boundfit predict`.
 
 use boundfit_ask::Predict;
+use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
 
 use super::asked::Job;
-use crate::CommandResult;
-use crate::arguments::{PredictArguments, TableFormat};
-use crate::exit::Failure;
+use crate::exit::{CommandResult, Failure};
+use crate::options::{
+    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, TableFormat, ThreadArguments,
+};
+
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        (
+            "Where the line runs at two x, and where a further reading lies there",
+            "boundfit predict transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --at 3.7,9/2",
+        ),
+        (
+            "Which x a reading may come from, with the rows that prove it",
+            "boundfit predict transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --from 0.012 --proofs",
+        ),
+        (
+            "The corridor at 101 values of x, as a table",
+            "boundfit predict transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --grid 0..10/100 \\\n\
+             \x20 -o corridor.csv",
+        ),
+        (
+            "At all values of a column of another file",
+            "boundfit predict readings.csv --x x --y y --eps 0.1 --at new.csv:x --format csv",
+        ),
+    ],
+    statuses: &[
+        (0, "an answer was found"),
+        BAD_DATA,
+        BAD_USAGE,
+        (3, "the feasible parameter set is empty, and predicts nothing; the proof is printed"),
+    ],
+};
+
+/// Predict the line at an x, a further reading there, and the x that a reading may come from
+///
+/// At x the lines that agree with all readings take the values of an interval, which is exact and has a proof. A
+/// further reading lies in it, widened by the reading's own error bound: that of the fitted readings if it applies to
+/// other readings, or --new-eps. Conversely a reading may come from each x where the widened interval contains it: one
+/// interval or two, some unbounded.
+#[derive(Debug, Args)]
+#[command(after_help = NOTES.to_string())]
+pub(crate) struct PredictArguments {
+    #[command(flatten)]
+    data: DataArguments,
+    /// The x to ask about: numbers exactly as written, 3.7,9/2, or a column of a table, FILE:COL. With two regressors
+    /// pairs, '1;2,3;4' or FILE:COL;COL2. Repeatable
+    #[arg(long, value_name = "X,...|FILE:COL", allow_hyphen_values = true,
+          required_unless_present_any = ["from", "grid"])]
+    at: Vec<String>,
+    /// Readings whose x is wanted: numbers, or a column, FILE:COL. Repeatable
+    #[arg(long, value_name = "Y,...|FILE:COL", allow_hyphen_values = true)]
+    from: Vec<String>,
+    /// Ask at N + 1 values of x in equal steps, ends included
+    #[arg(long, value_name = "FROM..TO/N", allow_hyphen_values = true)]
+    grid: Option<String>,
+    /// Error bound of a further reading, if it differs from that of the fitted ones: a number, or a law as in --eps
+    #[arg(long, value_name = "NUM", allow_hyphen_values = true)]
+    new_eps: Option<String>,
+    /// Show in text the readings that prove each end (JSON always does)
+    #[arg(long)]
+    proofs: bool,
+    /// Write a proof of each end to this file; 'boundfit verify' checks it. In FILE.v it is a theorem for the kernel of Coq
+    /// instead
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    proof_library: bool,
+    #[command(flatten)]
+    threads: ThreadArguments,
+    #[command(flatten)]
+    output: OutputArguments<TableFormat>,
+}
+
+impl PredictArguments {
+    /// The question.
+    fn question(&self) -> Predict {
+        Predict {
+            at: self.at.clone(),
+            from: self.from.clone(),
+            grid: self.grid.clone(),
+            new_eps: self.new_eps.clone(),
+            proofs: self.proofs,
+        }
+    }
+}
 
 /// Reads the data, fits, and writes what is predicted.
-pub(crate) fn run(arguments: &PredictArguments) -> CommandResult {
+pub(super) fn run(arguments: &PredictArguments) -> CommandResult {
     arguments.threads.set()?;
     let question = arguments.question();
     let files = files(&question);

@@ -1,11 +1,81 @@
 //! `boundfit range`.
 
+use boundfit_ask::Range;
+use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
+
 use super::asked::Job;
-use crate::CommandResult;
-use crate::arguments::RangeArguments;
+use crate::exit::CommandResult;
+use crate::options::{
+    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, TableFormat, ThreadArguments,
+};
+
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        (
+            "Where a sensor is linear to half a millimetre: every run of readings, in order of x, that a line agrees with",
+            "boundfit range transducer.csv --x Vz --y z --eps 0.5e-3",
+        ),
+        (
+            "The same as a table; the longest run has 'true' in column longest",
+            "boundfit range transducer.csv --x Vz --y z --eps 0.5e-3 --format csv",
+        ),
+        (
+            "How long a clock keeps its pace: runs in the order in which readings were taken",
+            "boundfit range clock.csv --x t --lower early --upper late --by-row",
+        ),
+    ],
+    statuses: &[
+        (0, "there is a run"),
+        BAD_DATA,
+        BAD_USAGE,
+        (3, "no reading fits, not even alone; the bounds that contradict each other are printed"),
+    ],
+};
+
+/// Find every run of readings that one line fits: the linear range
+///
+/// A run of consecutive readings, in order of x or of rows, is linear if some parameters meet all its bounds and the
+/// conditions. The report lists the runs that cannot be extended, with the readings that prevent it; the longest run,
+/// the widest in x, and the fewest that cover every reading; and the set of the longest run.
+#[derive(Debug, Args)]
+#[command(after_help = NOTES.to_string())]
+pub(crate) struct RangeArguments {
+    #[command(flatten)]
+    data: DataArguments,
+    /// Take readings in order of x, those at the same x in order of rows (default for a line)
+    #[arg(long)]
+    by_x: bool,
+    /// Take readings in order of rows (default for two regressors)
+    #[arg(long, conflicts_with = "by_x")]
+    by_row: bool,
+    /// Also write a proof of the answer to this file; 'boundfit verify' checks it against the data. In FILE.v it is a
+    /// theorem for the kernel of Coq instead. - means standard output if the report goes to a file
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    proof_library: bool,
+    #[command(flatten)]
+    threads: ThreadArguments,
+    #[command(flatten)]
+    output: OutputArguments<TableFormat>,
+}
+
+impl RangeArguments {
+    /// Returns the question.
+    fn question(&self) -> Range {
+        let by = match (self.by_x, self.by_row) {
+            (true, _) => Some("x".to_owned()),
+            (_, true) => Some("row".to_owned()),
+            _ => None,
+        };
+        Range { by }
+    }
+}
 
 /// Reads the data, finds the runs and writes.
-pub(crate) fn run(arguments: &RangeArguments) -> CommandResult {
+pub(super) fn run(arguments: &RangeArguments) -> CommandResult {
     arguments.threads.set()?;
     let job = Job::of(arguments.data.words(), &arguments.output, arguments.proof.as_deref())?
         .with_theory(arguments.proof_library)?;

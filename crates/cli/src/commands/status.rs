@@ -1,12 +1,84 @@
 //! `boundfit status`.
 
+use boundfit_ask::Status;
+use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
+
 use super::asked::Job;
-use crate::CommandResult;
-use crate::arguments::{StatusArguments, TableFormat};
-use crate::exit::Failure;
+use crate::exit::{CommandResult, Failure};
+use crate::options::{
+    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, TableFormat, ThreadArguments,
+};
+
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        (
+            "Which of rows 14 to 36 decide the set, and what it would be to each without it",
+            "boundfit status transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3",
+        ),
+        (
+            "Further readings against this set",
+            "boundfit status transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --new new.csv",
+        ),
+        (
+            "Which error bounds must be wider, and by how much, where no line meets all",
+            "boundfit status transducer.csv --x Vz --y z --rows 14..36 --eps 0.2e-3 --repair",
+        ),
+    ],
+    statuses: &[
+        (0, "every reading is judged"),
+        BAD_DATA,
+        BAD_USAGE,
+        (
+            3,
+            "the feasible parameter set is empty; told is which readings alone can be left out so that it is not",
+        ),
+    ],
+};
+
+/// Classify each reading against the full set and the leave-one-out set: inner, boundary, outer, outlier
+///
+/// Over a set the model takes a range of values at a reading. The leverage l is half this range divided by half the
+/// reading's width; the residual r is the distance of both middles divided by the same. Against the full set each
+/// reading is inner (|r| < 1 - l) or boundary (|r| = 1 - l). Against the set of the others it may also be outer (it
+/// cuts that set), strictly outer (any such reading would: l > 1) or an outlier (|r| > 1 + l: nothing is left).
+#[derive(Debug, Args)]
+#[command(after_help = NOTES.to_string())]
+pub(crate) struct StatusArguments {
+    #[command(flatten)]
+    data: DataArguments,
+    /// Also judge all readings of this table, with the same columns, against the set; they do not change it
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    new: Option<String>,
+    /// Also find the least total widening: factors w >= 1 of the error bounds with the smallest sum that leaves a
+    /// parameter
+    #[arg(long)]
+    repair: bool,
+    /// List every reading in text, latex and markdown, not only the 40 most important ones
+    #[arg(long)]
+    all: bool,
+    /// Write a proof of the statuses to this file; 'boundfit verify' checks it. In FILE.v it is a theorem for the kernel of
+    /// Coq instead
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    proof_library: bool,
+    #[command(flatten)]
+    threads: ThreadArguments,
+    #[command(flatten)]
+    output: OutputArguments<TableFormat>,
+}
+
+impl StatusArguments {
+    /// The question.
+    fn question(&self) -> Status {
+        Status { new: self.new.clone(), repair: self.repair, all: self.all }
+    }
+}
 
 /// Finds the set, judges every reading by it and writes.
-pub(crate) fn run(arguments: &StatusArguments) -> CommandResult {
+pub(super) fn run(arguments: &StatusArguments) -> CommandResult {
     arguments.threads.set()?;
     check_usage(arguments, arguments.output.format()?)?;
     let job = Job::of(arguments.data.words(), &arguments.output, arguments.proof.as_deref())?

@@ -11,12 +11,11 @@ use boundfit_figures::{
 };
 use boundfit_formats::ColumnSelector;
 
-use super::{Job, plain_options};
-use crate::CommandResult;
-use crate::arguments::{DataArguments, Figures, PlotArguments};
-use crate::exit::{Exit, Failure};
+use super::{Figures, Job, PlotArguments, plain_options};
+use crate::exit::{CommandResult, Exit, Failure};
 use crate::input;
 use crate::memory;
+use crate::options::DataArguments;
 use crate::progress::while_working;
 use crate::work::{refuse_long_problem, times};
 

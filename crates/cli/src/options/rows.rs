@@ -21,7 +21,7 @@ pub(crate) struct RowArguments {
 
 impl RowArguments {
     /// The rows as they are asked for.
-    pub(super) fn words(&self) -> RowWords {
+    pub(crate) fn words(&self) -> RowWords {
         let rows = |asked: &Option<String>| asked.clone().map(Rows::Text).unwrap_or_default();
         RowWords {
             rows: rows(&self.rows),

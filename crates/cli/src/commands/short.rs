@@ -2,7 +2,7 @@
 
 use clap::{Arg, Command};
 
-use super::notes;
+use super::named;
 
 /// A group of options with a line about each; the heading of the first is that of `-h` itself.
 type Group = (Option<&'static str>, &'static [(&'static str, &'static str)]);
@@ -75,40 +75,19 @@ const GROUPS: [Group; 3] = [
 const WORDS: [(&str, &str); 2] =
     [("data", "A table, or - for standard input"), ("more", "Further tables, drawn beside it")];
 
-/// A line about each command. A command without one is described as in `--help`.
-const COMMANDS: [(&str, &str); 18] = [
-    ("fit", "Compute all lines that agree with every reading"),
-    ("predict", "Predict y at an x, or x from a reading"),
-    ("next", "Find where one more reading certainly helps"),
-    ("linearity", "Compute how far a sensor is from a straight line"),
-    ("range", "Find the runs of readings that a line agrees with"),
-    ("status", "Judge each reading by the others"),
-    ("outliers", "Find the fewest readings to ignore"),
-    ("reduce", "Keep only the rows that decide"),
-    ("check", "Judge LP answers about a fit"),
-    ("convert", "Write the linear programs of a fit for other solvers"),
-    ("verify", "Check a proof against the data"),
-    ("judge", "Solve a linear program exactly, judge answers"),
-    ("polygon", "Intersect half-planes"),
-    ("plot", "Draw readings, intervals and the set"),
-    ("lesson", "Write a web page that explains a fit"),
-    ("playground", "Write a web page to type readings into"),
-    ("completions", "Print a completion script for a shell"),
-    ("man", "Print a manual page"),
-];
-
 /// The program with the short help.
 pub(crate) fn with_short_help(program: Command) -> Command {
     program.mut_subcommands(|command| {
         let name = command.get_name().to_owned();
         let more = format!("'boundfit {name} --help' explains every option.");
-        let ending = match notes(&name).and_then(|notes| notes.examples.first()) {
+        let own = named(&name);
+        let ending = match own.and_then(|own| own.notes.examples.first()) {
             Some((what, example)) => format!("{what}:\n  {example}\n{more}"),
             None => more,
         };
         let command = command.mut_args(shortened).after_help(ending);
-        match COMMANDS.iter().find(|(own, _)| *own == name) {
-            Some((_, about)) => command.about(*about),
+        match own {
+            Some(own) => command.about(own.short),
             None => command,
         }
     })
@@ -149,7 +128,7 @@ mod tests {
     use clap::CommandFactory;
 
     use super::*;
-    use crate::arguments::Arguments;
+    use crate::commands::Arguments;
 
     #[test]
     fn every_line_is_about_something_that_there_is() {
@@ -165,6 +144,5 @@ mod tests {
             .filter(|name| !has(name))
             .collect();
         assert!(missing.is_empty(), "{missing:?}");
-        assert!(COMMANDS.iter().all(|(name, _)| program.find_subcommand(name).is_some()));
     }
 }

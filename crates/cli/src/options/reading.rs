@@ -1,6 +1,6 @@
 //! Turns options into readings as every surface says them.
 
-use boundfit_ask::{Given, Readings, Regressors, TableWords};
+use boundfit_ask::{Given, Readings, TableWords};
 use boundfit_estimation::Measurements;
 use boundfit_exact::Foreign;
 use boundfit_report::Style;
@@ -8,8 +8,8 @@ use clap::ValueEnum;
 
 use super::shared::{EpsilonArguments, LineArguments};
 use super::{
-    DataArguments, LabelArguments, LimitArguments, LinearityArguments, OutputArguments, ReduceArguments,
-    TableArguments, ThreadArguments, VerifyArguments, XErrorArguments,
+    DataArguments, LabelArguments, LimitArguments, OutputArguments, TableArguments, ThreadArguments,
+    XErrorArguments,
 };
 use crate::exit::Failure;
 use crate::input;
@@ -82,63 +82,14 @@ impl DataArguments {
     }
 }
 
-impl LinearityArguments {
-    /// The readings.
-    pub(crate) fn words(&self) -> Words<'_> {
-        let readings = Readings {
-            x: Some(Regressors::One(self.x.clone())),
-            y: self.y.clone(),
-            rows: self.rows.words(),
-            table: self.table.words(),
-            ..Readings::default()
-        };
-        Words { path: &self.data, readings, limits: &self.table.limits }
-    }
-}
-
-impl ReduceArguments {
-    /// The readings.
-    pub(crate) fn words(&self) -> Words<'_> {
-        let readings = Readings {
-            x: Some(self.x.clone()),
-            y: self.y.clone(),
-            rows: self.rows.words(),
-            table: self.table.words(),
-            ..self.epsilon.words()
-        };
-        Words { path: &self.data, readings, limits: &self.table.limits }
-    }
-}
-
-impl VerifyArguments {
-    /// The readings, as far as they are said.
-    pub(super) fn words(&self) -> Readings {
-        let table = TableWords {
-            reading: self.reading.clone(),
-            header: Some(self.header.clone()),
-            delimiter: Some(self.delimiter.clone()),
-            limits: self.limits.words(),
-            ..TableWords::default()
-        };
-        Readings {
-            x: self.x.clone(),
-            y: self.y.clone(),
-            conditions: given(&self.conditions),
-            rows: self.rows.words(),
-            table,
-            ..self.line.beside(self.epsilon.words())
-        }
-    }
-}
-
 /// Numbers, or texts with numbers in them, that are read as the table's are.
-fn given(texts: &[String]) -> Vec<Given> {
+pub(crate) fn given(texts: &[String]) -> Vec<Given> {
     texts.iter().cloned().map(Given::Read).collect()
 }
 
 impl EpsilonArguments {
     /// The error bound, and nothing else.
-    fn words(&self) -> Readings {
+    pub(crate) fn words(&self) -> Readings {
         Readings {
             eps: self.eps.first().cloned().map(Given::Read),
             eps_column: self.eps_column.clone(),
@@ -151,7 +102,7 @@ impl EpsilonArguments {
 
 impl LineArguments {
     /// Says which lines are fitted, beside what else is said.
-    fn beside(&self, readings: Readings) -> Readings {
+    pub(crate) fn beside(&self, readings: Readings) -> Readings {
         Readings {
             through_origin: self.through_origin,
             x_origin: self.x_origin.clone().map(Given::Read),

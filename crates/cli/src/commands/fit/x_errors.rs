@@ -2,13 +2,13 @@
 
 use boundfit_ask::{Ask, FitXErrors, Form};
 
-use crate::CommandResult;
-use crate::arguments::{FitArguments, ReportFormat};
-use crate::exit::Failure;
+use super::FitArguments;
+use crate::exit::{CommandResult, Failure};
+use crate::options::ReportFormat;
 use crate::output::Guard;
 
 /// Reads the data, finds the lines that agree with all readings, and writes the report.
-pub(crate) fn run(arguments: &FitArguments, format: ReportFormat, guard: &mut Guard) -> CommandResult {
+pub(super) fn run(arguments: &FitArguments, format: ReportFormat, guard: &mut Guard) -> CommandResult {
     let form = check_usage(arguments, format)?;
     arguments.job(form).run(&FitXErrors {}, guard)
 }

@@ -1,5 +1,7 @@
 //! `boundfit judge`.
 
+mod solutions;
+
 use boundfit_exact::Foreign;
 use boundfit_exact::english::in_words;
 use boundfit_figures::{PictureFormat, draw_program};
@@ -10,19 +12,112 @@ use boundfit_report::{
     JudgeJson, Theory, h_representation, judge_document, judge_json, kernel_program, solutions_document,
     solutions_json, solutions_junit, solutions_sarif, v_representation,
 };
+use clap::builder::NonEmptyStringValueParser;
+use clap::{Args, ValueEnum};
 
+use self::solutions::SolutionArguments;
 use super::pictures::picture_format;
-use super::{proof_file, solutions};
-use crate::CommandResult;
-use crate::arguments::{JudgeArguments, JudgeFormat, LimitArguments, PictureArguments};
-use crate::exit::{Exit, Failure};
+use super::proof_file;
+use crate::exit::{CommandResult, Exit, Failure};
 use crate::input;
+use crate::options::{
+    BAD_DATA, BAD_USAGE, LimitArguments, NamedFormat, Notes, OutputArguments, PictureArguments,
+};
 use crate::output;
 use crate::progress::while_working;
 use crate::work::{refuse_long, refuse_long_text, times};
 
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        (
+            "The exact answer: optimum, all optimal points, duals, reduced costs, basis, the feasible set",
+            "boundfit judge model.mps",
+        ),
+        ("Everything as fractions, for a program", "boundfit judge model.lp --format json -o answer.json"),
+        (
+            "What solvers wrote about it, each aspect judged on its own; for a code host",
+            "boundfit judge model.mps --solution highs.sol --solution glpk.sol --format sarif",
+        ),
+    ],
+    statuses: &[
+        (0, "there is an answer, and no solution is refuted"),
+        BAD_DATA,
+        BAD_USAGE,
+        (3, "the program is infeasible, with the proof printed, and no solution is judged"),
+        (4, "a solution is refuted"),
+    ],
+};
+
+/// Solve a linear program with at most two free variables exactly, with a proof of the answer
+///
+/// The model is an MPS file (fixed or free) or an LP file as CPLEX writes it, plain or packed by gzip or Zstandard.
+/// Each number means what its text says. boundfit intersects half-planes, confirms the answer by an exact simplex
+/// method, and multiplies it out in the model. Prices prove an optimum, Farkas multipliers prove infeasibility, and a
+/// ray proves that the objective is unbounded. docs/lp-files.md explains the files where readers differ.
+#[derive(Debug, Args)]
+#[command(after_help = NOTES.to_string())]
+pub(crate) struct JudgeArguments {
+    /// MODEL.mps or MODEL.lp, or - for standard input, whose text decides the format
+    model: String,
+    /// Also draw the feasible set, the optimal points and the direction of improvement: FILE.svg, .png, .pdf, .tikz or
+    /// .tex
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    plot: Option<String>,
+    /// Write a theorem for the kernel of Coq to this file, which ends in .v: the feasible set, the optimum and all points
+    /// that attain it. The program must have two columns
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    proof_library: bool,
+    #[command(flatten)]
+    picture: PictureArguments,
+    #[command(flatten)]
+    solutions: SolutionArguments,
+    #[command(flatten)]
+    output: OutputArguments<JudgeFormat>,
+    #[command(flatten)]
+    limits: LimitArguments,
+}
+
+/// Formats of the answer to a linear program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum JudgeFormat {
+    /// A report for people
+    #[default]
+    Text,
+    /// Everything, for programs
+    Json,
+    /// The report's tables in LaTeX (booktabs)
+    Latex,
+    /// The report's tables in Markdown
+    Markdown,
+    /// Findings about solutions, for code hosts: SARIF 2.1.0, a rule for each aspect
+    Sarif,
+    /// Findings about solutions, for continuous integration: JUnit XML, a test case for each aspect
+    Junit,
+    /// The irredundant half-planes of the feasible set as cdd's and lrs's H-representation
+    Ine,
+    /// The vertices, rays and lines of the feasible set as cdd's and lrs's V-representation
+    Ext,
+}
+
+impl NamedFormat for JudgeFormat {
+    const ENDINGS: &'static [(&'static str, Self)] = &[
+        ("json", JudgeFormat::Json),
+        ("tex", JudgeFormat::Latex),
+        ("md", JudgeFormat::Markdown),
+        ("markdown", JudgeFormat::Markdown),
+        ("sarif", JudgeFormat::Sarif),
+        ("xml", JudgeFormat::Junit),
+        ("ine", JudgeFormat::Ine),
+        ("ext", JudgeFormat::Ext),
+        ("txt", JudgeFormat::Text),
+    ];
+}
+
 /// Reads the model, solves it and writes the report.
-pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
+pub(super) fn run(arguments: &JudgeArguments) -> CommandResult {
     check_usage_of_files(arguments)?;
     let proof = arguments.proof.as_deref();
     let theory = proof_file::only_theory(proof, arguments.proof_library, "a linear program")?;

@@ -3,10 +3,10 @@
 use std::fmt::{self, Display, Formatter};
 
 /// Exit status 1, which every command has.
-pub(super) const BAD_DATA: (u8, &str) = (1, "bad data, or a file that cannot be read or written");
+pub(crate) const BAD_DATA: (u8, &str) = (1, "bad data, or a file that cannot be read or written");
 
 /// Exit status 2, which every command has.
-pub(super) const BAD_USAGE: (u8, &str) = (2, "bad usage");
+pub(crate) const BAD_USAGE: (u8, &str) = (2, "bad usage");
 
 /// Examples and exit statuses of a command.
 pub(crate) struct Notes {

@@ -2,13 +2,13 @@
 
 use boundfit_ask::{Ask, Window};
 
-use crate::CommandResult;
-use crate::arguments::{FitArguments, ReportFormat};
-use crate::exit::Failure;
+use super::FitArguments;
+use crate::exit::{CommandResult, Failure};
+use crate::options::ReportFormat;
 use crate::output::Guard;
 
 /// Reads the data, then moves on and writes what is ready.
-pub(crate) fn run(
+pub(super) fn run(
     arguments: &FitArguments,
     window: &Window,
     format: ReportFormat,

@@ -37,7 +37,7 @@ pub(crate) struct LimitArguments {
 const HELP: &str = "The most that an input may ask for of something; repeatable";
 
 /// The option of a command that has limits of its own.
-pub(super) fn with(own: &'static [Limit]) -> impl FnOnce(Arg) -> Arg {
+pub(crate) fn with(own: &'static [Limit]) -> impl FnOnce(Arg) -> Arg {
     move |argument| argument.value_parser(parser(own)).long_help(long_help(own))
 }
 
@@ -168,7 +168,7 @@ impl LimitArguments {
     }
 
     /// The limits of whatever is read, by their names.
-    pub(super) fn words(&self) -> AskedLimits {
+    pub(crate) fn words(&self) -> AskedLimits {
         let is_of_files = |asked: &&AskedLimit| limits_of_files().any(|limit| limit == asked.limit);
         let named = |asked: &AskedLimit| (asked.limit.name().to_owned(), asked.most);
         self.limit.iter().filter(is_of_files).map(named).collect()
@@ -219,7 +219,7 @@ impl LimitArguments {
 }
 
 /// A size that no memory of this machine holds is as good as the largest one.
-pub(super) fn size(asked: u64) -> usize {
+pub(crate) fn size(asked: u64) -> usize {
     usize::try_from(asked).unwrap_or(usize::MAX)
 }
 

@@ -29,7 +29,7 @@ pub(crate) struct Question {
 impl VerifyArguments {
     /// The question that the options ask. Numbers in them are read as the proof reads those of the data, unless something else is
     /// asked for.
-    pub(crate) fn question(&self, about: &About) -> Result<Question, Failure> {
+    pub(super) fn question(&self, about: &About) -> Result<Question, Failure> {
         let said = self.words();
         let (has_bound, has_reading) = (said.has_bounds(), said.table.reading.is_some());
         let resolved = || {

@@ -7,19 +7,19 @@ use boundfit_exact::{Limits, Rational, Reading};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// The parser of an option whose value is one of these words, or leaves the choice to the file. Help and completions list them.
-pub(super) fn words_or_auto<const N: usize>(words: [&'static str; N]) -> PossibleValuesParser {
+pub(crate) fn words_or_auto<const N: usize>(words: [&'static str; N]) -> PossibleValuesParser {
     iter::once("auto").chain(words).into()
 }
 
 /// The parser of an option that takes one of these names. Help and completions list them.
-pub(super) fn named<T: Clone + Send + Sync + 'static>(
+pub(crate) fn named<T: Clone + Send + Sync + 'static>(
     values: impl IntoIterator<Item = (&'static str, T)>,
 ) -> impl TypedValueParser<Value = T> {
     explained(values.into_iter().map(|(name, value)| (PossibleValue::new(name), value)))
 }
 
 /// The parser of an option that takes one of these names, of which each may carry a line of help.
-pub(super) fn explained<T: Clone + Send + Sync + 'static>(
+pub(crate) fn explained<T: Clone + Send + Sync + 'static>(
     values: impl IntoIterator<Item = (PossibleValue, T)>,
 ) -> impl TypedValueParser<Value = T> {
     let values: Vec<(PossibleValue, T)> = values.into_iter().collect();
@@ -32,7 +32,7 @@ pub(super) fn explained<T: Clone + Send + Sync + 'static>(
 }
 
 /// Bytes: `1500000`, `512MiB`, `2G`, `1.5GiB`.
-pub(super) fn parse_size(text: &str) -> Option<u64> {
+pub(crate) fn parse_size(text: &str) -> Option<u64> {
     const UNITS: [(&str, u64); 9] = [
         ("KiB", 1 << 10),
         ("MiB", 1 << 20),
@@ -53,14 +53,14 @@ pub(super) fn parse_size(text: &str) -> Option<u64> {
 }
 
 /// A column as it is asked for.
-pub(super) fn column_text(text: &str) -> Result<String, String> {
+pub(crate) fn column_text(text: &str) -> Result<String, String> {
     match text.trim() {
         "" => Err("expected a header name or a column number".to_owned()),
         _ => Ok(text.to_owned()),
     }
 }
 
-pub(super) fn parse_regressors(text: &str) -> Result<Regressors, String> {
+pub(crate) fn parse_regressors(text: &str) -> Result<Regressors, String> {
     match split_at_commas(text).as_slice() {
         [x] => column_text(x).map(Regressors::One),
         [first, second] => Ok(Regressors::Two([column_text(first)?, column_text(second)?])),

@@ -3,11 +3,23 @@
 use boundfit_exact::Foreign;
 use boundfit_judge::{Answer, Findings, Ground, JudgedSolution, Solution, Tolerances, read_solution};
 use boundfit_lp::Model;
+use clap::Args;
 
-use crate::arguments::{LimitArguments, SolutionArguments, Switch};
 use crate::exit::Failure;
 use crate::input::read_text;
+use crate::options::{LimitArguments, Switch, ToleranceArguments};
 use crate::work::refuse_long_text;
+
+/// Solutions of the model, and how far they may be off.
+#[derive(Debug, Args)]
+pub(crate) struct SolutionArguments {
+    /// Judge this solution: a file of HiGHS, GLPK, CBC, CLP, SCIP, CPLEX (XML), Gurobi or MIPLIB, or JSON with
+    /// "status", "objective", "x", "duals", "reduced_costs", "ray", "farkas"; its content decides; repeatable
+    #[arg(long = "solution", visible_alias = "claim", value_name = "FILE")]
+    pub(super) solutions: Vec<String>,
+    #[command(flatten)]
+    tolerance: ToleranceArguments,
+}
 
 /// Reads and judges all of them.
 pub(super) fn judged(
