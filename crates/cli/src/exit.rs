@@ -28,7 +28,7 @@ impl From<Exit> for ExitCode {
     }
 }
 
-/// How a command ends.
+/// The end of a command: its exit status, or the reason why there is none.
 pub(crate) type CommandResult = Result<Exit, Failure>;
 
 /// A refusal, with the settings that would avoid it.

@@ -46,7 +46,7 @@ pub(crate) struct Named {
     with_options: fn(clap::Command) -> clap::Command,
     /// The end of its help.
     pub(crate) notes: &'static Notes,
-    /// Its line in the short help.
+    /// The line about it in the short help.
     short: &'static str,
 }
 
