@@ -1866,6 +1866,8 @@ class Solution(TypedDict):
     """The worst verdict."""
     findings: list[Finding]
     """The verdict on each aspect."""
+    not_judged: str | None
+    """The part of the file that is not judged, and why; null where every part is."""
 
 
 class Tolerance(TypedDict):

@@ -1741,6 +1741,8 @@ export interface Solution {
   verdict: "exact" | "rounded" | "within tolerance" | "no answer" | "refuted";
   /** The verdict on each aspect. */
   findings: Finding[];
+  /** The part of the file that is not judged, and why; null where every part is. */
+  not_judged: string | null;
 }
 
 /** The smallest tolerances that excuse an error, rounded up. */

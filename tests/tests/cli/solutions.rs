@@ -63,6 +63,57 @@ fn right_answers_of_every_format_pass() {
     }
 }
 
+/// A model of `fixtures/solutions/dialects` with what a solver wrote about it.
+fn dialect(model: &str, solution: &str) -> (i32, Value) {
+    let folder = "fixtures/solutions/dialects";
+    let solution =
+        if solution.starts_with('/') { solution.to_owned() } else { format!("{folder}/{solution}.sol") };
+    let run = run(&["judge", &format!("{folder}/{model}"), "--solution", &solution, "--format", "json"]);
+    let report: Value = serde_json::from_str(&run.stdout).unwrap_or_else(|_| panic!("{run:?}"));
+    (run.status, report["solutions"][0].clone())
+}
+
+#[test]
+fn right_answers_pass_in_every_dialect() {
+    for (model, solver, writer, claimed, verdict, aspects) in [
+        ("cost-row-last.lp", "highs-glpsol", "HiGHS", "optimal", "rounded", 7),
+        ("thirds.lp", "highs-glpsol", "HiGHS", "optimal", "rounded", 7),
+        ("row-objective.mps", "highs-raw", "HiGHS", "optimal", "rounded", 7),
+        ("column-objective.mps", "highs-raw", "HiGHS", "optimal", "rounded", 7),
+        ("empty-row.lp", "highs-raw", "HiGHS", "optimal", "exact", 7),
+        ("empty-row.lp", "highs-sparse", "HiGHS", "optimal", "exact", 4),
+        ("negative-upper.lp", "highs-raw", "HiGHS", "infeasible", "exact", 1),
+        ("never-feasible.lp", "cplex", "CPLEX", "infeasible-or-unbounded", "no answer", 1),
+        ("unbounded.mps", "glpk-interior-plain", "GLPK", "infeasible-or-unbounded", "no answer", 1),
+        ("unbounded.mps", "glpk-interior-printed", "GLPK", "infeasible-or-unbounded", "no answer", 1),
+    ] {
+        let name = format!("{}.{solver}", model.split('.').next().unwrap());
+        let (status, solution) = dialect(model, &name);
+        let found = ["writer", "status", "verdict"].map(|key| solution[key].as_str().unwrap());
+        assert_eq!((status, found), (0, [writer, claimed, verdict]), "{name}: {solution}");
+        assert_eq!(solution["findings"].as_array().unwrap().len(), aspects, "{name}: {solution}");
+        assert_eq!(solution["not_judged"], Value::Null, "{name}");
+    }
+}
+
+#[test]
+fn duals_are_judged_beside_a_cost_row_or_said_not_to_be() {
+    let text =
+        fs::read_to_string(root().join("fixtures/solutions/dialects/thirds.highs-glpsol.sol")).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("changed.sol");
+    fs::write(&path, text.replacen("i 1 u 1 -0.3333333333333", "i 1 u 1 -77", 1)).unwrap();
+    let (status, solution) = dialect("thirds.lp", path.to_str().unwrap());
+    assert_eq!((status, refuted(&solution)), (4, vec!["dual", "complementary-slackness", "duality-gap"]));
+    // Two rows more than the model has: which ones these are is not known.
+    let longer = text.replacen("s bas 3 2", "s bas 4 2", 1).replacen("j 1", "i 4 b 5 0\nj 1", 1);
+    fs::write(&path, longer).unwrap();
+    let (status, solution) = dialect("thirds.lp", path.to_str().unwrap());
+    assert_eq!((status, solution["findings"].as_array().unwrap().len()), (0, 4), "{solution}");
+    let said = "the duals are not looked at: the file numbers 4 rows, the model has 2 rows";
+    assert_eq!(solution["not_judged"], said);
+}
+
 #[test]
 fn wrong_answers_are_refuted() {
     for (name, solver, aspects) in [

@@ -29,7 +29,8 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
     let words =
         header.attribute("solutionStatusString").ok_or(missing("an attribute solutionStatusString"))?;
     let mut file = SolutionFile::new(FORMAT);
-    (file.status, file.status_line) = (status(words), line(text, header).number);
+    let is_feasible = header.attribute("primalFeasible") == Some("1");
+    (file.status, file.status_line) = (status(words, is_feasible), line(text, header).number);
     file.about.extend(header.attribute("problemName").map(str::to_owned));
     if let Some(value) = header.attribute("objectiveValue") {
         let line = line(text, header);
@@ -80,12 +81,16 @@ fn line<'a>(text: &'a str, node: Node<'_, '_>) -> Line<'a> {
     Line { format: FORMAT, number, text: text.get(range).unwrap_or_default() }
 }
 
-/// The status in CPLEX's words.
-fn status(words: &str) -> SolverStatus {
+/// The status in CPLEX's words, beside a point that is feasible or not. Without one, its "unbounded" means that the objective would
+/// improve for ever: it "does not include that the model has been proven to be feasible" (IBM, `IloCplex::getStatus`).
+fn status(words: &str, is_feasible: bool) -> SolverStatus {
     match words {
         "integer optimal solution" | "integer optimal, tolerance" => SolverStatus::Optimal,
         // "optimal with unscaled infeasibilities" is an optimum too, and as good as its numbers.
         _ if words.starts_with("optimal") => SolverStatus::Optimal,
-        other => SolverStatus::of_words(other.trim_start_matches("integer ")),
+        other => match SolverStatus::of_words(other.trim_start_matches("integer ")) {
+            SolverStatus::Unbounded if !is_feasible => SolverStatus::InfeasibleOrUnbounded,
+            status => status,
+        },
     }
 }

@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 
 use boundfit_exact::Rational;
-use boundfit_lp::{Model, NumberFormat, Printed};
+use boundfit_lp::{Model, Printed};
 
+use super::cost_row::without_cost_row;
 use super::error::{SolutionError, quoted};
 use super::{Entry, Figure, Reference, SolutionFile, SolverStatus};
 
@@ -38,6 +39,8 @@ pub struct Solution {
     pub ray: Option<Vec<Given>>,
     /// A multiplier for each row.
     pub farkas: Option<Vec<Given>>,
+    /// The number of rows in the file, by number, where the model has another one: their duals are passed over.
+    pub other_rows: Option<usize>,
 }
 
 impl Solution {
@@ -48,7 +51,7 @@ impl Solution {
     /// With names and places that the model has not, with two values for one of them, and with columns left out by a
     /// writer that leaves none out. Rows without a price may be any: files list free rows, which a model has not.
     pub fn new(file: &SolutionFile, model: &Model) -> Result<Self, SolutionError> {
-        let by_highs = in_the_style_of_glpk(file, model);
+        let by_highs = without_cost_row(file, model);
         let file = by_highs.as_ref().unwrap_or(file);
         let columns = Names::new("column", model.columns.iter().map(|column| column.name.raw()));
         let rows = Names::new("row", model.rows.iter().map(|row| row.name.raw()));
@@ -83,7 +86,10 @@ impl Solution {
             _ => all(values, left_out).filter(|_| is_optimal),
         };
         let has_prices = reduced.iter().any(|price| matches!(price, Slot::Given(_)));
-        let duals = rows.duals(file, &own_rows)?;
+        let by_number = own_rows.iter().any(|row| matches!(row.of, Reference::Place(_)));
+        let is_other = by_number && file.announced.is_some() && own_rows.len() != model.rows.len();
+        let other_rows = is_other.then_some(own_rows.len());
+        let duals = if is_other { None } else { rows.duals(file, &own_rows)? };
         let ray = file.ray.as_ref().map(|ray| columns.fill(ray.iter(), Entry::value_at));
         let farkas = file.farkas.as_ref().map(|rays| rows.fill(rays.iter(), Entry::value_at));
         let zero = |_| Given { number: Rational::zero().into(), line: file.status_line };
@@ -97,45 +103,9 @@ impl Solution {
             reduced_costs: all(reduced, zero).filter(|_| is_optimal && has_prices),
             ray: ray.transpose()?.and_then(|ray| all(ray, zero)),
             farkas: farkas.transpose()?.and_then(|farkas| all(farkas, zero)),
+            other_rows: other_rows.filter(|_| is_optimal),
         })
     }
-}
-
-/// HiGHS writes GLPK's files as well: with the objective as the first row, and numbers as it always prints them.
-fn in_the_style_of_glpk(file: &SolutionFile, model: &Model) -> Option<SolutionFile> {
-    let (first, rest) = file.rows.split_first()?;
-    let (objective, line) = file.objective.as_ref()?;
-    let value = first.value.as_ref()?.finite()?;
-    let off = (&value.value - &objective.finite()?.value).abs();
-    let near = Rational::scientific(1, -12) * Rational::one().max(value.value.abs());
-    let is_first = file.announced.is_some() && rest.len() == model.rows.len() && off <= near;
-    is_first.then(|| {
-        let place =
-            |(place, row): (usize, &Entry)| Entry { of: Reference::Place(place), ..coarser_entry(row) };
-        SolutionFile {
-            writer: "HiGHS",
-            rows: rest.iter().enumerate().map(place).collect(),
-            columns: file.columns.iter().map(coarser_entry).collect(),
-            objective: Some((coarser(objective), *line)),
-            ..file.clone()
-        }
-    })
-}
-
-fn coarser_entry(entry: &Entry) -> Entry {
-    Entry {
-        value: entry.value.as_ref().map(coarser),
-        price: entry.price.as_ref().map(coarser),
-        ..entry.clone()
-    }
-}
-
-/// A number with the precision of HiGHS.
-fn coarser(figure: &Figure) -> Figure {
-    let Figure::Finite(printed) = figure else { return Figure::NotFinite };
-    let value = printed.value.clone();
-    // The digits that a text has beyond those that are printed are not there.
-    Figure::Finite(Printed::by_writer("0", value, NumberFormat::HIGHS))
 }
 
 impl Entry {
@@ -251,16 +221,12 @@ impl<'a> Names<'a> {
         Ok(slots)
     }
 
-    /// The duals of rows; `None` where the file has none, or lists rows by number that the model has not.
+    /// The duals of rows; `None` where the file has none.
     fn duals(&self, file: &SolutionFile, rows: &[&Entry]) -> Result<Option<Vec<Slot>>, SolutionError> {
         let priced = |entry: &&&Entry| {
             let price = entry.price.as_ref().and_then(Figure::finite);
             price.is_some_and(|price| !price.value.is_zero())
         };
-        let by_number = rows.iter().any(|row| matches!(row.of, Reference::Place(_)));
-        if by_number && file.announced.is_some() && rows.len() != self.names.len() {
-            return Ok(None);
-        }
         let has_any = file.has_duals || rows.iter().any(|row| row.price.is_some());
         let known = rows.iter().filter(|row| self.place(&row.of).is_some() || priced(row));
         let filled = self.fill(known.copied(), Entry::price_at)?;

@@ -226,6 +226,7 @@ pub(super) fn parse_printed(text: &str, limits: &Limits) -> Result<SolutionFile,
     let mut heading = Heading::default();
     let mut file = SolutionFile { has_duals: true, ..SolutionFile::new(FORMAT) };
     let mut section = Section::Heading;
+    let mut is_interior = false;
     let mut lines = Line::all(FORMAT, text).peekable();
     while let Some(line) = lines.next() {
         let mut words = line.words();
@@ -233,7 +234,11 @@ pub(super) fn parse_printed(text: &str, limits: &Limits) -> Result<SolutionFile,
             break;
         }
         match words.as_slice() {
-            ["No.", "Row", ..] => section = Section::Rows,
+            ["No.", "Row", rest @ ..] => {
+                section = Section::Rows;
+                // Interior points have no basis, and integer programs have no marginals either.
+                is_interior = rest.contains(&"Marginal") && !rest.contains(&"St");
+            }
             ["No.", "Column", ..] => section = Section::Columns,
             _ if section == Section::Heading => heading.read(line, line.text),
             [number, _, ..] if number.parse::<usize>().is_ok() => {
@@ -256,8 +261,12 @@ pub(super) fn parse_printed(text: &str, limits: &Limits) -> Result<SolutionFile,
             _ => return Err(line.expected("\"NUMBER NAME STATUS ACTIVITY ...\"")),
         }
     }
-    file.status =
-        heading.status.ok_or(SolutionError::End { format: FORMAT, missing: "a line \"Status:\"" })?;
+    let told = heading.status.ok_or(SolutionError::End { format: FORMAT, missing: "a line \"Status:\"" })?;
+    file.status = match told {
+        // As in [`parse_plain`].
+        SolverStatus::Infeasible if is_interior => SolverStatus::InfeasibleOrUnbounded,
+        told => told,
+    };
     file.status_line = heading.status_line;
     file.about = heading.about;
     if let Some((_, value, number)) = heading.objective.filter(|(_, value, _)| !value.is_empty()) {

@@ -3,7 +3,7 @@
 //! Source: HiGHS documentation, "Solution file format". Its other styles are those of GLPK. The raw style prints numbers to
 //! 10⁻¹³ (`kHighsSolutionValueToStringTolerance`), with at most 16 digits; the table as `%g`.
 
-use boundfit_exact::Limits;
+use boundfit_exact::{Limits, Rational};
 use boundfit_lp::NumberFormat;
 
 use super::error::SolutionError;
@@ -36,13 +36,23 @@ enum Section {
     Basis,
 }
 
+/// The kind of entries below a heading.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Listed {
+    Columns,
+    /// Columns whose value is not 0, each with its number.
+    SparseColumns,
+    Rows,
+}
+
 /// A file in raw style, as far as it was read.
 struct Raw {
     file: SolutionFile,
     section: Section,
     status: Option<SolverStatus>,
     is_primal_there: bool,
-    are_rows: bool,
+    /// The entries that follow, once a heading has said so.
+    listed: Option<Listed>,
     /// The numbers of entries that the section of duals has met, of columns and of rows.
     priced: [usize; 2],
 }
@@ -54,7 +64,7 @@ pub(super) fn parse_raw(text: &str, limits: &Limits) -> Result<SolutionFile, Sol
         section: Section::Status,
         status: None,
         is_primal_there: false,
-        are_rows: false,
+        listed: None,
         priced: [0, 0],
     };
     for line in Line::all(FORMAT, text) {
@@ -79,9 +89,13 @@ impl Raw {
             (_, ["#", "Primal", ..]) => self.section = Section::Primal,
             (_, ["#", "Dual", ..]) => self.section = Section::Dual,
             (_, ["#", "Basis"]) => self.section = Section::Basis,
-            (_, ["#", "Columns", _]) => self.are_rows = false,
+            (_, ["#", "Columns", _]) => self.listed = Some(Listed::Columns),
+            (Section::Primal, ["#", "Columns", _, "sparse"]) => {
+                self.listed = Some(Listed::SparseColumns);
+                self.file.left_out = Some(Rational::zero());
+            }
             (_, ["#", "Rows", _]) => {
-                self.are_rows = true;
+                self.listed = Some(Listed::Rows);
                 self.file.has_duals |= self.section == Section::Dual;
             }
             (Section::Status, _) if self.status.is_none() => {
@@ -91,10 +105,13 @@ impl Raw {
                 self.is_primal_there = words != ["None"];
             }
             (Section::Dual, ["None" | "Feasible" | "Infeasible"]) => {}
-            (Section::Primal, ["Objective", value]) => {
+            // A column or a row may have that name.
+            (Section::Primal, ["Objective", value]) if self.listed.is_none() => {
                 self.file.objective = Some((line.figure(value, RAW, limits)?, line.number));
             }
-            (Section::Primal, [name, value]) => {
+            (Section::Primal, [name, value, _] | [name, value])
+                if (words.len() == 3) == (self.listed == Some(Listed::SparseColumns)) =>
+            {
                 let value = Some(line.figure(value, RAW, limits)?);
                 self.side().push(entry(name, line, value, None));
             }
@@ -103,6 +120,9 @@ impl Raw {
                 self.price(name, line, price);
             }
             (Section::Status, _) => return Err(line.expected("\"# Primal solution values\"")),
+            (Section::Primal, _) if self.listed == Some(Listed::SparseColumns) => {
+                return Err(line.expected("\"NAME VALUE NUMBER\""));
+            }
             (Section::Primal | Section::Dual, _) => return Err(line.expected("\"NAME VALUE\"")),
             (Section::Basis, _) => {}
         }
@@ -110,13 +130,13 @@ impl Raw {
     }
 
     fn side(&mut self) -> &mut Vec<Entry> {
-        if self.are_rows { &mut self.file.rows } else { &mut self.file.columns }
+        if self.listed == Some(Listed::Rows) { &mut self.file.rows } else { &mut self.file.columns }
     }
 
     /// Prices come in the order of the values; what has no value is an entry of its own.
     fn price(&mut self, name: &str, line: Line<'_>, price: Figure) {
         let [columns, rows] = &mut self.priced;
-        let place = if self.are_rows { rows } else { columns };
+        let place = if self.listed == Some(Listed::Rows) { rows } else { columns };
         let next = *place;
         *place += 1;
         let is_name = |entry: &&mut Entry| matches!(&entry.of, Reference::Name(own) if own == name);

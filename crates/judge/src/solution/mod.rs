@@ -1,6 +1,7 @@
 //! Files in which solvers write what they answer, each format as its writer documents it.
 
 mod cbc;
+mod cost_row;
 mod cplex;
 mod error;
 mod figure;

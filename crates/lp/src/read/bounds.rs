@@ -77,16 +77,17 @@ impl StatedBounds {
         }
     }
 
-    /// The bounds that are meant. Unless stated, a lower bound is 0, but −∞ under a negative upper one (CPLEX), and an
-    /// upper bound is +∞.
+    /// The bounds that are meant: unless stated, a lower bound is 0 and an upper one +∞.
     pub(super) fn meant(self) -> Bounds {
-        let upper = self.upper.and_then(Extended::finite);
-        let lower = match self.lower {
-            Some(lower) => lower.finite(),
-            None => {
-                Some(Rational::zero()).filter(|_| upper.as_ref().is_none_or(|upper| !upper.is_negative()))
-            }
-        };
-        Bounds { lower, upper }
+        let [lower, upper] = [self.lower, self.upper].map(|bound| bound.map(Extended::finite));
+        Bounds { lower: lower.unwrap_or_else(|| Some(Rational::zero())), upper: upper.flatten() }
+    }
+
+    /// The bounds that are meant in MPS. There a negative upper bound makes a lower one that is not stated −∞ (CPLEX).
+    pub(super) fn meant_in_mps(self) -> Bounds {
+        let is_free_below = self.lower.is_none();
+        let Bounds { lower, upper } = self.meant();
+        let is_negative = upper.as_ref().is_some_and(Rational::is_negative);
+        Bounds { lower: lower.filter(|_| !(is_free_below && is_negative)), upper }
     }
 }

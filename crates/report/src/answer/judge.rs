@@ -172,6 +172,8 @@ pub struct SolutionJson {
     pub verdict: &'static str,
     /// The verdict on each aspect.
     pub findings: Vec<FindingJson>,
+    /// The part of the file that is not judged, and why; null where every part is.
+    pub not_judged: Option<String>,
 }
 
 /// The verdict on an aspect of a solution; what does not apply is null.

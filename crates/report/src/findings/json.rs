@@ -3,6 +3,7 @@
 use boundfit_judge::{Excuse, Fault, Finding, Item, JudgedSolution, Side, SolverStatus};
 use boundfit_lp::Model;
 
+use super::not_judged;
 use super::sentence::sentence;
 use crate::answer::judge::{FindingJson, SolutionJson, ToleranceJson};
 use crate::style::Style;
@@ -21,6 +22,7 @@ pub fn solutions_json(model: &Model, solutions: &[JudgedSolution], style: &Style
         },
         verdict: judged.findings.worst().name(),
         findings: judged.findings.findings.iter().map(|finding| one_finding(model, finding, style)).collect(),
+        not_judged: not_judged(model, judged),
     };
     solutions.iter().map(one).collect()
 }

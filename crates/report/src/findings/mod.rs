@@ -5,6 +5,7 @@ mod junit;
 mod sarif;
 mod sentence;
 
+use boundfit_exact::english::counted;
 use boundfit_judge::{Aspect, JudgedSolution, Worth};
 use boundfit_lp::Model;
 
@@ -30,6 +31,7 @@ pub fn solutions_document(model: &Model, solutions: &[JudgedSolution]) -> Docume
             let said = Text::from(format!("{}: {}", finding.worth.name(), sentence(model, finding)));
             (Text::from(label(finding.aspect)), said)
         });
+        let rows = rows.chain(not_judged(model, judged).map(|reason| (Text::from(""), reason.into())));
         let width = Aspect::ALL.iter().map(|aspect| label(*aspect).len()).max().unwrap_or_default() + 2;
         blocks.extend([Block::Title(title), Block::Facts(Facts { width, rows: rows.collect() })]);
     }
@@ -38,6 +40,13 @@ pub fn solutions_document(model: &Model, solutions: &[JudgedSolution]) -> Docume
         blocks.push(Block::Paragraph(NAMED.into()));
     }
     Document::new(blocks)
+}
+
+/// The part of a file that is not judged, and why.
+fn not_judged(model: &Model, judged: &JudgedSolution) -> Option<String> {
+    let found = judged.solution.other_rows?;
+    let rows = counted(model.rows.len(), "row", "rows");
+    Some(format!("the duals are not looked at: the file numbers {found} rows, the model has {rows}"))
 }
 
 /// The source of the tolerances.

@@ -150,7 +150,11 @@ fn statuses() {
             "<CPLEXSolution version=\"1.2\">\n<header problemName=\"theta1-min\" solutionStatusString=\"{status}\"/>\n</CPLEXSolution>"
         )
     };
-    exact(STRIP, &header("unbounded"));
+    let feasible = |text: String| text.replace("\"/>", "\" primalFeasible=\"1\"/>");
+    exact(STRIP, &feasible(header("unbounded")));
+    assert_eq!(verdict(EMPTY, 4, "theta1-min.sol", &feasible(header("unbounded"))).0, "wrong status");
+    // CPLEX does not say by this word that there is a feasible point.
+    exact(EMPTY, &header("unbounded"));
     exact(STRIP, &header("infeasible or unbounded"));
     exact(EMPTY, &header("infeasible"));
     nothing(STRIP, &header("time limit exceeded"), "the solver's status is time limit exceeded");

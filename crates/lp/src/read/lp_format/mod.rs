@@ -252,17 +252,21 @@ impl<'a, I: Iterator<Item = Result<Line<'a>, ModelError>>> Reader<'a, I> {
             let Some(first) = self.tokens.peek(0)? else { return Err(self.tokens.end()) };
             let name = self.name()?;
             self.program.begin_row(name, first.field)?;
-            self.row()?;
+            self.row(name.is_some())?;
         }
         Ok(())
     }
 
-    /// Returns what stands behind the name of a row: `3 x + y <= 2` or `1 <= 3 x + y <= 2`.
-    fn row(&mut self) -> Result<(), ModelError> {
+    /// Reads what stands behind the name of a row: `3 x + y <= 2` or `1 <= 3 x + y <= 2`. Solvers write a row without terms as
+    /// `<= 2`, with a name in front.
+    fn row(&mut self, is_named: bool) -> Result<(), ModelError> {
         let left = self.left_side()?;
+        let may_be_empty = is_named && left.is_none();
         let mut is_first = true;
         let right = loop {
-            if !is_first && let Some(relation) = self.relation()? {
+            if (!is_first || may_be_empty)
+                && let Some(relation) = self.relation()?
+            {
                 break (relation, self.value()?);
             }
             let Term { is_negative, number, name } = self.term(is_first)?;

@@ -302,7 +302,7 @@ impl<'a> Program<'a> {
         let column = |(name, column): (&str, Column)| ModelColumn {
             name: name.into(),
             cost: Rational::zero(),
-            bounds: column.bounds.meant(),
+            bounds: column.bounds.meant_in_mps(),
         };
         let mut model = Model {
             name: self.name.into(),
