@@ -9,7 +9,7 @@ pub(crate) fn in_words(error: &InputError) -> String {
     let text = error
         .to_string()
         .replace("readings: the file has a header but no data rows", "readings: the columns are empty");
-    let ways: Vec<String> = error.kind.ways().iter().map(as_argument).collect();
+    let ways: Vec<String> = error.ways().iter().map(as_argument).collect();
     if ways.is_empty() { text } else { format!("{text}; {}", ways.join(", ")) }
 }
 
@@ -24,6 +24,7 @@ pub(crate) fn as_argument(way: &Way) -> String {
             let value = match *value {
                 "" => "True".to_owned(),
                 number @ "N" => number.to_owned(),
+                quoted if quoted.starts_with('"') => quoted.to_owned(),
                 text => format!("\"{}\"", text.trim_matches('\'')),
             };
             format!("{}={value} {effect}", setting.name().replace(' ', "_"))

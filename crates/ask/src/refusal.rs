@@ -98,7 +98,7 @@ impl Refusal {
     /// Returns what can be set so that the request is not refused.
     pub fn ways(&self) -> Vec<Way> {
         match self {
-            Refusal::Input(error) => error.kind.ways(),
+            Refusal::Input(error) => error.ways(),
             Refusal::Work(_) => vec![Way::raises(Limit::Work)],
             Refusal::Value { problem, .. } => problem.limit().map(Way::raises).into_iter().collect(),
             Refusal::Outliers {

@@ -38,7 +38,7 @@ pub(crate) trait Refused: Display {
 
 impl Refused for InputError {
     fn ways(&self) -> Vec<Way> {
-        self.kind.ways()
+        InputError::ways(self)
     }
 }
 

@@ -181,7 +181,7 @@ fn behind_mark(name: &str) -> &str {
 }
 
 /// Returns whether a cell of the first row is a name rather than a number, a failed number or a missing one.
-fn looks_like_name(cell: &[u8]) -> bool {
+pub(crate) fn looks_like_name(cell: &[u8]) -> bool {
     let text = String::from_utf8_lossy(cell);
     let text = text.trim();
     let text = if text.starts_with("# ") || text.starts_with("% ") { behind_mark(text) } else { text };

@@ -93,6 +93,9 @@ impl TableNotes {
         let HeaderNote { line, is_comment, is_open, has_numbers, .. } = self.header;
         let what = if self.is_sheet { "row" } else { "line" };
         match line {
+            None if is_open && self.is_records => {
+                Some("no header, the first array is a reading (else header yes)".to_owned())
+            }
             None if is_open => Some(format!("no header, the first {what} is a reading (else header yes)")),
             None => None,
             Some(line) if is_comment => Some(format!("names in the comment of {what} {line}")),

@@ -11,6 +11,7 @@ use crate::blocks::Gap;
 use crate::dialect::BLANKS;
 use crate::error::{InputError, InputErrorKind};
 use crate::limits::SizeLimits;
+use crate::quotes::TornCells;
 
 /// The words that spreadsheets write into cells without a value.
 const SHEET_ERRORS: [&[u8]; 7] = [b"#N/A", b"#DIV/0!", b"#NUM!", b"#VALUE!", b"#REF!", b"#NAME?", b"#NULL!"];
@@ -78,6 +79,7 @@ pub(crate) struct Record {
     cells: usize,
     /// The most cells to keep: each takes memory, and may be nothing but a comma.
     most_cells: usize,
+    torn: TornCells,
 }
 
 impl Record {
@@ -91,6 +93,11 @@ impl Record {
         let ends = self.ends.get(..self.cells).unwrap_or_default();
         let start = index.checked_sub(1).and_then(|before| ends.get(before)).copied().unwrap_or(0);
         ends.get(index).and_then(|&end| self.bytes.get(start..end)).unwrap_or_default()
+    }
+
+    /// Returns whether text stands behind the closing quote of a cell, counted from 0.
+    pub(crate) fn is_torn(&self, index: usize) -> bool {
+        self.torn.has(index)
     }
 
     /// The cells in order.
@@ -109,6 +116,7 @@ impl Record {
 
     fn clear(&mut self) {
         (self.bytes_used, self.cells) = (0, 0);
+        self.torn.clear();
     }
 
     /// Takes the cells of a line without quotes.
@@ -123,14 +131,16 @@ impl Record {
 
     /// Goes on with this record; gives how many bytes that took, and whether it is complete.
     fn go_on(&mut self, core: &mut Core, input: &[u8]) -> (usize, bool) {
-        match core {
-            Core::Blanks(core) => core.read(input, self),
-            Core::Delimited(_) if self.is_too_wide() => (input.len(), false),
+        let (delimiter, (taken, is_complete)) = match core {
+            Core::Blanks(core) => (BLANKS, core.read(input, self)),
+            Core::Delimited(_) if self.is_too_wide() => return (input.len(), false),
             Core::Delimited(core) => {
                 let (result, taken) = self.read(core.reader(), input);
-                (taken, result == ReadRecordResult::Record)
+                (core.delimiter, (taken, result == ReadRecordResult::Record))
             }
-        }
+        };
+        self.torn.pass(input.get(..taken).unwrap_or_default(), delimiter);
+        (taken, is_complete)
     }
 
     /// Returns whether there are more cells than are kept.

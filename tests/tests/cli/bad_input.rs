@@ -77,7 +77,8 @@ fn cells_that_are_not_numbers() {
         let verdict = if problem.ends_with("(the limit)") {
             format!("refused: {problem} at character {}; --limit exponent=N raises it", before + 1)
         } else {
-            format!("not a number: {problem} at character {} {A_NUMBER}", before + 1)
+            let way = if cell == "1 000" { "; --thousands ' ' reads digits in groups of three" } else { "" };
+            format!("not a number: {problem} at character {} {A_NUMBER}{way}", before + 1)
         };
         let message = format!(": line {line}, column 2 (y): {cell:?}: {verdict}");
         refuses_files("fit", &options, &[("numbers.csv", &message)]);

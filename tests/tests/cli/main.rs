@@ -8,6 +8,7 @@ mod bounds;
 mod brief;
 mod check;
 mod convert;
+mod damaged;
 mod dialects;
 mod exchange;
 mod fleet;

@@ -285,7 +285,7 @@ pub enum InputErrorKind {
         numbers: Option<usize>,
     },
     /// A column that a table of one column does not have, when nothing was found that separates columns.
-    #[error("there is no column {wanted:?}, and nothing was found that separates columns in {line:?}")]
+    #[error("there is no column {wanted:?}, and nothing was found that separates columns in {}", .line.quoted())]
     NoDelimiter {
         /// The column asked for.
         wanted: Foreign,
@@ -329,6 +329,12 @@ pub enum InputErrorKind {
     /// The first row after the header has no number in any cell that is asked for.
     #[error("not a number, nor is any other cell of this row that is asked for")]
     NoNumberInFirstRow,
+    /// A cell that goes on behind its closing quote.
+    #[error("text stands behind a closing quote")]
+    BehindQuotes,
+    /// A row of numbers that was said to be one of units.
+    #[error("a row of units was asked for, but this one has numbers in all cells that are asked for")]
+    NumbersAsUnits,
     /// A row that lacks a number.
     #[error("the value is missing{}", others_missing(*.rows, *.is_complete))]
     Missing {
@@ -606,6 +612,10 @@ impl InputErrorKind {
             InputErrorKind::NoDelimiter { .. } => "a column's number".to_owned(),
             InputErrorKind::AnotherDecimalMark { .. } => "one decimal mark".to_owned(),
             InputErrorKind::NoNumberInFirstRow => "a row of numbers".to_owned(),
+            InputErrorKind::BehindQuotes => "a delimiter behind the quote, or no quotes".to_owned(),
+            InputErrorKind::NumbersAsUnits => {
+                "units such as mm, or readings without a row of units".to_owned()
+            }
             InputErrorKind::Missing { .. } => "a number in every row".to_owned(),
             InputErrorKind::AllMissing { .. } => "a row with all its numbers".to_owned(),
             InputErrorKind::BlanksTwice => {

@@ -59,6 +59,17 @@ impl InputError {
         InputError::new(file, Place { row: Some(row), ..Place::default() }, kind)
     }
 
+    /// Settings with which the file is read, the most helpful first.
+    pub fn ways(&self) -> Vec<Way> {
+        let text = self.place.text.as_ref().map(Foreign::raw);
+        match (&self.kind, text.and_then(grouping_mark)) {
+            (InputErrorKind::NotANumber(_), Some(mark)) => {
+                vec![Way::new(Setting::Thousands, mark, "reads digits in groups of three")]
+            }
+            _ => self.kind.ways(),
+        }
+    }
+
     /// This error, where so many more lines come before its own.
     pub(crate) fn after_lines(&mut self, lines: u64) {
         if let Some(line) = &mut self.place.line {
@@ -85,6 +96,25 @@ impl InputError {
     pub(crate) fn new(file: impl Into<Foreign>, place: Place, kind: impl Into<InputErrorKind>) -> Self {
         InputError { file: file.into(), place: Box::new(place), kind: kind.into() }
     }
+}
+
+/// The mark that groups the digits of a number in threes, as the option for it takes it. A point or a comma does where there are several,
+/// or where the other one follows: `3.100,5`.
+fn grouping_mark(number: &str) -> Option<&'static str> {
+    const MARKS: [(&str, &str); 4] =
+        [(" \u{a0}\u{202f}\u{2009}\u{2007}", "' '"), ("'\u{2019}", "\"'\""), (".", "'.'"), (",", "','")];
+    let number = number.trim().trim_start_matches(['+', '-']);
+    let mark = number.chars().find(|character| !character.is_ascii_digit())?;
+    let (_, option) = MARKS.iter().find(|(marks, _)| marks.contains(mark))?;
+    let other = |character: char| matches!(character, '.' | ',') && character != mark;
+    let (whole, decimals) = number.split_once(other).unzip();
+    let groups: Vec<&str> = whole.unwrap_or(number).split(mark).collect();
+    let are_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    let (first, others) = groups.split_first()?;
+    let is_grouped = (1..=3).contains(&first.len()) && others.iter().all(|group| group.len() == 3);
+    let is_clear = !matches!(mark, '.' | ',') || others.len() > 1 || decimals.is_some();
+    let is_number = groups.iter().chain(&decimals).all(|text| are_digits(text));
+    (!others.is_empty() && is_grouped && is_clear && is_number).then_some(*option)
 }
 
 /// The part of a message that says what would be accepted.

@@ -61,7 +61,7 @@ pub(crate) fn scan_json<T: Send>(
 ) -> Result<Scanned, InputError> {
     let mut text = TextReader::new(bytes, options.hash);
     text.begin(options.table.dialect.encoding);
-    let mut reader = JsonRows::new(name, text, &options.table.sizes);
+    let mut reader = JsonRows::new(name, text, options.table.header, &options.table.sizes);
     let mut part = reader.part(options.chunk_bytes);
     let names = reader.close_names();
     if names.is_empty() {
@@ -94,7 +94,8 @@ pub(crate) fn scan_json<T: Send>(
     let (rows_total, rows_missing) = lacking.settle(read, used, options)?;
     check_rows(name, rows_total, options)?;
     let text = reader.tokens.input();
-    let table = notes(text.encoding(), options.table.missing);
+    let mut table = notes(text.encoding(), options.table.missing);
+    table.header.is_open = reader.may_be_names;
     let (bytes, sha256) = (text.total(), text.sha256());
     let scanned = wanted.scanned(rows_total, rows_missing);
     Ok(Scanned { header: names, bytes, sha256, table: Some(table), ..scanned })

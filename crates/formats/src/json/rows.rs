@@ -9,7 +9,9 @@ use super::lane::Shape;
 use super::records::Records;
 use super::tokens::Tokens;
 use crate::budget::HeldMemory;
+use crate::columns::Header;
 use crate::error::{InputError, InputErrorKind};
+use crate::heading::looks_like_name;
 use crate::limits::SizeLimits;
 use crate::memory_use::MemoryUse;
 
@@ -41,6 +43,12 @@ pub(super) struct JsonRows<'a, R> {
     columns: HashMap<String, usize>,
     /// `true` if columns may be added.
     is_open: bool,
+    /// The words about the first row without keys.
+    header: Header,
+    /// `true` if that row is a reading of texts, and could be names as well.
+    pub(super) may_be_names: bool,
+    /// The cells of the first record, if it has no keys; `None` before the first record too.
+    width: Option<usize>,
     most_columns: usize,
     /// The shape of the last object that was read token by token.
     shape: Option<Shape>,
@@ -49,7 +57,7 @@ pub(super) struct JsonRows<'a, R> {
 }
 
 impl<'a, R: Read> JsonRows<'a, R> {
-    pub(super) fn new(file: &'a str, input: R, sizes: &'a SizeLimits) -> Self {
+    pub(super) fn new(file: &'a str, input: R, header: Header, sizes: &'a SizeLimits) -> Self {
         JsonRows {
             file,
             tokens: Tokens::new(file, input, sizes),
@@ -57,6 +65,9 @@ impl<'a, R: Read> JsonRows<'a, R> {
             names: Vec::new(),
             columns: HashMap::new(),
             is_open: true,
+            header,
+            may_be_names: false,
+            width: None,
             most_columns: sizes.columns,
             shape: None,
             memory: sizes.memory.nothing(),
@@ -142,6 +153,12 @@ impl<'a, R: Read> JsonRows<'a, R> {
         let first = self.tokens.next()?;
         let line = self.tokens.line();
         let is_record = match first {
+            Some(b'{') if self.width.is_some() => {
+                return Err(self.tokens.wrong("an array, as the first record is,"));
+            }
+            Some(b'[') if self.width.is_none() && !self.names.is_empty() => {
+                return Err(self.tokens.wrong("an object, as the first record is,"));
+            }
             Some(b'{') if self.like_the_last(records) => true,
             Some(b'{') => {
                 records.drop_open();
@@ -225,7 +242,8 @@ impl<'a, R: Read> JsonRows<'a, R> {
         Ok(())
     }
 
-    /// Adds a row without keys. The first one names the columns if it has texts only.
+    /// Adds a row without keys. The first one names the columns if that is asked for, or if it has texts only and one of them is a
+    /// word.
     fn array(&mut self, line: u64, records: &mut Records) -> Result<bool, InputError> {
         let mut are_texts = true;
         self.tokens.must(b'[', "'['")?;
@@ -241,7 +259,20 @@ impl<'a, R: Read> JsonRows<'a, R> {
             }
         }
         let cells = records.open_cells();
-        let is_header = self.is_open && self.names.is_empty() && are_texts && cells > 0;
+        let is_first = self.width.is_none();
+        let width = *self.width.get_or_insert(cells);
+        if cells > width && records.open().skip(width).any(|cell| !cell.is_empty()) {
+            let problem = InputErrorKind::RaggedRow { found: cells, expected: width };
+            return Err(InputError::of_line(self.file, line, problem));
+        }
+        let is_header = is_first
+            && cells > 0
+            && match self.header {
+                Header::Present => true,
+                Header::Absent => false,
+                Header::Auto => are_texts && records.open().any(|name| looks_like_name(name.as_bytes())),
+            };
+        self.may_be_names |= is_first && self.header == Header::Auto && are_texts && !is_header;
         if self.is_open && self.names.len() < cells {
             for name in records.open().skip(self.names.len()) {
                 self.add_name(if is_header { name } else { "" }, line)?;

@@ -7,7 +7,7 @@ use std::io::{self, BufRead, BufReader, Read};
 
 use super::elements::Damage;
 use super::file::MatFile;
-use super::numbers::{Numbers, ask_for};
+use super::numbers::Numbers;
 use super::search::Search;
 use super::variable::{Content, Variable};
 use crate::budget::HeldMemory;
@@ -31,7 +31,7 @@ pub(super) fn read(
     sizes: &SizeLimits,
 ) -> Result<(), InputErrorKind> {
     let bytes = BufReader::new(start.chain(file));
-    let mut text = Text { bytes, line: 0, read: 0, last: String::new(), sizes };
+    let mut text = Text { bytes, line: 0, read: 0, last: String::new(), is_ahead: false, sizes };
     let mut go_through = || -> Result<(), Damage> {
         while let Some(name) = text.name()? {
             text.variable(Some(&mut *search), name, sizes.nesting)?;
@@ -57,6 +57,8 @@ struct Text<'a, R> {
     /// The number of the last line, and what stands on it.
     line: u64,
     last: String,
+    /// `true` if that line was only looked at: it is the next one again.
+    is_ahead: bool,
     /// The number of bytes read.
     read: u64,
     sizes: &'a SizeLimits,
@@ -65,6 +67,9 @@ struct Text<'a, R> {
 impl<R: BufRead> Text<'_, R> {
     /// Goes on to the next line; `false` at the end.
     fn next(&mut self) -> Result<bool, Damage> {
+        if std::mem::take(&mut self.is_ahead) {
+            return Ok(true);
+        }
         let mut line = Vec::new();
         let most = (self.sizes.line as u64).saturating_add(1);
         let count = self.bytes.by_ref().take(most).read_until(b'\n', &mut line)?;
@@ -80,6 +85,20 @@ impl<R: BufRead> Text<'_, R> {
     /// Goes on to the line that must follow.
     fn must(&mut self) -> Result<(), Damage> {
         if self.next()? { Ok(()) } else { Err(Damage::Io(io::ErrorKind::UnexpectedEof.into())) }
+    }
+
+    /// Refuses a line with more numbers of a variable than it says that it has.
+    fn no_more(&mut self, name: &str) -> Result<(), Damage> {
+        while self.next()? {
+            if self.last.starts_with(['#', '%']) {
+                self.is_ahead = true;
+                break;
+            }
+            if !self.last.is_empty() {
+                return Err(Damage::format(format!("{name:?} has more numbers than are announced")));
+            }
+        }
+        Ok(())
     }
 
     /// Returns the value that the last line has for this word, as `# rows: 3` has 3 for `rows`.
@@ -145,10 +164,12 @@ impl<R: BufRead> Text<'_, R> {
             _ => Content::Other(format!("of the type {kind:?}")),
         };
         let Some(search) = search else { return Ok(()) };
-        search.add(Variable { name, content }, self.read - before, |_, memory| {
+        search.add(Variable { name: name.clone(), content }, self.read - before, |_, memory| {
             self.must()?;
             self.hold(memory)?;
-            Ok(texts(vec![self.last.trim().to_owned()]))
+            let number = self.last.trim().to_owned();
+            self.no_more(&name)?;
+            Ok(texts(vec![number]))
         })?;
         Ok(())
     }
@@ -217,6 +238,7 @@ impl<R: BufRead> Text<'_, R> {
             found.resize_with(cells.len(), Vec::new);
             found.iter_mut().zip(cells).for_each(|(column, cell)| column.push(cell.to_owned()));
         }
+        self.no_more(name)?;
         Ok(texts(found.into_iter().flatten().collect()))
     }
 
@@ -231,7 +253,10 @@ impl<R: BufRead> Text<'_, R> {
             }
             found.extend(self.last.split_whitespace().map(str::to_owned));
         }
-        found.truncate(usize::try_from(count).unwrap_or(usize::MAX));
+        if found.len() as u64 > count {
+            return Err(Damage::format(format!("{name:?} has more numbers than are announced")));
+        }
+        self.no_more(name)?;
         Ok(texts(found))
     }
 
@@ -242,7 +267,8 @@ impl<R: BufRead> Text<'_, R> {
         memory.ask(bytes, MemoryUse::Variables).map_err(Damage::Refused)
     }
 
-    /// Reads a range: its base, limit and increment, of which Octave makes doubles.
+    /// Reads a range: its base, limit and increment, of which Octave makes doubles. They become the texts that Octave would write
+    /// for a matrix of them.
     fn range(&mut self, search: Option<&mut Search>, name: String) -> Result<(), Damage> {
         self.must()?;
         if self.last.starts_with(['#', '%']) {
@@ -260,17 +286,22 @@ impl<R: BufRead> Text<'_, R> {
             steps if (0.0..2_147_483_647.0).contains(&steps) => {
                 Content::Numbers { rows: 1, columns: steps as u64 + 1 }
             }
+            steps if steps > 0.0 => {
+                Content::Other("a range of more elements than a matrix may have".to_owned())
+            }
             _ => Content::Other("empty".to_owned()),
         };
         let Some(search) = search else { return Ok(()) };
         search.add(Variable { name, content }, self.last.len() as u64, |count, memory| {
-            ask_for(count, size_of::<f64>(), memory)?;
+            memory
+                .ask(count.saturating_mul(BYTES_PER_TEXT), MemoryUse::Variables)
+                .map_err(Damage::Refused)?;
             let last = count - 1;
             let number = |index: u64| match base + index as f64 * increment {
                 number if index == last && (number > limit) == (increment > 0.0) => limit,
                 number => number,
             };
-            Ok(Numbers::Doubles((0..count).map(number).collect()))
+            Ok(texts((0..count).map(|index| written(number(index))).collect()))
         })?;
         Ok(())
     }
@@ -327,6 +358,14 @@ impl<R: BufRead> Text<'_, R> {
     fn deeper(&self, nesting: usize) -> Result<usize, Damage> {
         nesting.checked_sub(1).ok_or_else(|| Damage::format("a struct in a struct in a struct ..."))
     }
+}
+
+/// A double as `save -text` writes it, with 17 significant digits.
+fn written(number: f64) -> String {
+    let text = format!("{number:.16e}");
+    let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let digits = digits.trim_end_matches('0').trim_end_matches('.');
+    if exponent == "0" { digits.to_owned() } else { format!("{digits}e{exponent}") }
 }
 
 /// Numbers as they are written.

@@ -105,10 +105,10 @@ impl<'a> FirstRecord<'a> {
         let mut units = None;
         if has_header || options.table.dialect.units_row && !is_commented {
             (cursor, records_before) = (behind, 1);
-            units = Some(&first).filter(|_| !has_header).map(|first| first.cells.clone());
+            units = Some(&first).filter(|_| !has_header).map(|first| (first.cells.clone(), first.line));
         }
         if has_header && options.table.dialect.units_row {
-            units = start.peek(reader, &mut cursor).map(|found| found.cells);
+            units = start.peek(reader, &mut cursor).map(|found| (found.cells, found.line));
             records_before += usize::from(units.is_some());
         }
         let mut shape = Shape::of_first(&first.cells);
@@ -132,7 +132,11 @@ impl<'a> FirstRecord<'a> {
             if is_commented { preamble.comment.clone() } else { first.text.clone().filter(|_| has_header) };
         let layout = Layout::new(file, &heading, shape, &preamble, columns, options);
         let layout = layout.map_err(|error| explained(no_delimiter(error, &preamble, &first.cells)))?;
-        let mut layout = layout.with(reader.encoding(), records_before, units.as_deref());
+        if let Some((cells, line)) = &units {
+            layout.check_units(cells).map_err(|problem| InputError::of_line(file, *line, problem))?;
+        }
+        let units = units.as_ref().map(|(cells, _)| cells.as_slice());
+        let mut layout = layout.with(reader.encoding(), records_before, units);
         layout.names_in = HeaderNote {
             line: if is_commented { Some(preamble.comment_line) } else { has_header.then_some(first.line) },
             is_comment: is_commented,

@@ -305,6 +305,9 @@ impl<'a> Layout<'a> {
         for (place, condition) in self.conditions.iter().filter(|_| looks_at_conditions) {
             let cell = record.cell(place.position - 1);
             let error = |problem| place.error(self.file, line, cell, problem);
+            if record.is_torn(place.position - 1) {
+                return Err(error(InputErrorKind::BehindQuotes));
+            }
             match self.holds(condition, cell, *mark) {
                 Ok((holds, found)) => {
                     tell(mark, found, &error);
@@ -322,6 +325,9 @@ impl<'a> Layout<'a> {
         for (place, selector) in self.places.iter().zip(self.selectors) {
             let cell = record.cell(place.position - 1);
             let error = |problem| place.error(self.file, line, cell, or_time(problem, cell));
+            if record.is_torn(place.position - 1) {
+                return Err(error(InputErrorKind::BehindQuotes));
+            }
             match self.numbers.value(cell, selector, *mark) {
                 Ok((value, found)) => {
                     tell(mark, found, &error);
@@ -375,13 +381,21 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Returns whether a record after the header looks like units: no cell that is asked for has a number, or lacks one.
+    /// Refuses a row as units in which every cell that is asked for is a number.
+    pub(super) fn check_units(&self, cells: &[Vec<u8>]) -> Result<(), InputErrorKind> {
+        let cell = |place: &ColumnPlace| cells.get(place.position - 1).map(Vec::as_slice).unwrap_or_default();
+        match self.places.iter().all(|place| self.numbers.is_number(cell(place), Mark::Open)) {
+            true => Err(InputErrorKind::NumbersAsUnits),
+            false => Ok(()),
+        }
+    }
+
+    /// Returns whether a record after the header looks like units: no cell that is asked for has a number.
     fn has_no_number(&self, record: &Record, mark: Mark) -> bool {
         let is_text = |place: &ColumnPlace| {
             let cell = record.cell(place.position - 1);
             // A number with the other mark is told apart by its own error.
-            let is_number = self.numbers.is_number(cell, mark) || self.numbers.is_number(cell, Mark::Open);
-            !is_number && !self.numbers.is_missing(cell)
+            !self.numbers.is_number(cell, mark) && !self.numbers.is_number(cell, Mark::Open)
         };
         self.names_in.line.is_some()
             && !self.names_in.is_comment
