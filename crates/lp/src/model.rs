@@ -73,15 +73,17 @@ impl Model {
     /// fix become constants. Cost: linear.
     pub fn work(&self) -> Work {
         let mut work = Work::default();
-        let objective = self.columns.iter().flat_map(|column| [Some(&column.cost), column.bounds.fixed()]);
-        work.add(0, objective.flatten().chain([&self.constant]));
+        work.add(0, [&self.constant]);
         for column in &self.columns {
-            work.add(0, column.bounds.lower.iter().chain(&column.bounds.upper));
+            work.add(0, [&column.cost].into_iter().chain(&column.bounds.lower).chain(&column.bounds.upper));
         }
         for (number, row) in (1..).zip(&self.rows) {
             let fixed = |column: usize| self.columns.get(column).and_then(|column| column.bounds.fixed());
-            let terms = row.coefficients.iter().flat_map(|(column, value)| [Some(value), fixed(*column)]);
-            work.add(number, terms.flatten().chain(&row.bounds.lower).chain(&row.bounds.upper));
+            // Terms of columns that are fixed become one number, which is as long as the longest of them.
+            for (column, value) in &row.coefficients {
+                work.add(number, [Some(value), fixed(*column)].into_iter().flatten());
+            }
+            work.add(number, row.bounds.lower.iter().chain(&row.bounds.upper));
         }
         work
     }

@@ -163,6 +163,7 @@ fn duals_that_are_none_are_said_to_be() {
     for (duals, said) in [
         ("[1, 2, 3]", "the 3 duals are not looked at: the program has 8 rows, each with one"),
         ("[0, 0, -0.5, 0, 1, 0, 0, 0]", "dual 3 is -0.5, and none below 0 is looked at"),
+        ("[\"0\", \"0\", 0, \"-1/2\", 1, 0, 0, 0]", "dual 4 is -0.5, and none below 0 is looked at"),
     ] {
         let claim = format!("{{\"pui\": [[0.9, 1.1], [0.8, 1.2]], \"duals\": [{duals}, null, null, null]}}");
         fs::write(directory.path().join("claim.json"), claim).unwrap();

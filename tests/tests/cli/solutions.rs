@@ -80,6 +80,8 @@ fn right_answers_pass_in_every_dialect() {
         ("thirds.lp", "highs-glpsol", "HiGHS", "optimal", "rounded", 7),
         ("row-objective.mps", "highs-raw", "HiGHS", "optimal", "rounded", 7),
         ("column-objective.mps", "highs-raw", "HiGHS", "optimal", "rounded", 7),
+        ("tie.mps", "highs-glpsol", "HiGHS", "optimal", "exact", 7),
+        ("ranges.mps", "gurobi", "Gurobi", "optimal", "exact", 4),
         ("empty-row.lp", "highs-raw", "HiGHS", "optimal", "exact", 7),
         ("empty-row.lp", "highs-sparse", "HiGHS", "optimal", "exact", 4),
         ("negative-upper.lp", "highs-raw", "HiGHS", "infeasible", "exact", 1),

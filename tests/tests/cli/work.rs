@@ -125,6 +125,23 @@ fn half_planes_models_and_claims_count_too() {
     }
 }
 
+/// Many short numbers are no long one, also where they become one constant.
+#[test]
+fn columns_that_are_fixed_may_be_many() {
+    let columns: String = (1..=5000).map(|column| format!(" x{column} r {column}.5\n")).collect();
+    let bounds: String = (1..=5000).map(|column| format!(" FX x{column} 1.25\n")).collect();
+    let model = format!(
+        "ROWS\n N c\n G r\nCOLUMNS\n u c 1 r 1\n v c 1 r 2\n{columns}RHS\n r 20000000\nBOUNDS\n{bounds}ENDATA\n"
+    );
+    let directory = directory_with(&[("model.mps", model.as_bytes())]);
+    let run = boundfit(directory.path(), "judge model.mps --format json");
+    assert_eq!(run.status, 0, "{run:?}");
+    // 20,000,000 less 1.25 times the sum of 1.5 to 5000.5, half of it for the cheaper column.
+    let constant = 1.25 * (5000.0 * 5001.0 / 2.0 + 2500.0);
+    let report: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(report["objective"]["value"].as_f64(), Some((20_000_000.0 - constant) / 2.0));
+}
+
 /// A word of the limit that is none.
 #[test]
 fn the_limit_is_a_number() {

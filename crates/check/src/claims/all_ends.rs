@@ -15,7 +15,7 @@ struct ClaimFile {
     status: Option<String>,
     pui: Option<[[Option<NumberOrText>; 2]; 2]>,
     points: Option<[Option<[NumberOrText; 2]>; 4]>,
-    duals: Option<[Option<Vec<f64>>; 4]>,
+    duals: Option<[Option<Vec<NumberOrText>>; 4]>,
 }
 
 /// A JSON number is the binary64 that it is read as; a text is what it spells, with the precision of its digits.
@@ -77,7 +77,9 @@ pub(super) fn parse_claim_file(
             }
             None => None,
         };
-        let duals = file.duals.as_ref().and_then(|duals| duals.get(place)?.clone());
+        let duals = file.duals.as_ref().and_then(|duals| duals.get(place)?.as_ref());
+        let size = |dual: &NumberOrText| Ok::<_, ClaimError>(dual.printed(&limits.number)?.value.to_f64());
+        let duals = duals.map(|duals| duals.iter().map(size).collect::<Result<Vec<f64>, _>>()).transpose()?;
         if let Some(status) = &status {
             return Ok(BoundClaim { claimed: status.clone(), point, duals });
         }

@@ -1,16 +1,13 @@
 //! The objective among the rows: HiGHS writes GLPK's files so, with numbers as it always prints them.
 
 use boundfit_exact::Rational;
-use boundfit_lp::{Model, NumberFormat, Printed};
+use boundfit_lp::{Model, ModelRow, NumberFormat, ObjectiveSense, Printed};
 
 use super::{Entry, Figure, Reference, SolutionFile};
 
-/// The number of rows that are looked at as the objective. More would take long for a file of zeros.
-const MOST_TRIED: usize = 16;
-
 /// A file of HiGHS in the style of GLPK without the objective's row; `None` for other files. Of a model in MPS that row stands where
-/// its N row does, of any other model it is the last. Where several rows have the objective's value, the one is taken beside which
-/// the prices of the others fit the costs best. Cost: linear in the model for each row with that value.
+/// its N row does, of any other model it is the last. Where several rows have the objective's value, that one is taken beside which
+/// the others fit the model best. Cost: linear in the model.
 pub(super) fn without_cost_row(file: &SolutionFile, model: &Model) -> Option<SolutionFile> {
     let (objective, line) = file.objective.as_ref()?;
     let value = &objective.finite()?.value;
@@ -22,9 +19,23 @@ pub(super) fn without_cost_row(file: &SolutionFile, model: &Model) -> Option<Sol
     if file.announced.is_none() || file.rows.len() != model.rows.len() + 1 {
         return None;
     }
-    let places = || (0..file.rows.len()).filter(|&place| file.rows.get(place).is_some_and(is_near));
-    let tried = places().rev().take(1).chain(places().take(MOST_TRIED));
-    let place = tried.min_by_key(|&place| misfit(file, model, place))?;
+    let mut misfit = Misfit::new(model, &file.columns);
+    // Without the first row, each row of the model has the next one of the file.
+    for (row, entry) in model.rows.iter().zip(file.rows.iter().skip(1)) {
+        misfit.change(row, entry, Change::Put);
+    }
+    let mut best: Option<(Rational, usize)> = None;
+    for (place, entry) in file.rows.iter().enumerate() {
+        if is_near(entry) && best.as_ref().is_none_or(|(least, _)| misfit.size() < *least) {
+            best = Some((misfit.size(), place));
+        }
+        // Without the next one, the row of the model here has this one.
+        if let Some((row, next)) = model.rows.get(place).zip(file.rows.get(place + 1)) {
+            misfit.change(row, next, Change::Take);
+            misfit.change(row, entry, Change::Put);
+        }
+    }
+    let (_, place) = best?;
     let of_model =
         |(place, row): (usize, &Entry)| Entry { of: Reference::Place(place), ..coarser_entry(row) };
     let others = file.rows.iter().enumerate().filter(|(own, _)| *own != place).map(|(_, row)| row);
@@ -37,31 +48,94 @@ pub(super) fn without_cost_row(file: &SolutionFile, model: &Model) -> Option<Sol
     })
 }
 
-/// The difference between the costs and what the prices of the other rows and of the columns leave, whichever sign they have.
-fn misfit(file: &SolutionFile, model: &Model, cost_row: usize) -> Rational {
-    let mut explained = vec![Rational::zero(); model.columns.len()];
-    let others = file.rows.iter().enumerate().filter(|(place, _)| *place != cost_row);
-    for ((_, entry), row) in others.zip(&model.rows) {
-        let price = price_of(entry);
-        for (column, coefficient) in row.coefficients.iter().filter(|_| !price.is_zero()) {
-            if let Some(sum) = explained.get_mut(*column) {
-                *sum = &*sum + coefficient * &price;
+/// How far entries of rows are from the optimality of a model: the costs that prices do not explain, and the prices of bounds that
+/// are not there or not attained. Each is summed up for prices of either sign.
+struct Misfit<'a> {
+    model: &'a Model,
+    /// The values of the columns, and what the prices leave of their costs.
+    values: Vec<Rational>,
+    unexplained: [Vec<Rational>; 2],
+    sums: [Rational; 2],
+}
+
+/// An entry comes to a row, or goes.
+#[derive(Clone, Copy)]
+enum Change {
+    Put,
+    Take,
+}
+
+impl<'a> Misfit<'a> {
+    fn new(model: &'a Model, columns: &[Entry]) -> Self {
+        let costs: Vec<Rational> = model.columns.iter().map(|column| column.cost.clone()).collect();
+        let mut misfit = Misfit {
+            model,
+            values: vec![Rational::zero(); costs.len()],
+            sums: [0, 1].map(|_| costs.iter().map(Rational::abs).sum()),
+            unexplained: [costs.clone(), costs],
+        };
+        for entry in columns {
+            if let Reference::Place(place) = entry.of {
+                misfit.explain(place, &price_of(entry));
+                if let Some(value) = misfit.values.get_mut(place) {
+                    *value = value_of(entry);
+                }
             }
         }
+        misfit
     }
-    for entry in &file.columns {
-        if let Reference::Place(place) = entry.of
-            && let Some(sum) = explained.get_mut(place)
-        {
-            *sum = &*sum + price_of(entry);
+
+    /// The sum for prices of the better sign.
+    fn size(&self) -> Rational {
+        let [one, other] = &self.sums;
+        one.min(other).clone()
+    }
+
+    /// Takes so much off a column's cost.
+    fn explain(&mut self, column: usize, part: &Rational) {
+        for (sign, (unexplained, sum)) in self.unexplained.iter_mut().zip(&mut self.sums).enumerate() {
+            let Some(left) = unexplained.get_mut(column) else { continue };
+            let less = if sign == 0 { &*left - part } else { &*left + part };
+            *sum = &*sum - left.abs() + less.abs();
+            *left = less;
         }
     }
-    let off = |sign: &Rational| -> Rational {
-        let of_column =
-            |(column, sum): (&boundfit_lp::ModelColumn, &Rational)| (&column.cost - sign * sum).abs();
-        model.columns.iter().zip(&explained).map(of_column).sum()
-    };
-    off(&Rational::one()).min(off(&-Rational::one()))
+
+    fn change(&mut self, row: &ModelRow, entry: &Entry, change: Change) {
+        let price = price_of(entry);
+        if price.is_zero() {
+            return;
+        }
+        let part = match change {
+            Change::Put => price.clone(),
+            Change::Take => -&price,
+        };
+        for (column, coefficient) in &row.coefficients {
+            self.explain(*column, &(coefficient * &part));
+        }
+        let value_of_column = |column: usize| self.values.get(column).cloned().unwrap_or_default();
+        let activity: Rational =
+            row.coefficients.iter().map(|(column, coefficient)| coefficient * value_of_column(*column)).sum();
+        let minimizes = self.model.sense == ObjectiveSense::Minimize;
+        for (sign, sum) in self.sums.iter_mut().enumerate() {
+            let is_lower = (price.is_positive() == minimizes) == (sign == 0);
+            let bound = if is_lower { &row.bounds.lower } else { &row.bounds.upper };
+            let distance = match bound {
+                Some(bound) => (&activity - bound).abs(),
+                None => Rational::one() + activity.abs(),
+            };
+            let off = &part.abs() * &distance;
+            *sum = match change {
+                Change::Put => &*sum + off,
+                Change::Take => &*sum - off,
+            };
+        }
+    }
+}
+
+/// The value; 0 where there is none.
+fn value_of(entry: &Entry) -> Rational {
+    entry.value.as_ref().and_then(Figure::finite).map_or_else(Rational::zero, |value| value.value.clone())
 }
 
 /// A price; 0 where there is none.

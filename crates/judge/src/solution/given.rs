@@ -51,8 +51,8 @@ impl Solution {
     /// With names and places that the model has not, with two values for one of them, and with columns left out by a
     /// writer that leaves none out. Rows without a price may be any: files list free rows, which a model has not.
     pub fn new(file: &SolutionFile, model: &Model) -> Result<Self, SolutionError> {
-        let by_highs = without_cost_row(file, model);
-        let file = by_highs.as_ref().unwrap_or(file);
+        let known = without_cost_row(file, model).or_else(|| without_columns_of_ranges(file, model));
+        let file = known.as_ref().unwrap_or(file);
         let columns = Names::new("column", model.columns.iter().map(|column| column.name.raw()));
         let rows = Names::new("row", model.rows.iter().map(|row| row.name.raw()));
         if let Some(announced) = file.announced.as_ref().filter(|own| own.columns != model.columns.len()) {
@@ -106,6 +106,22 @@ impl Solution {
             other_rows: other_rows.filter(|_| is_optimal),
         })
     }
+}
+
+/// A file of Gurobi about a model in MPS without the columns that it adds, one for each row in RANGES.
+fn without_columns_of_ranges(file: &SolutionFile, model: &Model) -> Option<SolutionFile> {
+    const ADDED: &str = "MPS_Rg";
+    let is_column = |name: &str| model.columns.iter().any(|column| column.name.raw() == name);
+    let is_row = |name: &str| model.rows.iter().any(|row| row.name.raw() == name);
+    let is_added = |entry: &Entry| match &entry.of {
+        Reference::Name(name) => name.strip_prefix(ADDED).is_some_and(|row| is_row(row) && !is_column(name)),
+        Reference::Place(_) => false,
+    };
+    if !file.columns.iter().any(is_added) {
+        return None;
+    }
+    let columns = file.columns.iter().filter(|entry| !is_added(entry)).cloned().collect();
+    Some(SolutionFile { columns, ..file.clone() })
 }
 
 impl Entry {

@@ -35,7 +35,8 @@ pub struct ExchangeRows(WrittenRows);
 
 impl ExchangeRows {
     /// Adds a row under a name of letters, digits and `_`. Its numbers become decimals where all of them are finite; else the
-    /// row is multiplied with the least number that makes them whole.
+    /// row is multiplied with the least number that makes them whole. A row with a bound from 10²⁰ on is multiplied with a power of ten,
+    /// since some readers take that for infinite.
     pub fn push(&mut self, name: impl fmt::Display, a: &[Rational; 2], b: Rational, sense: Sense) {
         let bounds = match sense {
             Sense::AtMost => Bounds { lower: None, upper: Some(b) },
@@ -43,7 +44,7 @@ impl ExchangeRows {
             Sense::Equal => Bounds { lower: Some(b.clone()), upper: Some(b) },
         };
         let [a1, a2] = a;
-        self.0.push(name, &[(0, a1), (1, a2)], &bounds, LargeBounds::Kept);
+        self.0.push(name, &[(0, a1), (1, a2)], &bounds, LargeBounds::FiniteForAll);
     }
 }
 

@@ -85,9 +85,9 @@ impl Model {
                 Form::Row(coefficients) => {
                     let coefficients: Vec<_> =
                         coefficients.iter().map(|(column, value)| (*column, value)).collect();
-                    written.push(name, &coefficients, bounds, LargeBounds::Scaled);
+                    written.push(name, &coefficients, bounds, LargeBounds::Finite);
                 }
-                Form::Column(place) => written.push(name, &[(*place, &one)], bounds, LargeBounds::Scaled),
+                Form::Column(place) => written.push(name, &[(*place, &one)], bounds, LargeBounds::Finite),
             }
         }
         let remarks = remarks.iter().chain(objective.remarks()).chain(written.remarks());

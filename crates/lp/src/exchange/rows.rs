@@ -50,8 +50,21 @@ pub(super) struct WrittenRow<'a> {
 pub(super) enum LargeBounds {
     /// Bounds stand as they are.
     Kept,
-    /// A row with a bound of 10³⁰ or more gets smaller numbers.
-    Scaled,
+    /// A row with a bound that every reader would take for infinite gets smaller numbers.
+    Finite,
+    /// So does one with a bound that some reader would take for infinite: CPLEX, Gurobi and HiGHS begin at 10²⁰.
+    FiniteForAll,
+}
+
+impl LargeBounds {
+    /// The power of ten from which on rows get smaller numbers.
+    fn exponent(self) -> Option<i64> {
+        match self {
+            LargeBounds::Kept => None,
+            LargeBounds::Finite => Some(INFINITE),
+            LargeBounds::FiniteForAll => Some(20),
+        }
+    }
 }
 
 impl WrittenRows {
@@ -70,15 +83,19 @@ impl WrittenRows {
         let end = self.pieces.len() - 1;
         let numbers =
             || coefficients.iter().map(|(_, value)| *value).chain(&bounds.lower).chain(&bounds.upper);
-        if numbers().all(is_short) {
+        let sides = || bounds.lower.iter().chain(&bounds.upper);
+        // The exponent of 0 is `None`, which is less than any.
+        let are_finite =
+            || large.exponent().is_none_or(|most| sides().all(|side| side.decimal_exponent() < Some(most)));
+        if numbers().all(is_short) && are_finite() {
             // Neither too long nor beyond the range of doubles.
             self.push_numbers(coefficients, bounds, push_decimal);
             return;
         }
         let scale = scale_of(numbers());
-        let scale = match large {
-            LargeBounds::Kept => scale,
-            LargeBounds::Scaled => with_finite_bounds(scale, bounds),
+        let scale = match large.exponent() {
+            None => scale,
+            Some(most) => with_finite_bounds(scale, bounds, most),
         };
         let scaled = |value: &Rational| match &scale {
             Some(scale) => value * &scale.by,
@@ -207,14 +224,14 @@ fn scale_of<'a>(numbers: impl Iterator<Item = &'a Rational> + Clone) -> Option<S
 }
 
 /// Such a number that makes no bound one that readers take for infinite.
-fn with_finite_bounds(scale: Option<Scale>, bounds: &Bounds) -> Option<Scale> {
+fn with_finite_bounds(scale: Option<Scale>, bounds: &Bounds, most: i64) -> Option<Scale> {
     let by = scale.as_ref().map_or_else(Rational::one, |scale| scale.by.clone());
     let sides = bounds.lower.iter().chain(&bounds.upper);
     let exponent = sides.filter_map(|side| (side * &by).decimal_exponent()).max();
-    match exponent.filter(|exponent| *exponent >= INFINITE) {
+    match exponent.filter(|exponent| *exponent >= most) {
         None => scale,
         Some(exponent) => Some(Scale {
-            by: by * Rational::scientific(1, INFINITE - 1 - exponent),
+            by: by * Rational::scientific(1, most - 1 - exponent),
             why: scale.map_or("a bound would be taken for infinite", |scale| scale.why),
         }),
     }

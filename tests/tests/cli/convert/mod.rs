@@ -12,6 +12,7 @@ use boundfit_estimation::{
 use boundfit_exact::{Endpoint, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, Source, TableOptions};
 use boundfit_lp::{ExactOutcome, ExchangeFormat, Program, PuiEnd, Row, exact_simplex};
+use boundfit_tests::cli::directory_with;
 use boundfit_tests::lp_cases::{hard_cases, number, ten_to};
 use boundfit_tests::program::{Run, root, run};
 use boundfit_tests::readings::{line, problem, with_error_bound};
@@ -204,6 +205,43 @@ fn long_and_far_numbers_stay_exact_and_are_remarked_upon() {
 }
 
 const STEAM: &str = "fixtures/steam-generator/steam_generator.csv --x x --y y --eps-column eps";
+
+/// From 10²⁰ on some readers take a side for infinite, from 10³⁰ on our own does.
+#[test]
+fn no_side_is_infinite_for_any_reader() {
+    let directory = directory_with(&[
+        (
+            "doubles.csv",
+            "x,y\n0.23796462709189137,1.4847750992429731\n1.3699551665480794,3.7606943408153977\n\
+              2.625720304108054,6.1645463800640705\n3.013167991554874,7.09382979952904\n\
+              4.259354014328007,9.465574220865355\n5.995644835510463,12.985342372525416\n"
+                .as_bytes(),
+        ),
+        ("large.csv", "x,lo,up\n1,-1,1e30\n2,-2,3e30\n".as_bytes()),
+    ]);
+    for (line, target) in [
+        ("doubles.csv --x x --y y --eps 1.2*min", "theta1-max"),
+        ("large.csv --x x --lower lo --upper up", "theta1-max"),
+    ] {
+        for format in ["mps", "lp"] {
+            let run = |line: String| {
+                let run = boundfit_tests::cli::boundfit(directory.path(), &line);
+                assert_eq!(run.status, 0, "{line}: {run:?}");
+                run.stdout
+            };
+            let text = run(format!("convert {line} --to {format} --objective {target}"));
+            assert!(text.contains(" is multiplied by "), "{text}");
+            std::fs::write(directory.path().join(format!("program.{format}")), text).unwrap();
+            let json = |line: String| -> serde_json::Value {
+                serde_json::from_str(&run(format!("{line} --format json"))).unwrap()
+            };
+            let (fit, judged) = (json(format!("fit {line}")), json(format!("judge program.{format}")));
+            let end = fit["pui"][0]["upper"]["exact"].as_str().unwrap().to_owned();
+            let least = judged["objective"]["exact"].as_str().unwrap().trim_start_matches('-').to_owned();
+            assert_eq!(least, end, "{line} {format}");
+        }
+    }
+}
 
 #[test]
 fn what_a_file_looks_like() {

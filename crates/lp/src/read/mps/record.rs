@@ -64,11 +64,13 @@ impl<'a> Record<'a> {
 }
 
 fn free<'a>(line: Line<'a>, section: Section, columns: &Names<'_>) -> Option<Record<'a>> {
-    // From a second word with a $ on, a line is a comment.
+    // From a word with a $ on that is not the first one, nor the name of a row, a line is a comment.
     let words: Vec<Field<'a>> = line
         .words()
         .enumerate()
-        .take_while(|(place, word)| *place == 0 || section == Section::Rows || !word.text.starts_with('$'))
+        .take_while(|(place, word)| {
+            *place < if section == Section::Rows { 2 } else { 1 } || !word.text.starts_with('$')
+        })
         .map(|(_, word)| word)
         .take(7)
         .collect();

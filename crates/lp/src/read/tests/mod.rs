@@ -100,7 +100,7 @@ RHS
 RANGES
  RANGE r1 1001.5
 BOUNDS
- MI BOUND x
+ LO BOUND x 0
  UP BOUND x -1
  LO BOUND y -3
  UP BOUND y 2
@@ -121,7 +121,7 @@ Subject To
  row5: 2 x <= 3
  crossed: 2 <= 1 y <= 1
 Bounds
- -inf <= x <= -1
+ 0 <= x <= -1
  -3 <= y <= 2
  z = 0
 End

@@ -102,6 +102,7 @@ fn the_frame_of_a_file_may_vary() {
         format!("{PLAIN} what follows is not read\u{0}"),
         PLAIN.replace(" UP BND x 3", " UP x 3").replace("RNG r1", "r1").replace("RHS r1", "r1"),
         PLAIN.replace("ENDATA\n", "ENDATA\r"),
+        PLAIN.replace("\n N cost\n L r1\n", "\n N cost $ the cost\n L r1   $ first row $\n"),
         PLAIN.replace("\n L r1\n", "\n l r1\n").replace("x cost 1 r1 1", "x cost 1 $ r1 1\n x r1 1"),
         PLAIN.replace(" x r2 1", " x r2 1.0E0").replace(" y cost 2", " y cost 2.d0"),
         PLAIN.replace("COLUMNS\n", "COLUMNS\n M 'MARKER' 'INTORG'\n M 'MARKER' 'INTEND'\n"),
