@@ -1,6 +1,6 @@
 //! The fit of all readings.
 
-use boundfit_estimation::{self as estimation, ErrorBound, Family, Keep, Problem, fit};
+use boundfit_estimation::{self as estimation, Bounds, ErrorBound, Family, Keep, Measurement, Problem, fit};
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{Guarantee, times};
@@ -162,6 +162,12 @@ impl Fit {
         if confidence.is_some() && matches!(problem.measurements.error_bound(), ErrorBound::Interval { .. }) {
             return Err(Refusal::Misuse(Misuse::ConfidenceOfIntervals));
         }
+        let is_zero =
+            |row: &Measurement| matches!(&row.bounds, Bounds::Around { epsilon, .. } if epsilon.is_zero());
+        let differ = !problem.measurements.error_bound().is_uniform();
+        if confidence.is_some() && differ && problem.measurements.kept().iter().any(is_zero) {
+            return Err(Refusal::Misuse(Misuse::ConfidenceOfZero));
+        }
         Ok(Fittable { problem, sweep, confidence })
     }
 
@@ -208,6 +214,10 @@ impl Ask for Fit {
 
     fn table<'a>(&self, asked: &'a Fittable) -> Option<&'a TableNotes> {
         asked.problem.measurements.table()
+    }
+
+    fn rows_missing(&self, asked: &Fittable) -> usize {
+        asked.problem.measurements.rows_missing()
     }
 
     fn answer(&self, asked: &Fittable) -> Result<Fitted, Refusal> {

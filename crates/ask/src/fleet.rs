@@ -7,7 +7,7 @@ use boundfit_exact::{Foreign, Rational, Work};
 use boundfit_formats::{ColumnSelector, Source, TableNotes};
 use boundfit_questions::times;
 use boundfit_report::{
-    FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, TableJson, table_line,
+    FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, TableJson, rows_left_out, table_line,
     write_group_json,
 };
 use serde::Deserialize;
@@ -72,19 +72,21 @@ impl Groups {
         Ok(work.check(times::FIT, most_work)?)
     }
 
-    /// Returns the assumption that the answers depend on, as a line; nothing where the error bound is given.
-    fn assumption(&self) -> String {
+    /// Lines about rows that are left out, and about the assumption that the answers depend on where the error bound is not given.
+    fn remarks(&self) -> String {
         let times = |factor: &Rational| match *factor == Rational::one() {
             true => String::new(),
             false => format!("{factor} times "),
         };
         let factor = self.question.multiple_of_least.as_ref();
-        factor.map_or_else(String::new, |factor| {
+        let assumed = factor.map_or_else(String::new, |factor| {
             format!(
                 "Assumed: no error is larger than {}eps_min of its own group, a bound found from these very readings\n",
                 times(factor)
             )
-        })
+        });
+        let left_out = rows_left_out(self.fleet.rows_missing());
+        left_out.map_or_else(String::new, |words| format!("{words}\n")) + &assumed
     }
 
     fn write_json(&self, style: &Style, out: &mut Out<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {
@@ -143,7 +145,7 @@ impl Groups {
         })?;
         let mut text = String::new();
         table.finish(&mut text);
-        let summary = whole.to_text() + &table_line(self.fleet.table()) + &self.assumption();
+        let summary = whole.to_text() + &table_line(self.fleet.table()) + &self.remarks();
         put(out, format!("{text}\n{summary}"))
     }
 
@@ -187,6 +189,10 @@ impl Ask for Fleet {
         groups.fleet.table()
     }
 
+    fn rows_missing(&self, _: &Groups) -> usize {
+        0
+    }
+
     fn answer(&self, _: &Groups) -> Result<(), Refusal> {
         Ok(())
     }
@@ -210,7 +216,7 @@ impl Ask for Fleet {
         let is_empty = summary.has_empty();
         // The text form itself ends with the summary.
         let is_beside = form != Form::Text;
-        let summary = if is_beside { summary.to_text() + &groups.assumption() } else { String::new() };
+        let summary = if is_beside { summary.to_text() + &groups.remarks() } else { String::new() };
         Ok(Written { is_empty, summary })
     }
 }

@@ -157,6 +157,10 @@ impl Ask for Linearity {
         problem.input().table.as_ref()
     }
 
+    fn rows_missing(&self, problem: &Calibrated) -> usize {
+        problem.input().rows_missing
+    }
+
     fn answer(&self, problem: &Calibrated) -> Result<Self::Answer, Refusal> {
         let found = problem.calibration.linearity(&problem.options);
         found.ok_or_else(|| Refusal::Readings("there are no readings".to_owned()))

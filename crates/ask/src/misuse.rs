@@ -67,6 +67,9 @@ misuses! {
     /// A share of further readings is asked of intervals.
     ConfidenceOfIntervals:
         "{confidence} is about error bounds around y, and intervals are none: a further reading need not have one",
+    /// A share of further readings is asked where a reading has the bound 0.
+    ConfidenceOfZero:
+        "{confidence} is about error bounds above 0: a reading with the bound 0 leaves no room for another one",
     /// The groups of a fleet are fitted as if x had no errors.
     FleetOfXErrors: "{x_eps} is about a single set, and a fleet has one for each group",
     /// Nothing is to be predicted.
@@ -127,7 +130,7 @@ impl NoProof {
     pub(crate) fn words(self, surface: &dyn Surface) -> String {
         let sentence = match self {
             NoProof::NoText => {
-                "a proof is about the rows of plain delimited text, and the data are none that the checkers read: save the table as CSV"
+                "a proof is about the rows of plain delimited text, and the data are none that the checkers read: save them as CSV with points, a header in the first line and as many cells in each row"
             }
             NoProof::Reduction => {
                 "a proof is about every reading, and this is a reduction: prove the answer about the table that it was made from"

@@ -72,7 +72,9 @@ impl Next {
 fn common_bound(problem: &Problem) -> Result<Rational, Refusal> {
     let error = FurtherError::of(&problem.measurements);
     let error = error.map_err(|reason| Refusal::NextError(reason.to_string()))?;
-    let of_law = || Refusal::NextError("by the law of the readings it depends on the reading".to_owned());
+    let of_law = || {
+        Refusal::NextError("that of the readings is not one number on both sides for all of them".to_owned())
+    };
     error.uniform().cloned().ok_or_else(of_law)
 }
 
@@ -97,6 +99,10 @@ impl Ask for Next {
 
     fn table<'a>(&self, asked: &'a NextProblem) -> Option<&'a TableNotes> {
         asked.problem.measurements.table()
+    }
+
+    fn rows_missing(&self, asked: &NextProblem) -> usize {
+        asked.problem.measurements.rows_missing()
     }
 
     fn answer(&self, asked: &NextProblem) -> Result<(Fit, Option<NextReading>), Refusal> {

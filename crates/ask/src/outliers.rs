@@ -65,6 +65,10 @@ impl Ask for Outliers {
         problem.measurements.table()
     }
 
+    fn rows_missing(&self, problem: &Problem) -> usize {
+        problem.measurements.rows_missing()
+    }
+
     fn answer(&self, problem: &Problem) -> Result<Found, Refusal> {
         let limits = self.limits();
         let refused = |why| Refusal::Outliers { why, steps: Some(limits.steps) };

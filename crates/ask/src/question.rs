@@ -36,6 +36,9 @@ pub trait Ask {
     /// Returns the detected format of the table.
     fn table<'a>(&self, problem: &'a Self::Problem) -> Option<&'a TableNotes>;
 
+    /// The number of rows that are left out since they lack a number; 0 where the answer itself says so in every form.
+    fn rows_missing(&self, problem: &Self::Problem) -> usize;
+
     /// Finds the answer. Exact.
     ///
     /// # Errors

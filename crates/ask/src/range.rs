@@ -88,6 +88,10 @@ impl Ask for Range {
         problem.measurements.table()
     }
 
+    fn rows_missing(&self, problem: &Problem) -> usize {
+        problem.measurements.rows_missing()
+    }
+
     fn answer(&self, problem: &Problem) -> Result<Runs, Refusal> {
         let order = self.order()?.unwrap_or_else(|| Order::natural(problem.measurements.model()));
         let (range, all) = (LinearRange::of(problem, order), fit(problem));

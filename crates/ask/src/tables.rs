@@ -18,8 +18,8 @@ pub trait Tables: Send + Sync {
         (name != "-").then(|| Foreign::of(name))
     }
 
-    /// Takes note of what one was taken for, after it was read.
-    fn was_read(&self, _name: &str, _table: Option<&TableNotes>) {}
+    /// Takes note of what one was taken for, after it was read, and of how many rows were left out since they lack a number.
+    fn was_read(&self, _name: &str, _table: Option<&TableNotes>, _rows_missing: usize) {}
 }
 
 /// Files, by their paths, read as this says but for the rows that it chooses.

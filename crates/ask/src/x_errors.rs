@@ -39,6 +39,10 @@ impl Ask for FitXErrors {
         problem.problem().measurements.table()
     }
 
+    fn rows_missing(&self, problem: &XErrorProblem) -> usize {
+        problem.problem().measurements.rows_missing()
+    }
+
     fn answer(&self, problem: &XErrorProblem) -> Result<(XErrorFit, Fit), Refusal> {
         Ok((problem.fit(), fit(problem.problem())))
     }

@@ -5,6 +5,7 @@ use std::io::{self, Read, Write};
 
 use boundfit_exact::{Foreign, Limit};
 use boundfit_formats::{InputError, Source, TableNotes};
+use boundfit_report::rows_left_out;
 
 use crate::exit::{Failure, raises};
 use crate::output;
@@ -21,11 +22,23 @@ pub(crate) fn open(file: &str) -> Result<Source, InputError> {
     Source::open(file)
 }
 
-/// Says on standard error what a table was taken for where something was guessed, since the answer has no place for it.
-pub(crate) fn say_table(file: Foreign<&str>, table: Option<&TableNotes>) {
-    if let Some(words) = table.filter(|table| table.has_guesses()).and_then(TableNotes::words) {
+/// Says on standard error what a table was taken for where something was guessed, and how many rows were left out since they lack a
+/// number: the answer has no place for it.
+pub(crate) fn say_table(file: Foreign<&str>, table: Option<&TableNotes>, rows_missing: usize) {
+    let guessed = table.filter(|table| table.has_guesses());
+    say(file, guessed.and_then(TableNotes::words), rows_missing);
+}
+
+/// Says so of a table beside the data, with everything that is unusual about it.
+pub(crate) fn say_table_beside(file: Foreign<&str>, table: Option<&TableNotes>, rows_missing: usize) {
+    say(file, table.and_then(TableNotes::words), rows_missing);
+}
+
+fn say(file: Foreign<&str>, table: Option<String>, rows_missing: usize) {
+    let words: Vec<String> = table.into_iter().chain(rows_left_out(rows_missing)).collect();
+    if !words.is_empty() {
         // The answer is the same, whether or not somebody reads the note.
-        let _ = writeln!(io::stderr(), "note: {file}: {words}");
+        let _ = writeln!(io::stderr(), "note: {file}: {}", words.join(", "));
     }
 }
 

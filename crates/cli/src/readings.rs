@@ -67,8 +67,8 @@ impl Tables for FilesBeside {
         Ok((source, options))
     }
 
-    fn was_read(&self, name: &str, table: Option<&TableNotes>) {
-        input::say_table(Foreign::of(input::named(name)), table);
+    fn was_read(&self, name: &str, table: Option<&TableNotes>, rows_missing: usize) {
+        input::say_table_beside(Foreign::of(input::named(name)), table, rows_missing);
     }
 }
 

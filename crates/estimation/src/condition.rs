@@ -151,7 +151,10 @@ impl Parser<'_> {
         let relation = self.relation()?;
         let right = self.sum()?;
         if !self.scanner.rest().is_empty() {
-            return Err(self.scanner.error(ParseConditionErrorKind::SecondRelation));
+            let is_relation = self.scanner.rest().starts_with(['<', '>', '=', '≤', '≥']);
+            let (second, other) =
+                (ParseConditionErrorKind::SecondRelation, ParseConditionErrorKind::NoRelation);
+            return Err(self.scanner.error(if is_relation { second } else { other }));
         }
         let sign = if relation == Relation::AtLeast { -Rational::one() } else { Rational::one() };
         let [a1, a2, b] = [0, 1, 2].map(|i| (&left[i] - &right[i]) * &sign);
@@ -278,6 +281,7 @@ mod tests {
             ("theta1 + - -theta2 >= 0", 11, Kind::NotATerm),
             ("2*3 >= 0", 2, Kind::NotATerm),
             ("0 <= theta1 <= 1", 12, Kind::SecondRelation),
+            ("theta1 >= 10%", 12, Kind::NoRelation),
             ("theta1 * 2 <= 1", 7, Kind::NoRelation),
             ("1.2.3 <= theta1", 3, Kind::NotANumber(ParseNumberErrorKind::UnexpectedCharacter('.'))),
             ("1e999999 <= theta1", 2, Kind::NotANumber(ParseNumberErrorKind::ExponentTooLarge(10_000))),

@@ -8,8 +8,10 @@ enum State {
     Start,
     InCell,
     InQuotes,
-    /// Behind a quote within quotes, and blanks: it ends the cell, unless another one follows at once.
+    /// Behind a quote within quotes: it ends the cell, unless another one follows.
     AfterQuote,
+    /// Behind such a quote and blanks.
+    AfterBlank,
 }
 
 /// The cells of a record with text behind their closing quote.
@@ -47,8 +49,8 @@ impl TornCells {
                     State::Start
                 }
                 State::Start | State::AfterQuote if byte == b'"' => State::InQuotes,
-                State::AfterQuote if is_blank => State::AfterQuote,
-                State::AfterQuote => {
+                State::AfterQuote | State::AfterBlank if is_blank => State::AfterBlank,
+                State::AfterQuote | State::AfterBlank => {
                     self.torn.push(self.cell);
                     State::InCell
                 }
@@ -69,6 +71,7 @@ mod tests {
             ("\"3\"0;\"4\n,\";\"\"\"x", b';', &[0]),
             ("  \"1\"  \"2\"3  4\"5\" \"6 7\"8", b' ', &[1, 3]),
             ("\"\",\"\"x,\"\"\"\"", b',', &[1]),
+            ("\"a\" \"b,\"c\"d\",\"e\"", b',', &[0, 1]),
         ] {
             for size in 1..=record.len() {
                 let mut cells = TornCells::default();

@@ -8,9 +8,10 @@ use boundfit_lp::{End, Judgement, Multiplier, PuiEnd, Refutation, RoundedTo, Tol
 
 use crate::document::{Block, Document, Inline, Table, Text};
 use crate::feasible::feasible_point;
+use crate::fit::assumption;
 use crate::formula::{absurdity, pair, products};
 use crate::style::{Shown, Style};
-use crate::table_json::table_words;
+use crate::table_json::{rows_left_out, table_words};
 
 /// The report of a check about the readings of this file. `reading` is that of the data.
 pub fn check_document(
@@ -48,6 +49,12 @@ pub fn check_document(
     let title = Text::from("LP answers about ").given(file).words(", judged exactly");
     let mut blocks = vec![Block::Lead(title)];
     blocks.extend(table_words(measurements).map(|words| Block::Paragraph(Text::from("Table: ").then(words))));
+    blocks.extend(rows_left_out(measurements.rows_missing()).map(|words| Block::Paragraph(words.into())));
+    blocks.extend(
+        measurements
+            .multiple_of_least()
+            .map(|multiple| Block::Paragraph(Text::from("Assumed: ").then(assumption(multiple, style)))),
+    );
     let AskedReadings { asked, fitted } = check.readings;
     if asked < fitted {
         let about =

@@ -142,7 +142,7 @@ pub use status::{NewReadings, StatusCsv, StatusJson, StatusReport, status_docume
 pub use style::{EndRounding, LONGEST_FRACTION, Style};
 pub use sweep::sweep_document;
 #[cfg(feature = "files")]
-pub use table_json::table_line;
+pub use table_json::{rows_left_out, table_line};
 pub use verify::{Verdict, condition as condition_text, verify_text};
 pub use verify_claims::rows as rows_text;
 pub use verify_json::verify_json;

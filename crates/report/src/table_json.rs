@@ -1,6 +1,7 @@
 //! The detected format of the table: the part `input.table` of all documents about readings, and the line of reports.
 
 use boundfit_estimation::Measurements;
+use boundfit_exact::english::counted;
 #[cfg(feature = "files")]
 use boundfit_formats::{BlockNote, DELIMITERS, Dialect, TableNotes};
 use boundfit_questions::LinearityInput;
@@ -77,6 +78,11 @@ impl TableJson {
 #[cfg(feature = "files")]
 pub fn table_line(table: Option<&TableNotes>) -> String {
     table.and_then(TableNotes::words).map_or_else(String::new, |words| format!("Table: {words}\n"))
+}
+
+/// Returns how many rows are left out since they lack a number, in words; nothing where none is.
+pub fn rows_left_out(rows: usize) -> Option<String> {
+    (rows > 0).then(|| format!("{} with missing values left out", counted(rows, "row", "rows")))
 }
 
 /// Returns the unusual features of the table of these readings, in words.

@@ -10,7 +10,7 @@ impl Reader<'_> {
     /// The numbers of a row, or the place of the first one that is missing.
     pub(super) fn numbers(
         &self,
-        record: &ByteRecord,
+        (record, torn): (&ByteRecord, &[usize]),
         columns: &Columns,
         line: u64,
         row: usize,
@@ -20,9 +20,7 @@ impl Reader<'_> {
         let cell_at = |place: usize| record.get(place - 1).unwrap_or_default();
         let texts = columns.places.iter().map(|&place| std::str::from_utf8(cell_at(place)));
         let is_text = |text: Result<&str, _>| match text {
-            Ok(text) => {
-                !is_missing(text) && DecimalMark::ALL.into_iter().all(|mark| self.number(text, mark).is_err())
-            }
+            Ok(text) => DecimalMark::ALL.into_iter().all(|mark| self.number(text, mark).is_err()),
             Err(_) => true,
         };
         let is_units = columns.has_header && row == 1;
@@ -32,6 +30,9 @@ impl Reader<'_> {
             let text = std::str::from_utf8(cell)
                 .map_err(|error| wrong_cell(line, place, name, cell, not_utf8(cell, &error)))?;
             let wrong = |kind: CellError| wrong_cell(line, place, name, cell, kind);
+            if torn.contains(&(place - 1)) {
+                return Err(wrong(InputErrorKind::BehindQuotes.into()));
+            }
             let read = self.marked(text, mark, tells);
             match read {
                 Ok(number) if column.is_non_negative() && number.is_negative() => {

@@ -269,6 +269,9 @@ impl Reader<'_> {
                         let wrong = |kind: CellError| wrong_cell(line, place, name, cell, kind);
                         let text = std::str::from_utf8(cell)
                             .map_err(|error| Some(wrong(not_utf8(cell, &error).into())))?;
+                        if records.torn.contains(&(place - 1)) {
+                            return Err(Some(wrong(InputErrorKind::BehindQuotes.into())));
+                        }
                         match self.marked(text, &mut mark, tells) {
                             Ok(number) => holds &= condition.holds(&number),
                             Err(error) if is_missing(text) => lacks = lacks.or(Some(wrong(error))),
@@ -280,7 +283,7 @@ impl Reader<'_> {
                     lacks.into_iter().filter(|_| holds).for_each(|place| lacking.add(place));
                 }
                 if !is_lacking && (is_wanted || self.options.keep_others) {
-                    match self.numbers(&record, columns, line, row, (&mut mark, tells)) {
+                    match self.numbers((&record, &records.torn), columns, line, row, (&mut mark, tells)) {
                         Ok(Ok(numbers)) if is_wanted => found.rows.push((row, numbers)),
                         Ok(Ok(numbers)) => found.others.push((row, numbers)),
                         Ok(Err(place)) if is_wanted => lacking.add(place),

@@ -19,6 +19,8 @@ pub(super) struct Records<'a> {
     pub(super) line: u64,
     /// The line of the last record, if the text ends within its quotes.
     pub(super) open_quotes: Option<u64>,
+    /// The cells of the last record, from 0, with text behind their closing quote.
+    pub(super) torn: Vec<usize>,
     pub(super) delimiter: u8,
     /// True if reading fails at the end of the text.
     pub(super) fails: bool,
@@ -36,6 +38,7 @@ impl<'a> Records<'a> {
             counted: 0,
             line: 1,
             open_quotes: None,
+            torn: Vec::new(),
             delimiter,
             fails,
         }
@@ -61,6 +64,7 @@ impl<'a> Records<'a> {
                 let is_open =
                     end == self.text.len() && ends_within_quotes(&self.text[start..], self.delimiter);
                 self.open_quotes = is_open.then_some(self.line);
+                self.torn = torn_cells(&self.text[start..end], self.delimiter);
             }
             let is_blank = record.len() == 1 && record[0].trim_ascii().is_empty();
             if !(more && is_blank) {
@@ -68,6 +72,36 @@ impl<'a> Records<'a> {
             }
         }
     }
+}
+
+/// The cells of a record, from 0, with text behind their closing quote.
+fn torn_cells(record: &[u8], delimiter: u8) -> Vec<usize> {
+    let (mut torn, mut rest) = (Vec::new(), record);
+    for cell in 0.. {
+        let mut quoted = 0;
+        if rest.first() == Some(&b'"') {
+            quoted = 1;
+            loop {
+                let Some(length) = rest[quoted..].iter().position(|&byte| byte == b'"') else { return torn };
+                quoted += length + 1;
+                if rest.get(quoted) != Some(&b'"') {
+                    break;
+                }
+                quoted += 1;
+            }
+        }
+        let behind = &rest[quoted..];
+        let is_end = |&byte: &u8| byte == delimiter || matches!(byte, b'\r' | b'\n');
+        let length = behind.iter().position(is_end).unwrap_or(behind.len());
+        if quoted > 0 && behind[..length].iter().any(|byte| !matches!(byte, b' ' | b'\t')) {
+            torn.push(cell);
+        }
+        match behind.get(length) {
+            Some(&byte) if byte == delimiter => rest = &behind[length + 1..],
+            _ => break,
+        }
+    }
+    torn
 }
 
 /// Returns whether a record stops before its quotes do.

@@ -1,7 +1,7 @@
 //! Tables with a reading too many, a quote too few or marks of two kinds: no reading is lost without a word, and advice works.
 
 use boundfit_tests::cli::refusals::refuses;
-use boundfit_tests::cli::{directory_with, printed};
+use boundfit_tests::cli::{boundfit, directory_with, printed, unbroken};
 
 const RANGE: &[u8] = b"# Created by Octave 8\n# name: x\n# type: range\n# base, limit, increment\n\
 0 1.1000000000000001 0.10000000000000001\n\n\n# name: y\n# type: matrix\n# rows: 12\n# columns: 1\n\
@@ -131,6 +131,61 @@ fn damaged_tables_are_refused_and_advice_works() {
     ] {
         refuses(directory.path(), line, 1, message);
     }
+}
+
+/// Rows that lack a number are counted wherever `--missing skip` leaves them out, and so is what was found out about a table beside
+/// the data.
+#[test]
+fn rows_that_are_left_out_are_said_everywhere() {
+    let directory = directory_with(&[
+        ("data.csv", b"g,x,y\nNA,1,1\na,2,NA\na,1,1\nb,NA,2\n"),
+        ("plain.csv", b"x,y\n1,2\n2,3\n3,5\n4,6\n5,9\n"),
+        ("beside.csv", b"a;x\n1;60,323\n2;NA\n3;1,5\n"),
+        ("new.csv", b"x;y\n3,5;6\n4;NA\n4,5;30\n"),
+        ("each.csv", b"x,y,e\n1,2,2\n2,3,2\n3,5,2\n4,6,1\n5,9,1\n"),
+    ]);
+    let data = "data.csv --x x --y y --eps 0.5 --missing skip";
+    let left_out = "2 rows with missing values left out";
+    for (line, on_stdout, words) in [
+        (format!("fit {data} --by g"), true, left_out),
+        (format!("fit {data} --by g --format csv"), false, left_out),
+        (format!("fit {data} --by g --format json"), false, left_out),
+        (format!("fit {data} --window 1"), true, left_out),
+        (format!("fit {data} --window 1 --format csv"), false, left_out),
+        (format!("fit {data} --format csv"), false, left_out),
+        (format!("check {data} --claim-pui 0,1,0,1"), true, left_out),
+        (format!("plot {data} -o data.svg"), false, left_out),
+        (format!("convert {data} --to lp --objective theta1-max"), false, left_out),
+        (format!("reduce {data} -o reduced.csv").replace(" --eps 0.5", ""), false, left_out),
+        (
+            "predict plain.csv --x x --y y --eps 1 --at beside.csv:x --missing skip".to_owned(),
+            false,
+            "note: beside.csv: decimal comma, separated by semicolons, 1 row with missing values left out\n",
+        ),
+        (
+            "status plain.csv --x x --y y --eps 1 --new new.csv --missing skip".to_owned(),
+            false,
+            "note: new.csv: decimal comma, separated by semicolons, 1 row with missing values left out\n",
+        ),
+        (
+            "fit plain.csv --x x --y y --eps 1.2*min --window 3".to_owned(),
+            true,
+            "Assumed: no error is larger than 6/5 times eps_min of all readings, a bound found from these very readings\n",
+        ),
+        (
+            "check plain.csv --x x --y y --eps 1.2*min --claim-pui 0,1,0,1".to_owned(),
+            true,
+            "Assumed: that no error is larger than 1.2 times eps_min",
+        ),
+    ] {
+        let run = boundfit(directory.path(), &line);
+        let said = if on_stdout { &run.stdout } else { &run.stderr };
+        assert!(unbroken(said).contains(&unbroken(words)), "{line}\n{run:?}");
+    }
+    // The first window has readings of one bound, by chance.
+    let windows =
+        boundfit(directory.path(), "fit each.csv --x x --y y --eps-column e --window 3 --format csv").stdout;
+    assert!(windows.lines().skip(1).all(|line| line.ends_with(',')), "{windows}");
 }
 
 /// The numbers of a range are those that Octave would write, in every pass over them.

@@ -31,7 +31,7 @@ fn the_guarantee_has_a_part_of_its_own_in_every_document() {
 #[test]
 fn few_readings_guarantee_nothing_and_say_so() {
     let directory =
-        directory_with(&[("two.csv", b"x,y\n1,2\n2,3\n"), ("three.csv", b"x,y,e\n1,2,0\n2,3,0\n3,5,0\n")]);
+        directory_with(&[("two.csv", b"x,y\n1,2\n2,3\n"), ("three.csv", b"x,y,e\n1,2,1\n2,3,0\n3,5,2\n")]);
     for (line, words) in [
         (
             "fit two.csv --x x --y y --eps 1 --confidence 0.9",
@@ -39,20 +39,25 @@ fn few_readings_guarantee_nothing_and_say_so() {
         ),
         ("fit two.csv --x x --y y --eps 1 --through-origin --confidence 0.9", "At least 5.1316 %"),
         ("fit three.csv --x x --y y --eps 1 --confidence 9e-1", "At least 3.4510 %"),
-        ("fit three.csv --x x --y y --eps-column e --confidence 1/2", "None: there is no eps_min"),
+        (
+            "fit three.csv --x x --y y --eps 1 --where 'theta1 >= 1' --where 'theta1 <= 0' --confidence 1/2",
+            "None: there is no eps_min",
+        ),
     ] {
         let run = boundfit(directory.path(), &format!("{line} --no-lp"));
         assert!(run.stdout.contains(words), "{line}: {run:?}");
     }
-    let run =
-        boundfit(directory.path(), "fit three.csv --x x --y y --eps-column e --confidence 1/2 --format json");
+    let run = boundfit(
+        directory.path(),
+        "fit three.csv --x x --y y --eps 1 --where 'theta1 >= 1' --where 'theta1 <= 0' --confidence 1/2 --format json",
+    );
     let report: Value = serde_json::from_str(&run.stdout).unwrap();
     assert_eq!((run.status, &report["reasons"]["guarantee"]), (3, &"see minimax".into()));
 }
 
 #[test]
 fn what_is_no_confidence_or_has_no_place_is_refused() {
-    let directory = directory_with(&[("data.csv", b"x,y,lo,up\n1,2,1,3\n2,3,2,4\n")]);
+    let directory = directory_with(&[("data.csv", b"x,y,lo,up,e\n1,2,1,3,1\n2,3,2,4,0\n")]);
     let fit = "fit data.csv --x x --y y --eps 1";
     for (line, message) in [
         (format!("{fit} --confidence 0"), "expected a number between 0 and 1, such as 0.99"),
@@ -67,6 +72,10 @@ fn what_is_no_confidence_or_has_no_place_is_refused() {
         (
             "fit data.csv --x x --lower lo --upper up --confidence 0.9".to_owned(),
             "is about error bounds around y, and intervals are none",
+        ),
+        (
+            "fit data.csv --x x --y y --eps-column e --confidence 0.9".to_owned(),
+            "is about error bounds above 0: a reading with the bound 0 leaves no room for another one",
         ),
     ] {
         let run = boundfit(directory.path(), &line);

@@ -104,7 +104,8 @@ fn questions(case: &Case) -> Vec<String> {
         (false, None) => "--at 2",
     };
     vec![
-        of("fit ") + " --sweep 0..3 --confidence 0.9 --format json",
+        of("fit ") + " --sweep 0..3 --format json",
+        of("fit ") + " --confidence 0.9 --format json",
         of("fit ") + " --no-lp --proof - -o /dev/null",
         of("fit ") + " --x-eps 1/4 --format json",
         of("fit ") + " --x-eps 1/4 --strong --format json",

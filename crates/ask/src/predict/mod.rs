@@ -169,6 +169,10 @@ impl Ask for Predict {
         asked.problem.measurements.table()
     }
 
+    fn rows_missing(&self, asked: &Predicted) -> usize {
+        asked.problem.measurements.rows_missing()
+    }
+
     fn answer(&self, asked: &Predicted) -> Result<Fit, Refusal> {
         Ok(fit(&asked.problem))
     }

@@ -190,6 +190,7 @@ fn read(name: &str, columns: &[ColumnSelector], asked: &Asked) -> Result<Vec<Vec
         },
     );
     held.check(file.raw())?;
-    tables.was_read(name, scanned?.table.as_ref());
+    let scanned = scanned?;
+    tables.was_read(name, scanned.table.as_ref(), scanned.rows_missing);
     Ok(batches)
 }

@@ -100,7 +100,7 @@ impl Judgeable {
             return Err(Refusal::Misuse(Misuse::NewReduction));
         }
         let new = self.scan(source, &ScanOptions { hash: false, ..options }, see, seen)?;
-        tables.was_read(name, new.table());
+        tables.was_read(name, new.table(), new.rows_missing());
         Ok(())
     }
 

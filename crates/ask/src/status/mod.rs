@@ -199,6 +199,10 @@ impl Ask for Status {
         asked.problem.measurements.table()
     }
 
+    fn rows_missing(&self, asked: &Judgeable) -> usize {
+        asked.problem.measurements.rows_missing()
+    }
+
     fn answer(&self, asked: &Judgeable) -> Result<Judgement, Refusal> {
         let problem = &asked.problem;
         let fit = fit(problem);

@@ -90,7 +90,7 @@ impl<'a> Job<'a> {
         });
         let problem = question.read(&asked, source, shows).map_err(failed)?;
         if !form.has_input() {
-            input::say_table(file, question.table(&problem));
+            input::say_table(file, question.table(&problem), question.rows_missing(&problem));
         }
         let mut answer = while_working(Q::NAME, || question.answer(&problem)).map_err(failed)?;
         let beside = add(&problem, &mut answer, &paper.origin)?;

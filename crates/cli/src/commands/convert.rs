@@ -91,7 +91,8 @@ pub(super) fn run(arguments: &ConvertArguments) -> CommandResult {
     let problem = data.whole_problem()?;
     let limits = &arguments.data.table.limits;
     refuse_long_problem(arguments.data.file_name(), &problem, times::CONVERT, limits)?;
-    input::say_table(arguments.data.file_name(), problem.measurements.table());
+    let read = &problem.measurements;
+    input::say_table(arguments.data.file_name(), read.table(), read.rows_missing());
     let about = comments(arguments, reading, &problem);
     let rows = ExchangeRows::new(&problem);
     drop(problem);

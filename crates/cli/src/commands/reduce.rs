@@ -98,7 +98,7 @@ pub(super) fn run(arguments: &ReduceArguments) -> CommandResult {
     }
     let options = ScanOptions { list_rows: false, ..asked.options.clone() };
     let reduced = ReducedTable::scan(source, columns, &options).map_err(Failure::refused)?;
-    input::say_table(words.file_name(), reduced.table());
+    input::say_table(words.file_name(), reduced.table(), reduced.rows_missing());
     let mut text = Vec::new();
     // Writing to memory cannot fail.
     reduced.write(&mut text).map_err(Failure::data)?;

@@ -34,6 +34,7 @@ pub struct ReducedTable {
     /// The number of readings that each of these stands for.
     counts: Vec<usize>,
     table: Option<TableNotes>,
+    rows_missing: usize,
 }
 
 /// The rule for the readings that are kept.
@@ -160,7 +161,8 @@ impl ReducedTable {
         };
         // A reduction no longer knows the tables that reductions were made from.
         let table = scanned.table.filter(|_| reductions.is_none());
-        Ok(ReducedTable { record, header: scanned.header_line, rows, counts, table })
+        let rows_missing = scanned.rows_missing;
+        Ok(ReducedTable { record, header: scanned.header_line, rows, counts, table, rows_missing })
     }
 
     /// The number of readings there were.
@@ -171,6 +173,11 @@ impl ReducedTable {
     /// Returns how many of them are kept.
     pub fn kept(&self) -> usize {
         self.rows.len()
+    }
+
+    /// The number of rows that were left out since they lack a number.
+    pub fn rows_missing(&self) -> usize {
+        self.rows_missing
     }
 
     /// Returns what the table was taken for; nothing unless it is text or a sheet, and no reduction.

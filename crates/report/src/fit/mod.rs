@@ -24,6 +24,7 @@ use crate::origin::Origin;
 use crate::region::{names_of, region_blocks};
 use crate::scale::{Scale, scales};
 use crate::style::Style;
+use crate::table_json::rows_left_out;
 use crate::table_json::table_words;
 
 /// The name of the set in titles.
@@ -124,7 +125,7 @@ pub(crate) fn empty_blocks(problem: &Problem, fit: &Fit, style: &Style) -> Vec<B
 }
 
 /// The assumption behind an error bound that was found from the readings themselves.
-fn assumption(MultipleOfLeast { factor, least }: &MultipleOfLeast, style: &Style) -> Text {
+pub(crate) fn assumption(MultipleOfLeast { factor, least }: &MultipleOfLeast, style: &Style) -> Text {
     let text = match *factor == Rational::one() {
         true => Text::from("that no error is larger than eps_min, "),
         false => {
@@ -222,10 +223,8 @@ impl<'a> Report<'a> {
             true => counted(total, "row", "rows"),
             false => format!("{selection}: {used} of {total}"),
         };
-        let missing = match measurements.rows_missing() {
-            0 => String::new(),
-            missing => format!(", {} with missing values left out", counted(missing, "row", "rows")),
-        };
+        let missing = rows_left_out(measurements.rows_missing());
+        let missing = missing.map_or_else(String::new, |words| format!(", {words}"));
         let reading = match reading {
             _ if is_stored => "binary64: the numbers of the file exactly as stored",
             Reading::Decimal => "decimal: numbers exactly as written",

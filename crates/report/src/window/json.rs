@@ -20,7 +20,7 @@ pub fn write_window_json(
     table: Option<&TableJson>,
     style: &Style,
 ) {
-    let WindowReport { rows: [first_row, last_row], readings, x, fit } = window;
+    let WindowReport { rows: [first_row, last_row], readings, x, fit, least } = window;
     let name = |index: usize| fit.names[index];
     let bound = |bound: &ParameterBound, number: &dyn Fn(&Rational) -> Number| match bound {
         ParameterBound::Unbounded(_) => BoundJson::unbounded(style),
@@ -53,7 +53,7 @@ pub fn write_window_json(
         },
         pui: pui.map(|pui| pui.each_ref().map(interval)),
         central: fit.central.as_ref().map(|central| central_of(central, style)),
-        epsilon_min: fit.least.as_ref().map(|least| style.upper_number(least)),
+        epsilon_min: least.as_ref().map(|least| style.upper_number(least)),
     };
     // The types hold strings, numbers and lists only, and memory takes whatever is written.
     serde_json::to_writer(&mut *text, &written).expect("a window that is not JSON");

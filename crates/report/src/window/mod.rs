@@ -27,6 +27,8 @@ pub struct WindowReport {
     pub x: Option<[Rational; 2]>,
     /// The results of its readings.
     pub fit: Arc<WindowFit>,
+    /// ε_min, where all readings are of a line under one bound and nothing else is known.
+    pub least: Option<Rational>,
 }
 
 impl WindowReport {
@@ -35,12 +37,19 @@ impl WindowReport {
         let mut readings = turn.window.readings();
         let first = readings.next()?;
         let last = readings.next_back().unwrap_or(first);
-        let is_line = matches!(problem.measurements.model(), Model::Line { .. });
+        let measurements = &problem.measurements;
+        let is_line = matches!(measurements.model(), Model::Line { .. });
         let x = is_line.then(|| [first, last].map(|reading| reading.regressor[0].clone()));
         Some(WindowReport {
             rows: [first.row, last.row],
             readings: turn.window.len(),
             x,
+            least: turn
+                .window
+                .fit()
+                .least
+                .clone()
+                .filter(|_| is_line && measurements.error_bound().is_uniform()),
             fit: turn.window.fit(),
         })
     }
@@ -57,7 +66,7 @@ impl WindowReport {
             pui: pui.map(|pui| pui.each_ref().map(ParameterInterval::interval)),
             central: fit.central.clone(),
             least_squares: None,
-            least: fit.least.clone(),
+            least: self.least.clone(),
         };
         GroupCells::new(Foreign::of(&format!("{first}..{last}")), &line, style)
     }
@@ -111,7 +120,7 @@ impl WindowReport {
             });
         }
         cells.push(
-            fit.least.as_ref().map_or_else(String::new, |least| style.upper(least).compact().to_string()),
+            self.least.as_ref().map_or_else(String::new, |least| style.upper(least).compact().to_string()),
         );
         cells.join(",")
     }

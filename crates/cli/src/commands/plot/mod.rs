@@ -274,7 +274,8 @@ impl Job<'_> {
     /// Reads the data with errors in x, fits and draws.
     fn run_with_x_errors(&self, draw: DrawXErrors) -> CommandResult {
         let problem = self.arguments.data.words_with(&self.arguments.x_errors).open()?.x_error_problem()?;
-        input::say_table(self.arguments.data.file_name(), problem.problem().measurements.table());
+        let read = &problem.problem().measurements;
+        input::say_table(self.arguments.data.file_name(), read.table(), read.rows_missing());
         let answer = while_working("fitting", || problem.fit());
         let options = options(self.arguments, problem.problem());
         self.write(while_working("drawing", || draw(&problem, &answer, &options)))?;
@@ -314,7 +315,8 @@ fn problem(arguments: &PlotArguments, figures: u64, most_of_line: usize) -> Resu
         .holding(memory::OF_A_FIGURE)
         .shown_problem(most_of_line)?;
     let limits = &arguments.data.table.limits;
-    input::say_table(arguments.data.file_name(), problem.measurements.table());
+    let read = &problem.measurements;
+    input::say_table(arguments.data.file_name(), read.table(), read.rows_missing());
     refuse_long_problem(arguments.data.file_name(), &problem, figures * times::PLOT, limits)?;
     Ok(problem)
 }

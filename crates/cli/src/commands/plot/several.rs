@@ -105,7 +105,8 @@ fn run_compared(job: &Job, what: Compared) -> CommandResult {
             data.words_with(&job.arguments.x_errors).open()?.holding(memory::OF_A_FIGURE).whole_problem()?;
         refuse_long_problem(data.file_name(), &problem, times::PLOT, &data.table.limits)?;
         if said.insert(data.path().to_owned()) {
-            input::say_table(data.file_name(), problem.measurements.table());
+            let read = &problem.measurements;
+            input::say_table(data.file_name(), read.table(), read.rows_missing());
         }
         let fit = while_working("fitting", || problem.fit());
         all.push(Named { name, problem, fit });
@@ -165,7 +166,7 @@ fn run_groups(job: &Job, what: Compared) -> CommandResult {
     let groups = Groups::read(&asked, source, &by);
     let groups = groups.map_err(|refusal| Failure::of(&refusal, job.arguments.data.file_name()))?;
     let (asked, fleet) = (groups.question(), groups.fleet());
-    input::say_table(job.arguments.data.file_name(), fleet.table());
+    input::say_table(job.arguments.data.file_name(), fleet.table(), fleet.rows_missing());
     let drawn = fleet.len().min(MOST_PANELS);
     let mut all = Vec::with_capacity(drawn);
     for group in 0..drawn {
