@@ -22,8 +22,8 @@ pub(crate) fn open(file: &str) -> Result<Source, InputError> {
     Source::open(file)
 }
 
-/// Says on standard error what a table was taken for where something was guessed, and how many rows were left out since they lack a
-/// number: the answer has no place for it.
+/// Says on standard error what a table was taken for where something was guessed, and how many rows were left out. The answer has no
+/// place for it.
 pub(crate) fn say_table(file: Foreign<&str>, table: Option<&TableNotes>, rows_missing: usize) {
     let guessed = table.filter(|table| table.has_guesses());
     say(file, guessed.and_then(TableNotes::words), rows_missing);

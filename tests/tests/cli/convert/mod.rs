@@ -206,7 +206,7 @@ fn long_and_far_numbers_stay_exact_and_are_remarked_upon() {
 
 const STEAM: &str = "fixtures/steam-generator/steam_generator.csv --x x --y y --eps-column eps";
 
-/// From 10²⁰ on some readers take a side for infinite, from 10³⁰ on our own does.
+/// Some readers take a side from 10²⁰ on for infinite, our own from 10³⁰ on.
 #[test]
 fn no_side_is_infinite_for_any_reader() {
     let directory = directory_with(&[
