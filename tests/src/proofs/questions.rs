@@ -179,7 +179,7 @@ fn texts() -> Vec<Question> {
             ["x", "y"],
         ),
         line("CR", "x,y\r1,2\r2,3\r\r3,4", ["x", "y"]),
-        line("a quote within a cell", "x,y,z\n1,2,5\"\n2,3,\"6\"\"\"\n3,\"4\"0,\n", ["x", "y"]),
+        line("a quote within a cell", "x,y,z\n1,2,5\"\n2,3,\"6\"\"\"\n3,40,\"4\"0\n", ["x", "y"]),
         line(
             "quotes and delimiters within quotes",
             "x,note,y\n1,\"say \"\"a, b\"\"\",2\n2,5\" pipe,3\n3,\"\n,\",4\n",

@@ -137,7 +137,7 @@ fn both_readers_see_the_same_table() {
         ["1", "2", "-3", "\"4\"", "\"5", "6\"", "\"\"", " ", ",", ",", ",", "\n", "\r\n", "\r", "\t"];
     let mut rng = seeded(61);
     let (mut accepted, mut short) = (0, 0);
-    for _ in 0..60_000 {
+    for _ in 0..70_000 {
         let count = rng.random_range(3..=14);
         let text: String = (0..count).map(|_| pieces[rng.random_range(0..pieces.len())]).collect();
         let response = if rng.random_bool(0.5) { "2" } else { "3" };
