@@ -128,6 +128,7 @@ impl Claimed<'_> {
             reduced_costs: all(&self.reduced_costs)?.filter(|_| is_optimal),
             ray: None,
             farkas: None,
+            other_rows: None,
         })
     }
 }
