@@ -27,12 +27,12 @@ impl Reader<'_> {
         let is_units = is_units.then(|| texts.map(is_text).collect::<Vec<_>>());
         for (&place, column) in columns.places.iter().zip(self.columns) {
             let (cell, name) = (cell_at(place), columns.names.get(place - 1));
-            let text = std::str::from_utf8(cell)
-                .map_err(|error| wrong_cell(line, place, name, cell, not_utf8(cell, &error)))?;
             let wrong = |kind: CellError| wrong_cell(line, place, name, cell, kind);
             if torn.contains(&(place - 1)) {
                 return Err(wrong(InputErrorKind::BehindQuotes.into()));
             }
+            let text = std::str::from_utf8(cell)
+                .map_err(|error| wrong_cell(line, place, name, cell, not_utf8(cell, &error)))?;
             let read = self.marked(text, mark, tells);
             match read {
                 Ok(number) if column.is_non_negative() && number.is_negative() => {

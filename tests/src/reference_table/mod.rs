@@ -267,11 +267,11 @@ impl Reader<'_> {
                         let (cell, name) =
                             (record.get(place - 1).unwrap_or_default(), columns.names.get(place - 1));
                         let wrong = |kind: CellError| wrong_cell(line, place, name, cell, kind);
-                        let text = std::str::from_utf8(cell)
-                            .map_err(|error| Some(wrong(not_utf8(cell, &error).into())))?;
                         if records.torn.contains(&(place - 1)) {
                             return Err(Some(wrong(InputErrorKind::BehindQuotes.into())));
                         }
+                        let text = std::str::from_utf8(cell)
+                            .map_err(|error| Some(wrong(not_utf8(cell, &error).into())))?;
                         match self.marked(text, &mut mark, tells) {
                             Ok(number) => holds &= condition.holds(&number),
                             Err(error) if is_missing(text) => lacks = lacks.or(Some(wrong(error))),
