@@ -6,6 +6,7 @@ use boundfit_estimation::{EpsilonColumn, Keep, Measurements, Problem, Question};
 use boundfit_exact::{Rational, Work};
 use boundfit_formats::{ColumnSelector, ScanOptions, Source, TableOptions};
 use boundfit_questions::{Agreement, XBounds, XErrorProblem, times};
+use boundfit_report::rows_left_out;
 
 use crate::form::Shows;
 use crate::misuse::Misuse;
@@ -194,4 +195,14 @@ impl Asked {
             false => Ok(()),
         }
     }
+}
+
+/// Lines below many answers: about the rows that are left out since they lack a number, and about the assumption that a multiple of
+/// ε_min makes, which is that of these readings.
+pub(crate) fn remarks(rows_missing: usize, multiple_of_least: Option<&Rational>, whose: &str) -> String {
+    let assumed = multiple_of_least.map(|factor| {
+        let times = if *factor == Rational::one() { String::new() } else { format!("{factor} times ") };
+        format!("Assumed: no error is larger than {times}eps_min of {whose}, a bound found from these very readings")
+    });
+    rows_left_out(rows_missing).into_iter().chain(assumed).map(|line| line + "\n").collect()
 }

@@ -3,16 +3,16 @@
 use std::ops::Range;
 
 use boundfit_estimation::{GroupFit, GroupLine, Question};
-use boundfit_exact::{Foreign, Rational, Work};
+use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{ColumnSelector, Source, TableNotes};
 use boundfit_questions::times;
 use boundfit_report::{
-    FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, TableJson, rows_left_out, table_line,
+    FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, TableJson, table_line,
     write_group_json,
 };
 use serde::Deserialize;
 
-use crate::asked::Asked;
+use crate::asked::{Asked, remarks};
 use crate::form::{Form, Paper, Shows, Written};
 use crate::misuse::Misuse;
 use crate::question::{Ask, Out, put};
@@ -72,21 +72,8 @@ impl Groups {
         Ok(work.check(times::FIT, most_work)?)
     }
 
-    /// Lines about rows that are left out, and about the assumption that the answers depend on where the error bound is not given.
     fn remarks(&self) -> String {
-        let times = |factor: &Rational| match *factor == Rational::one() {
-            true => String::new(),
-            false => format!("{factor} times "),
-        };
-        let factor = self.question.multiple_of_least.as_ref();
-        let assumed = factor.map_or_else(String::new, |factor| {
-            format!(
-                "Assumed: no error is larger than {}eps_min of its own group, a bound found from these very readings\n",
-                times(factor)
-            )
-        });
-        let left_out = rows_left_out(self.fleet.rows_missing());
-        left_out.map_or_else(String::new, |words| format!("{words}\n")) + &assumed
+        remarks(self.fleet.rows_missing(), self.question.multiple_of_least.as_ref(), "its own group")
     }
 
     fn write_json(&self, style: &Style, out: &mut Out<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {

@@ -1,15 +1,12 @@
 //! The fits of the last readings as the window moves on.
 
-use boundfit_estimation::{MultipleOfLeast, Problem};
-use boundfit_exact::Rational;
+use boundfit_estimation::Problem;
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{Extent, Moving, Turn, times};
-use boundfit_report::{
-    FleetTable, TableJson, WindowReport, WindowSummary, rows_left_out, table_line, write_window_json,
-};
+use boundfit_report::{FleetTable, TableJson, WindowReport, WindowSummary, table_line, write_window_json};
 use serde::Deserialize;
 
-use crate::asked::Asked;
+use crate::asked::{Asked, remarks};
 use crate::form::{Form, Paper, Shows, Written};
 use crate::given::Given;
 use crate::misuse::Misuse;
@@ -72,16 +69,6 @@ impl Window {
             step => Ok(Moving { extent, step: step.unwrap_or(1) }),
         }
     }
-}
-
-/// Lines about rows that are left out, and about the assumption that the answers depend on where the error bound is not given.
-fn remarks(problem: &Problem) -> String {
-    let left_out = rows_left_out(problem.measurements.rows_missing());
-    let assumed = problem.measurements.multiple_of_least().map(|MultipleOfLeast { factor, .. }| {
-        let times = if *factor == Rational::one() { String::new() } else { format!("{factor} times ") };
-        format!("Assumed: no error is larger than {times}eps_min of all readings, a bound found from these very readings")
-    });
-    left_out.into_iter().chain(assumed).map(|line| line + "\n").collect()
 }
 
 impl Ask for Window {
@@ -152,7 +139,10 @@ impl Ask for Window {
         let moved = moving.each(problem, take);
         put(out, ready)?;
         let moved = moved?;
-        let to_text = summary.to_text(moving, &moved, style) + &remarks(problem);
+        let measurements = &problem.measurements;
+        let factor = measurements.multiple_of_least().map(|multiple| &multiple.factor);
+        let remarks = remarks(measurements.rows_missing(), factor, "all readings");
+        let to_text = summary.to_text(moving, &moved, style) + &remarks;
         let is_empty = summary.has_empty();
         if form != Form::Text {
             return Ok(Written { is_empty, summary: to_text });

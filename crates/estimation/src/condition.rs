@@ -151,10 +151,11 @@ impl Parser<'_> {
         let relation = self.relation()?;
         let right = self.sum()?;
         if !self.scanner.rest().is_empty() {
-            let is_relation = self.scanner.rest().starts_with(['<', '>', '=', '≤', '≥']);
-            let (second, other) =
-                (ParseConditionErrorKind::SecondRelation, ParseConditionErrorKind::NoRelation);
-            return Err(self.scanner.error(if is_relation { second } else { other }));
+            let kind = match self.scanner.rest().starts_with(['<', '>', '=', '≤', '≥']) {
+                true => ParseConditionErrorKind::SecondRelation,
+                false => ParseConditionErrorKind::NoRelation,
+            };
+            return Err(self.scanner.error(kind));
         }
         let sign = if relation == Relation::AtLeast { -Rational::one() } else { Rational::one() };
         let [a1, a2, b] = [0, 1, 2].map(|i| (&left[i] - &right[i]) * &sign);
@@ -277,7 +278,7 @@ mod tests {
             ("theta1 = theta2 = 0", 16, Kind::SecondRelation),
             ("theta1 <= ", 10, Kind::NotATerm),
             ("theta3 >= 0", 0, Kind::NotATerm),
-            ("--theta1 >= 0", 1, Kind::NotATerm),
+            ("- -theta1 >= 0", 2, Kind::NotATerm),
             ("theta1 + - -theta2 >= 0", 11, Kind::NotATerm),
             ("2*3 >= 0", 2, Kind::NotATerm),
             ("0 <= theta1 <= 1", 12, Kind::SecondRelation),

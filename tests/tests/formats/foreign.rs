@@ -67,7 +67,7 @@ fn fault(case: &Value) -> Option<String> {
         (Err(error), None) => Some(error.to_string()),
         (Err(error), Some(expected)) => {
             let way = |way: Way| format!("{} {} {}", way.setting.name(), way.value, way.effect);
-            let ways: Vec<String> = error.kind.ways().into_iter().map(way).collect();
+            let ways: Vec<String> = error.ways().into_iter().map(way).collect();
             let message = format!("{error}; {}", ways.join(", "));
             let lacking: Vec<String> =
                 words(expected).into_iter().filter(|words| !message.contains(words)).collect();

@@ -9,7 +9,7 @@ use super::proof_file::{self, SmallFile};
 use crate::exit::{CommandResult, Exit, Failure};
 use crate::input;
 use crate::memory;
-use crate::options::{OutputArguments, ReplaceArguments, TableFormat, Words};
+use crate::options::{OutputArguments, ProofArguments, ReplaceArguments, TableFormat, Words};
 use crate::output::{self, Guard, Output, Stop};
 use crate::progress::while_working;
 
@@ -43,6 +43,15 @@ impl<'a> Job<'a> {
             proof,
             theory: None,
         })
+    }
+
+    /// A job with a proof, which may be a theorem for Coq.
+    pub(super) fn proving(
+        data: Words<'a>,
+        output: &'a OutputArguments<TableFormat>,
+        ProofArguments { proof, proof_library }: &'a ProofArguments,
+    ) -> Result<Self, Failure> {
+        Job::of(data, output, proof.as_deref())?.with_theory(*proof_library)
     }
 
     /// The same job, whose proof may be a theorem for Coq.

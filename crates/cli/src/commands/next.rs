@@ -41,7 +41,7 @@ pub(crate) struct NextArguments {
     /// The range of x in which the reading can be taken, numbers exactly as written [default: the range of the readings]
     #[arg(long, value_name = "LO..HI", allow_hyphen_values = true)]
     within: Option<String>,
-    /// What the reading is to make small: theta1 or theta2 (the length of its interval) or area [default: all three]
+    /// Goal of the reading: make small theta1 or theta2 (the length of its interval) or area [default: all three]
     #[arg(long, value_name = "GOAL")]
     goal: Option<String>,
     /// Error bound of the next reading, where it is not that of the fitted ones

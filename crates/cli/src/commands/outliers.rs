@@ -4,12 +4,12 @@ use boundfit_ask::Outliers;
 use boundfit_exact::Limit;
 use boundfit_questions::OutlierLimits;
 use clap::Args;
-use clap::builder::NonEmptyStringValueParser;
 
 use super::asked::Job;
 use crate::exit::CommandResult;
 use crate::options::{
-    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, TableFormat, ThreadArguments, limits,
+    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, ProofArguments, TableFormat, ThreadArguments,
+    limits,
 };
 
 pub(super) const NOTES: Notes = Notes {
@@ -50,13 +50,8 @@ pub(crate) struct OutliersArguments {
     /// from 0 to Q
     #[arg(long, value_name = "Q")]
     most: Option<u32>,
-    /// Also write a proof of the answer to this file; 'boundfit verify' checks it against the data. In FILE.v it is a
-    /// theorem for the kernel of Coq instead. - means standard output if the report goes to a file
-    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
-    proof: Option<String>,
-    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
-    #[arg(long, requires = "proof")]
-    proof_library: bool,
+    #[command(flatten)]
+    proof: ProofArguments,
     #[command(flatten)]
     threads: ThreadArguments,
     #[command(flatten)]
@@ -74,8 +69,7 @@ impl OutliersArguments {
 /// Reads the data, finds the outliers and writes the report.
 pub(super) fn run(arguments: &OutliersArguments) -> CommandResult {
     arguments.threads.set()?;
-    let job = Job::of(arguments.data.words(), &arguments.output, arguments.proof.as_deref())?
-        .with_theory(arguments.proof_library)?;
+    let job = Job::proving(arguments.data.words(), &arguments.output, &arguments.proof)?;
     let job = Job { style: arguments.data.table.limits.limited(job.style), ..job };
     let mut guard = job.guard(&arguments.output.file.replace, &[])?;
     job.run(&arguments.question(), &mut guard)

@@ -2,12 +2,11 @@
 
 use boundfit_ask::Predict;
 use clap::Args;
-use clap::builder::NonEmptyStringValueParser;
 
 use super::asked::Job;
 use crate::exit::{CommandResult, Failure};
 use crate::options::{
-    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, TableFormat, ThreadArguments,
+    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, ProofArguments, TableFormat, ThreadArguments,
 };
 
 pub(super) const NOTES: Notes = Notes {
@@ -66,13 +65,8 @@ pub(crate) struct PredictArguments {
     /// Show in text the readings that prove each end (JSON always does)
     #[arg(long)]
     proofs: bool,
-    /// Write a proof of each end to this file; 'boundfit verify' checks it. In FILE.v it is a theorem for the kernel of Coq
-    /// instead
-    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
-    proof: Option<String>,
-    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
-    #[arg(long, requires = "proof")]
-    proof_library: bool,
+    #[command(flatten)]
+    proof: ProofArguments,
     #[command(flatten)]
     threads: ThreadArguments,
     #[command(flatten)]
@@ -98,8 +92,7 @@ pub(super) fn run(arguments: &PredictArguments) -> CommandResult {
     let question = arguments.question();
     let files = files(&question);
     check_usage(arguments, arguments.output.format()?, &question, &files)?;
-    let job = Job::of(arguments.data.words(), &arguments.output, arguments.proof.as_deref())?
-        .with_theory(arguments.proof_library)?;
+    let job = Job::proving(arguments.data.words(), &arguments.output, &arguments.proof)?;
     let mut guard = job.guard(&arguments.output.file.replace, &files)?;
     job.run(&question, &mut guard)
 }

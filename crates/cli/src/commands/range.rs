@@ -2,12 +2,11 @@
 
 use boundfit_ask::Range;
 use clap::Args;
-use clap::builder::NonEmptyStringValueParser;
 
 use super::asked::Job;
 use crate::exit::CommandResult;
 use crate::options::{
-    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, TableFormat, ThreadArguments,
+    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, ProofArguments, TableFormat, ThreadArguments,
 };
 
 pub(super) const NOTES: Notes = Notes {
@@ -49,13 +48,8 @@ pub(crate) struct RangeArguments {
     /// Take readings in order of rows (default for two regressors)
     #[arg(long, conflicts_with = "by_x")]
     by_row: bool,
-    /// Also write a proof of the answer to this file; 'boundfit verify' checks it against the data. In FILE.v it is a
-    /// theorem for the kernel of Coq instead. - means standard output if the report goes to a file
-    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
-    proof: Option<String>,
-    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
-    #[arg(long, requires = "proof")]
-    proof_library: bool,
+    #[command(flatten)]
+    proof: ProofArguments,
     #[command(flatten)]
     threads: ThreadArguments,
     #[command(flatten)]
@@ -77,8 +71,7 @@ impl RangeArguments {
 /// Reads the data, finds the runs and writes.
 pub(super) fn run(arguments: &RangeArguments) -> CommandResult {
     arguments.threads.set()?;
-    let job = Job::of(arguments.data.words(), &arguments.output, arguments.proof.as_deref())?
-        .with_theory(arguments.proof_library)?;
+    let job = Job::proving(arguments.data.words(), &arguments.output, &arguments.proof)?;
     let mut guard = job.guard(&arguments.output.file.replace, &[])?;
     job.run(&arguments.question(), &mut guard)
 }

@@ -7,7 +7,7 @@ use clap::builder::NonEmptyStringValueParser;
 use super::asked::Job;
 use crate::exit::{CommandResult, Failure};
 use crate::options::{
-    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, TableFormat, ThreadArguments,
+    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, ProofArguments, TableFormat, ThreadArguments,
 };
 
 pub(super) const NOTES: Notes = Notes {
@@ -57,13 +57,8 @@ pub(crate) struct StatusArguments {
     /// List every reading in text, latex and markdown, not only the 40 most important ones
     #[arg(long)]
     all: bool,
-    /// Write a proof of the statuses to this file; 'boundfit verify' checks it. In FILE.v it is a theorem for the kernel of
-    /// Coq instead
-    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
-    proof: Option<String>,
-    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
-    #[arg(long, requires = "proof")]
-    proof_library: bool,
+    #[command(flatten)]
+    proof: ProofArguments,
     #[command(flatten)]
     threads: ThreadArguments,
     #[command(flatten)]
@@ -81,8 +76,7 @@ impl StatusArguments {
 pub(super) fn run(arguments: &StatusArguments) -> CommandResult {
     arguments.threads.set()?;
     check_usage(arguments, arguments.output.format()?)?;
-    let job = Job::of(arguments.data.words(), &arguments.output, arguments.proof.as_deref())?
-        .with_theory(arguments.proof_library)?;
+    let job = Job::proving(arguments.data.words(), &arguments.output, &arguments.proof)?;
     let beside: Vec<&str> = arguments.new.as_deref().into_iter().collect();
     let mut guard = job.guard(&arguments.output.file.replace, &beside)?;
     job.run(&arguments.question(), &mut guard)

@@ -4,6 +4,7 @@ mod endings;
 pub(crate) mod limits;
 mod look;
 mod notes;
+mod proof;
 mod reading;
 mod rows;
 mod shared;
@@ -15,6 +16,7 @@ pub(crate) use endings::{Format, NamedFormat, ReportFormat, TableFormat, ending,
 pub(crate) use limits::LimitArguments;
 pub(crate) use look::{LookArguments, PictureArguments, refuse_without_picture};
 pub(crate) use notes::{BAD_DATA, BAD_USAGE, Notes};
+pub(crate) use proof::ProofArguments;
 pub(crate) use reading::{Words, given};
 pub(crate) use rows::RowArguments;
 pub(crate) use shared::{

@@ -128,7 +128,7 @@ pub(crate) struct TableArguments {
     #[arg(long, default_value = Reading::Decimal.name(),
           value_parser = PossibleValuesParser::new(Reading::ALL.map(Reading::name)))]
     pub(super) reading: String,
-    /// Whether the first row names the columns
+    /// Say whether the first row names the columns
     #[arg(long, default_value = Header::Auto.name(),
           value_parser = PossibleValuesParser::new(Header::ALL.map(Header::name)))]
     pub(super) header: String,

@@ -492,8 +492,8 @@ impl InputErrorKind {
         }
     }
 
-    /// Settings with which the file is read, the most helpful first.
-    pub fn ways(&self) -> Vec<Way> {
+    /// Settings with which the file is read, whatever stands in the cell, the most helpful first.
+    pub(super) fn ways(&self) -> Vec<Way> {
         let way = Way::new;
         match self {
             InputErrorKind::NotUtf8 { unit: "cell", .. } => {

@@ -95,7 +95,7 @@ impl<R: BufRead> Text<'_, R> {
                 break;
             }
             if !self.last.is_empty() {
-                return Err(Damage::format(format!("{name:?} has more numbers than are announced")));
+                return Err(too_many(name));
             }
         }
         Ok(())
@@ -254,7 +254,7 @@ impl<R: BufRead> Text<'_, R> {
             found.extend(self.last.split_whitespace().map(str::to_owned));
         }
         if found.len() as u64 > count {
-            return Err(Damage::format(format!("{name:?} has more numbers than are announced")));
+            return Err(too_many(name));
         }
         self.no_more(name)?;
         Ok(texts(found))
@@ -358,6 +358,11 @@ impl<R: BufRead> Text<'_, R> {
     fn deeper(&self, nesting: usize) -> Result<usize, Damage> {
         nesting.checked_sub(1).ok_or_else(|| Damage::format("a struct in a struct in a struct ..."))
     }
+}
+
+/// More numbers of a variable than it says that it has.
+fn too_many(name: &str) -> Damage {
+    Damage::format(format!("{name:?} has more numbers than are announced"))
 }
 
 /// A double as `save -text` writes it, with 17 significant digits.

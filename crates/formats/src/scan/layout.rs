@@ -303,11 +303,8 @@ impl<'a> Layout<'a> {
             };
         let mut satisfies = true;
         for (place, condition) in self.conditions.iter().filter(|_| looks_at_conditions) {
-            let cell = record.cell(place.position - 1);
+            let cell = self.cell(record, place, line)?;
             let error = |problem| place.error(self.file, line, cell, problem);
-            if record.is_torn(place.position - 1) {
-                return Err(error(InputErrorKind::BehindQuotes));
-            }
             match self.holds(condition, cell, *mark) {
                 Ok((holds, found)) => {
                     tell(mark, found, &error);
@@ -323,11 +320,8 @@ impl<'a> Layout<'a> {
             return Ok(if satisfies { lacks.map_or(Row::Unwanted, Row::Lacks) } else { Row::Unwanted });
         }
         for (place, selector) in self.places.iter().zip(self.selectors) {
-            let cell = record.cell(place.position - 1);
+            let cell = self.cell(record, place, line)?;
             let error = |problem| place.error(self.file, line, cell, or_time(problem, cell));
-            if record.is_torn(place.position - 1) {
-                return Err(error(InputErrorKind::BehindQuotes));
-            }
             match self.numbers.value(cell, selector, *mark) {
                 Ok((value, found)) => {
                     tell(mark, found, &error);
@@ -378,6 +372,15 @@ impl<'a> Layout<'a> {
                 place.error(self.file, line, record.cell(place.position - 1), InputErrorKind::NoBound)
             }
             None => InputError::of_line(self.file, line, InputErrorKind::NoBound),
+        }
+    }
+
+    /// A cell that is read as it stands: text behind its closing quote is no part of a number.
+    fn cell<'r>(&self, record: &'r Record, place: &ColumnPlace, line: u64) -> Result<&'r [u8], InputError> {
+        let cell = record.cell(place.position - 1);
+        match record.is_torn(place.position - 1) {
+            true => Err(place.error(self.file, line, cell, InputErrorKind::BehindQuotes)),
+            false => Ok(cell),
         }
     }
 

@@ -14,7 +14,7 @@ pub(super) fn without_cost_row(file: &SolutionFile, model: &Model) -> Option<Sol
     let near = Rational::scientific(1, -12) * Rational::one().max(value.abs());
     let is_near = |entry: &Entry| {
         let own = entry.value.as_ref().and_then(Figure::finite);
-        own.is_some_and(|own| (&own.value - value).abs() <= near) && price_of(entry).is_zero()
+        own.is_some_and(|own| (&own.value - value).abs() <= near) && number(&entry.price).is_zero()
     };
     if file.announced.is_none() || file.rows.len() != model.rows.len() + 1 {
         return None;
@@ -26,8 +26,8 @@ pub(super) fn without_cost_row(file: &SolutionFile, model: &Model) -> Option<Sol
     }
     let mut best: Option<(Rational, usize)> = None;
     for (place, entry) in file.rows.iter().enumerate() {
-        if is_near(entry) && best.as_ref().is_none_or(|(least, _)| misfit.size() < *least) {
-            best = Some((misfit.size(), place));
+        if is_near(entry) && best.as_ref().is_none_or(|(least, _)| misfit.size < *least) {
+            best = Some((misfit.size.clone(), place));
         }
         // Without the next one, the row of the model here has this one.
         if let Some((row, next)) = model.rows.get(place).zip(file.rows.get(place + 1)) {
@@ -49,17 +49,17 @@ pub(super) fn without_cost_row(file: &SolutionFile, model: &Model) -> Option<Sol
 }
 
 /// How far entries of rows are from the optimality of a model: the costs that prices do not explain, and the prices of bounds that
-/// are not there or not attained. Each is summed up for prices of either sign.
+/// are not there or not attained.
 struct Misfit<'a> {
     model: &'a Model,
     /// The values of the columns, and what the prices leave of their costs.
     values: Vec<Rational>,
-    unexplained: [Vec<Rational>; 2],
-    sums: [Rational; 2],
+    unexplained: Vec<Rational>,
+    size: Rational,
 }
 
 /// An entry comes to a row, or goes.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 enum Change {
     Put,
     Take,
@@ -67,80 +67,52 @@ enum Change {
 
 impl<'a> Misfit<'a> {
     fn new(model: &'a Model, columns: &[Entry]) -> Self {
-        let costs: Vec<Rational> = model.columns.iter().map(|column| column.cost.clone()).collect();
-        let mut misfit = Misfit {
-            model,
-            values: vec![Rational::zero(); costs.len()],
-            sums: [0, 1].map(|_| costs.iter().map(Rational::abs).sum()),
-            unexplained: [costs.clone(), costs],
-        };
+        let unexplained: Vec<Rational> = model.columns.iter().map(|column| column.cost.clone()).collect();
+        let size = unexplained.iter().map(Rational::abs).sum();
+        let mut misfit =
+            Misfit { model, values: vec![Rational::zero(); unexplained.len()], unexplained, size };
         for entry in columns {
             if let Reference::Place(place) = entry.of {
-                misfit.explain(place, &price_of(entry));
+                misfit.explain(place, &number(&entry.price));
                 if let Some(value) = misfit.values.get_mut(place) {
-                    *value = value_of(entry);
+                    *value = number(&entry.value);
                 }
             }
         }
         misfit
     }
 
-    /// The sum for prices of the better sign.
-    fn size(&self) -> Rational {
-        let [one, other] = &self.sums;
-        one.min(other).clone()
-    }
-
     /// Takes so much off a column's cost.
     fn explain(&mut self, column: usize, part: &Rational) {
-        for (sign, (unexplained, sum)) in self.unexplained.iter_mut().zip(&mut self.sums).enumerate() {
-            let Some(left) = unexplained.get_mut(column) else { continue };
-            let less = if sign == 0 { &*left - part } else { &*left + part };
-            *sum = &*sum - left.abs() + less.abs();
-            *left = less;
-        }
+        let Some(left) = self.unexplained.get_mut(column) else { return };
+        let less = &*left - part;
+        self.size = &self.size - left.abs() + less.abs();
+        *left = less;
     }
 
     fn change(&mut self, row: &ModelRow, entry: &Entry, change: Change) {
-        let price = price_of(entry);
+        let price = number(&entry.price);
         if price.is_zero() {
             return;
         }
-        let part = match change {
-            Change::Put => price.clone(),
-            Change::Take => -&price,
-        };
+        let signed = |number: Rational| if change == Change::Put { number } else { -number };
+        let mut activity = Rational::zero();
         for (column, coefficient) in &row.coefficients {
-            self.explain(*column, &(coefficient * &part));
+            self.explain(*column, &signed(coefficient * &price));
+            activity = activity + coefficient * self.values.get(*column).cloned().unwrap_or_default();
         }
-        let value_of_column = |column: usize| self.values.get(column).cloned().unwrap_or_default();
-        let activity: Rational =
-            row.coefficients.iter().map(|(column, coefficient)| coefficient * value_of_column(*column)).sum();
-        let minimizes = self.model.sense == ObjectiveSense::Minimize;
-        for (sign, sum) in self.sums.iter_mut().enumerate() {
-            let is_lower = (price.is_positive() == minimizes) == (sign == 0);
-            let bound = if is_lower { &row.bounds.lower } else { &row.bounds.upper };
-            let distance = match bound {
-                Some(bound) => (&activity - bound).abs(),
-                None => Rational::one() + activity.abs(),
-            };
-            let off = &part.abs() * &distance;
-            *sum = match change {
-                Change::Put => &*sum + off,
-                Change::Take => &*sum - off,
-            };
-        }
+        let is_lower = price.is_positive() == (self.model.sense == ObjectiveSense::Minimize);
+        let distance = match if is_lower { &row.bounds.lower } else { &row.bounds.upper } {
+            Some(bound) => (activity - bound).abs(),
+            None => Rational::one() + activity.abs(),
+        };
+        self.size = &self.size + signed(price.abs() * distance);
     }
 }
 
-/// The value; 0 where there is none.
-fn value_of(entry: &Entry) -> Rational {
-    entry.value.as_ref().and_then(Figure::finite).map_or_else(Rational::zero, |value| value.value.clone())
-}
-
-/// A price; 0 where there is none.
-fn price_of(entry: &Entry) -> Rational {
-    entry.price.as_ref().and_then(Figure::finite).map_or_else(Rational::zero, |price| price.value.clone())
+/// A number; 0 where there is none.
+fn number(figure: &Option<Figure>) -> Rational {
+    figure.as_ref().and_then(Figure::finite).map_or_else(Rational::zero, |number| number.value.clone())
 }
 
 fn coarser_entry(entry: &Entry) -> Entry {

@@ -51,8 +51,8 @@ impl Solution {
     /// With names and places that the model has not, with two values for one of them, and with columns left out by a
     /// writer that leaves none out. Rows without a price may be any: files list free rows, which a model has not.
     pub fn new(file: &SolutionFile, model: &Model) -> Result<Self, SolutionError> {
-        let known = without_cost_row(file, model).or_else(|| without_columns_of_ranges(file, model));
-        let file = known.as_ref().unwrap_or(file);
+        let by_highs = without_cost_row(file, model);
+        let file = by_highs.as_ref().unwrap_or(file);
         let columns = Names::new("column", model.columns.iter().map(|column| column.name.raw()));
         let rows = Names::new("row", model.rows.iter().map(|row| row.name.raw()));
         if let Some(announced) = file.announced.as_ref().filter(|own| own.columns != model.columns.len()) {
@@ -108,22 +108,6 @@ impl Solution {
     }
 }
 
-/// A file of Gurobi about a model in MPS without the columns that it adds, one for each row in RANGES.
-fn without_columns_of_ranges(file: &SolutionFile, model: &Model) -> Option<SolutionFile> {
-    const ADDED: &str = "MPS_Rg";
-    let is_column = |name: &str| model.columns.iter().any(|column| column.name.raw() == name);
-    let is_row = |name: &str| model.rows.iter().any(|row| row.name.raw() == name);
-    let is_added = |entry: &Entry| match &entry.of {
-        Reference::Name(name) => name.strip_prefix(ADDED).is_some_and(|row| is_row(row) && !is_column(name)),
-        Reference::Place(_) => false,
-    };
-    if !file.columns.iter().any(is_added) {
-        return None;
-    }
-    let columns = file.columns.iter().filter(|entry| !is_added(entry)).cloned().collect();
-    Some(SolutionFile { columns, ..file.clone() })
-}
-
 impl Entry {
     /// The value and its line.
     fn value_at(&self) -> Option<(&Figure, usize)> {
@@ -158,17 +142,24 @@ fn all(slots: Vec<Slot>, missing: impl Fn(()) -> Given) -> Option<Vec<Given>> {
     slots.into_iter().map(number).collect()
 }
 
-/// The entries of columns and of rows. CBC lists rows alone where no column is above zero.
+/// The entries of columns and of rows. CBC lists rows alone where no column is above zero, and Gurobi adds a column for each row in
+/// RANGES.
 fn split<'a>(
     file: &'a SolutionFile,
     columns: &Names<'_>,
     rows: &Names<'_>,
 ) -> (Vec<&'a Entry>, Vec<&'a Entry>) {
-    let is_row = |entry: &&Entry| match &entry.of {
-        Reference::Name(name) => file.left_out.is_some() && !columns.has(name) && rows.has(name),
-        Reference::Place(_) => false,
+    const ADDED: &str = "MPS_Rg";
+    let other_name = |entry: &&'a Entry| match &entry.of {
+        Reference::Name(name) if file.left_out.is_some() && !columns.has(name) => Some(name.as_str()),
+        _ => None,
     };
-    let (of_rows, of_columns): (Vec<&Entry>, Vec<&Entry>) = file.columns.iter().partition(is_row);
+    let is_row = |entry: &&'a Entry| other_name(entry).is_some_and(|name| rows.has(name));
+    let is_added = |entry: &&'a Entry| {
+        other_name(entry).and_then(|name| name.strip_prefix(ADDED)).is_some_and(|row| rows.has(row))
+    };
+    let of_model = file.columns.iter().filter(|entry| !is_added(entry));
+    let (of_rows, of_columns): (Vec<&Entry>, Vec<&Entry>) = of_model.partition(is_row);
     (of_columns, file.rows.iter().chain(of_rows).collect())
 }
 

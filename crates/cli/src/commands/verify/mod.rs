@@ -95,7 +95,7 @@ pub(crate) struct VerifyArguments {
     /// Read numbers exactly as written, or as the nearest double, exactly
     #[arg(long, value_parser = PossibleValuesParser::new(Reading::ALL.map(Reading::name)))]
     reading: Option<String>,
-    /// Whether the first row names the columns
+    /// Say whether the first row names the columns
     #[arg(long, default_value = Header::Auto.name(),
           value_parser = PossibleValuesParser::new(Header::ALL.map(Header::name)))]
     header: String,
