@@ -141,8 +141,9 @@ pub use status::status_proof;
 pub use status::{NewReadings, StatusCsv, StatusJson, StatusReport, status_document};
 pub use style::{EndRounding, LONGEST_FRACTION, Style};
 pub use sweep::sweep_document;
+pub use table_json::rows_left_out;
 #[cfg(feature = "files")]
-pub use table_json::{rows_left_out, table_line};
+pub use table_json::table_line;
 pub use verify::{Verdict, condition as condition_text, verify_text};
 pub use verify_claims::rows as rows_text;
 pub use verify_json::verify_json;
