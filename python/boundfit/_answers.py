@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any, Generic, TypeVar, cast
 
 from ._bounds import Interval, Intervals, LowerBound, Point, ProvedInterval, Term, UpperBound
-from ._columns import Reading
+from ._columns import Reading, maybe_digits
 from ._html import of_text
 
 #: The document of an answer, of :mod:`boundfit.documents`.
@@ -41,7 +42,7 @@ class Answer(Generic[Document]):
 
     def report(self, format: str = "text", *, digits: int | None = None) -> str:
         """The report as ``"text"``, ``"markdown"`` or ``"latex"``; what is a table as ``"csv"``."""
-        return self._ask(format, digits)
+        return self._ask(format, maybe_digits(digits))
 
     def proof(self) -> str:
         """The proof of the answer as JSON text, which :func:`boundfit.verify` and ``boundfit verify`` check against the file; of
@@ -63,14 +64,23 @@ def counted(count: int, word: str) -> str:
     return f"{count} {word}{'' if count == 1 else 's'}"
 
 
+def _fraction(text: str) -> Fraction:
+    try:
+        return Fraction(text)
+    except ValueError:
+        # Python reads no integers of more than 4,300 digits, but decimals of any length.
+        numerator, _, denominator = text.partition("/")
+        return Fraction(int(Decimal(numerator)), int(Decimal(denominator or 1)))
+
+
 def number(own: Any) -> Fraction | None:
     """A number of a document; ``None`` where there is none, or its fraction is too long to be written."""
-    return None if own is None or own["exact"] is None else Fraction(own["exact"])
+    return None if own is None or own["exact"] is None else _fraction(own["exact"])
 
 
 def value(own: Any) -> Fraction:
     """A number of a document that is always there."""
-    return Fraction(own["exact"])
+    return _fraction(own["exact"])
 
 
 def point(own: Any) -> Point:
@@ -80,12 +90,12 @@ def point(own: Any) -> Point:
 
 def lower(own: Any) -> LowerBound | None:
     """A lower end."""
-    return None if own is None else LowerBound(own["exact"])
+    return None if own is None else LowerBound(_fraction(own["exact"]))
 
 
 def upper(own: Any) -> UpperBound | None:
     """An upper end."""
-    return None if own is None else UpperBound(own["exact"])
+    return None if own is None else UpperBound(_fraction(own["exact"]))
 
 
 def interval(own: Any, reading: Reading) -> Interval:

@@ -10,7 +10,7 @@ from typing import Any, Literal, TypeAlias, TypedDict, Unpack
 
 from . import _boundfit
 from ._answers import Ask
-from ._columns import Column, Missing, Number, Reading, Rows, in_memory, table, texts
+from ._columns import Column, Missing, Number, Reading, Rows, flag, in_memory, table, texts
 
 #: A column of a file, by its header or its number from 1.
 Name: TypeAlias = "str | int"
@@ -34,7 +34,7 @@ class Table(TypedDict, total=False):
     rows: Rows
     without: Rows
     where_row: str | Sequence[str]
-    header: bool | None
+    header: bool | Literal["yes", "no", "auto"] | None
     encoding: str | None
     delimiter: str | None
     decimal: Literal["point", "comma"] | None
@@ -43,7 +43,7 @@ class Table(TypedDict, total=False):
     sheet: str | int | None
     skip_lines: int
     units_row: bool
-    missing_as: str | Sequence[str]
+    missing_as: Number | Sequence[Number]
     block: str | int | None
     limits: Mapping[str, int] | None
 
@@ -96,13 +96,13 @@ def readings_of_file(
         "lower": lower,
         "upper": upper,
         "where": texts(where),
-        "through_origin": through_origin,
+        "through_origin": flag(through_origin, "through_origin"),
         "x_origin": x_origin,
         "reading": reading,
         "missing": missing,
         "x_eps": x_eps,
         "x_eps_column": x_eps_column,
-        "strong": strong,
+        "strong": flag(strong, "strong"),
         **table(**how),
     }
     return _boundfit.readings_of_file(os.fspath(path), [name for name in roles if name is not None], question)

@@ -39,13 +39,18 @@ class _Bound(Fraction):
     _rounding: ClassVar[str]
 
     def __format__(self, spec: str) -> str:
-        """As a float is formatted (``.3f``, ``.4g``, ``.2e``, ``.1%``, with sign, width and commas), but rounded outward. Without
-        digits and type it is the fraction."""
+        """As a float is formatted (``.3f``, ``.4g``, ``.2e``, ``.1%``, with sign, width and commas), but rounded outward. An
+        exponent has no zeros before it (``1.00e-7``). Without digits and type it is the fraction."""
         found = _SPEC.fullmatch(spec)
         if found is None:
             raise ValueError(f"format {spec!r} of a bound: expected one of a float, such as .3f, .4g or 10.2e")
         if found["digits"] is None and found["kind"] is None:
             return format(str(self), spec)
+        # The caller's context may have fewer digits, and other ways to round.
+        with localcontext(Context(prec=MAX_PREC, rounding=self._rounding, Emax=MAX_EMAX, Emin=MIN_EMIN)):
+            return self._formatted(found)
+
+    def _formatted(self, found: re.Match[str]) -> str:
         kind, digits = found["kind"] or "g", 6 if found["digits"] is None else int(found["digits"])
         if kind in "fF%":
             rounded = self._to_places(digits + (2 if kind == "%" else 0))
@@ -56,11 +61,10 @@ class _Bound(Fraction):
         precision = f".{found['digits'] or 6}"
         if kind in "gG":
             # As of a float zeros at the end are not written, but where no exponent is.
-            rounded, precision = rounded.normalize(Context(prec=digits)), ""
+            rounded, precision = rounded.normalize(Context(prec=digits, Emax=MAX_EMAX, Emin=MIN_EMIN)), ""
             if 0 < rounded.adjusted() < digits and rounded == rounded.to_integral_value():
                 rounded = rounded.quantize(Decimal(1))
-        with localcontext(Context(prec=MAX_PREC, rounding=self._rounding, Emax=MAX_EMAX, Emin=MIN_EMIN)):
-            return format(rounded, f"{found['before']}{precision}{kind}")
+        return format(rounded, f"{found['before']}{precision}{kind}")
 
     def _to_places(self, places: int) -> Decimal:
         """The nearest decimal with so many digits behind the point on the outer side."""
@@ -81,7 +85,7 @@ class _Bound(Fraction):
 
 #: What a format of a float may be, but for the letter n, which asks for words of a place.
 _SPEC = re.compile(
-    r"(?P<before>(?:.?[<>=^])?[-+ ]?z?#?0?\d*[,_]?)(?:\.(?P<digits>\d{1,4}))?(?P<kind>[eEfFgG%])?", re.DOTALL
+    r"(?P<before>(?:.?[<>=^])?[-+ ]?z?0?\d*[,_]?)(?:\.(?P<digits>\d{1,4}))?(?P<kind>[eEfFgG%])?", re.DOTALL
 )
 
 
@@ -164,7 +168,18 @@ class Interval:
     def __array__(self, dtype: object = None, copy: bool | None = None) -> object:
         import numpy
 
-        return numpy.array(self.to_floats(), dtype=float if dtype is None else dtype)  # type: ignore[call-overload]
+        kind = numpy.dtype(float if dtype is None else dtype)  # type: ignore[call-overload]
+        if kind.kind not in "fO":
+            raise ValueError(f"dtype={kind}: expected a type of floats, to which the ends are rounded outward, or object")
+        doubles = self.to_floats()
+        with numpy.errstate(over="ignore"):
+            ends = numpy.array(doubles, dtype=kind)
+        # A short float is rounded to nearest.
+        if float(ends[0]) > doubles[0]:
+            ends[0] = numpy.nextafter(ends[0], kind.type(-math.inf))
+        if float(ends[1]) < doubles[1]:
+            ends[1] = numpy.nextafter(ends[1], kind.type(math.inf))
+        return ends
 
     def __format__(self, spec: str) -> str:
         """Both ends as decimals of so many digits, rounded outward.
@@ -197,7 +212,7 @@ class Term(NamedTuple):
     """A multiple of the bound that a reading or a condition sets: of proofs.
 
     ``row`` counts from 1 and is ``None`` for a condition, or the text of the row's identity where the table was fitted in parts that
-    name one; ``bound`` is ``"upper"``, ``"lower"`` or ``"where:K"``.
+    name one; ``bound`` is ``"upper"``, ``"lower"`` or ``"where:K"``, of an equation ``"where:K upper"`` or ``"where:K lower"``.
     """
 
     row: int | str | None
@@ -222,6 +237,12 @@ class Intervals(NamedTuple):
 
     theta1: Interval
     theta2: Interval
+
+    def __array__(self, dtype: object = None, copy: bool | None = None) -> object:
+        import numpy
+
+        # Numpy would round the doubles of both to nearest.
+        return numpy.array([interval.__array__(dtype) for interval in self])
 
     def __repr__(self) -> str:
         ends = (f"{name} in {interval:.6}" for name, interval in zip(self._fields, self, strict=True))

@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable, Mapping, Set
-from decimal import Decimal
-from fractions import Fraction
 from typing import Any
 
-#: What the compiled part knows the meaning of. Anything else in a list is looked at.
-_KNOWN = {int, float, str, Decimal, Fraction, type(None)}
+#: How the format of a buffer begins whose numbers have the other order of bytes.
+_FOREIGN_ORDERS = (">", "!") if sys.byteorder == "little" else ("<",)
 
 
 def cells(values: Any, name: str, reading: str = "decimal") -> Any:
-    """A buffer of numbers where there is one without a loss, else a list.
+    """A buffer of numbers where there is one without a loss, else a list, whose items the compiled part reads.
 
     :raises ValueError: where it is no column, or one of times.
     """
     if isinstance(values, list):
-        return _items(values, reading)
+        return values
     match type(values).__module__.partition(".")[0]:
         case "numpy":
             return _of_numpy(values, name, reading)
@@ -30,7 +29,12 @@ def cells(values: Any, name: str, reading: str = "decimal") -> Any:
         case "array":
             return values
     if isinstance(values, (bytearray, memoryview)) or (hasattr(values, "__buffer__") and not isinstance(values, bytes)):
-        return values
+        if memoryview(values).format[:1] not in _FOREIGN_ORDERS:
+            return values
+        # The compiled part knows the order of bytes of this machine, numpy knows any.
+        import numpy
+
+        return _of_numpy(numpy.asarray(values), name, reading)
     if hasattr(values, "__array__"):
         # Arrays of other libraries, such as xarray's and h5py's.
         import numpy
@@ -39,7 +43,7 @@ def cells(values: Any, name: str, reading: str = "decimal") -> Any:
     # Of a set nobody knows the order, and of a mapping nobody knows whether keys are meant.
     if isinstance(values, (str, bytes, Set, Mapping)) or not isinstance(values, Iterable):
         raise _no_column(values, name)
-    return _items(list(values), reading)
+    return list(values)
 
 
 def _no_column(values: Any, name: str) -> ValueError:
@@ -50,24 +54,6 @@ def _times(name: str, kind: Any) -> ValueError:
     return ValueError(
         f"{name} holds times ({kind}), not numbers: expected numbers, such as those of (t - t0) / one second, from a time t0 on"
     )
-
-
-def _items(values: list[Any], reading: str) -> list[Any]:
-    """A list; scalars of pyarrow in it as what they hold, and short floats, which have no meaning but in an array, as doubles
-    where the stored number is asked for."""
-    strange = {kind for kind in set(map(type, values)) if kind not in _KNOWN and kind.__module__ in ("numpy", "pyarrow.lib")}
-    if not strange:
-        return values
-
-    def item(value: Any) -> Any:
-        if type(value).__module__ == "pyarrow.lib":
-            return value.as_py()
-        short = getattr(value, "dtype", None)
-        if short is not None and value.shape == () and (short.kind == "b" or (short.kind == "f" and reading == "binary64")):
-            return value.item()
-        return value
-
-    return [item(value) if type(value) in strange else value for value in values]
 
 
 def _of_numpy(values: Any, name: str, reading: str) -> Any:
@@ -84,10 +70,10 @@ def _of_numpy(values: Any, name: str, reading: str) -> Any:
             return _of_numpy(values.data, name, reading)
         return _of_numpy(values.filled(float("nan")), name, reading) if kind == "f" else values.tolist()
     if kind == "f" and values.dtype.itemsize == 2:
-        return values.astype("float64") if reading == "binary64" else list(map(str, values))
+        return values.astype("float64") if reading == "binary64" else list(values)
     if kind in "iuf" and values.dtype.itemsize <= 8:
         return values if values.dtype.isnative else values.astype(values.dtype.newbyteorder("="))
-    return _items(values.tolist(), reading)
+    return values.tolist()
 
 
 def _of_pandas(values: Any, name: str, reading: str) -> Any:
@@ -100,13 +86,20 @@ def _of_pandas(values: Any, name: str, reading: str) -> Any:
         return cells(values.astype(dtype.categories.dtype), name, reading)
     if dtype.kind in "mM":
         raise _times(name, dtype)
+    if "dictionary" in str(dtype) and hasattr(dtype, "pyarrow_dtype"):
+        import pyarrow
+
+        return cells(pyarrow.array(values.array), name, reading)
+    if hasattr(dtype, "subtype") and hasattr(dtype, "fill_value"):
+        # A sparse column has the type of its numbers.
+        return cells(values.astype(dtype.subtype), name, reading)
     # Nullable columns, and those of Arrow, have the type of numpy that they are stored as.
     stored = getattr(dtype, "numpy_dtype", dtype if dtype.kind in "iuf" and not hasattr(dtype, "subtype") else None)
     if stored is not None and stored.kind == "f":
         return _of_numpy(values.to_numpy(dtype=stored, na_value=float("nan")), name, reading)
     if stored is not None and stored.kind in "iu" and not values.isna().any():
         return _of_numpy(values.to_numpy(dtype=stored), name, reading)
-    return _items(values.astype(object).tolist(), reading)
+    return values.astype(object).tolist()
 
 
 def _of_polars(values: Any, name: str, reading: str) -> Any:
@@ -119,7 +112,7 @@ def _of_polars(values: Any, name: str, reading: str) -> Any:
     # A short float that is null is one that is not a number: a list would hold doubles.
     if values.dtype.is_float() or (values.dtype.is_integer() and values.null_count() == 0 and "128" not in str(values.dtype)):
         return _of_numpy(values.to_numpy(), name, reading)
-    return _items(values.to_list(), reading)
+    return values.to_list()
 
 
 def _of_pyarrow(values: Any, name: str, reading: str) -> Any:
@@ -137,7 +130,7 @@ def _of_pyarrow(values: Any, name: str, reading: str) -> Any:
     if types.is_floating(values.type) or (types.is_integer(values.type) and values.null_count == 0):
         plain = values.to_numpy(zero_copy_only=False) if isinstance(values, pyarrow.Array) else values.to_numpy()
         return _of_numpy(plain, name, reading)
-    return _items(values.to_pylist(), reading)
+    return values.to_pylist()
 
 
 def _only_column(frame: Any, name: str) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -26,15 +26,17 @@ class Judgement(NamedTuple):
     """How far the claim is outside (positive) or inside (negative) of the true end."""
 
 
-def check(problem: Fit, claim: Sequence[Sequence[Number]]) -> list[Judgement]:
-    """Judges claimed intervals, ``[(lower, upper) of theta1, (lower, upper) of theta2]``. A float is meant exactly, a text is as
-    precise as its last digit.
+def check(problem: Fit, claim: Iterable[Iterable[Number | None]] | None) -> list[Judgement]:
+    """Judges claimed intervals, ``[(lower, upper) of theta1, (lower, upper) of theta2]``, or :attr:`boundfit.Fit.pui`. A float is
+    meant exactly, short ones too, and a text is as precise as its last digit. ``None`` claims that there is no end.
 
     >>> import boundfit
     >>> fit = boundfit.fit([0, 1, 2], [0, 1.5, 2], "1/2")
     >>> [own.verdict for own in check(fit, [(0.6, 1.5), (-0.5, 0.7)])]
     ['unsafe', 'exact', 'exact', 'loose']
     """
+    if claim is None:
+        raise ValueError("claim=None: expected two ends of each parameter, such as [(0, 1), (0, 1)]")
     ends = [end for interval in claim for end in interval]
     if len(ends) != 4:
         raise ValueError(f"the claim has {len(ends)} ends: expected two of each parameter")

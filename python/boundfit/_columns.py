@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Set
 from decimal import Decimal
 from fractions import Fraction
+from operator import index
 from typing import Any, Literal, TypeAlias
 
+from . import _boundfit
 from ._cells import cells
 
 Number: TypeAlias = "int | float | str | Decimal | Fraction"
@@ -21,23 +23,104 @@ NamedColumns = list[tuple[str, Any]]
 
 def is_number(value: Any) -> bool:
     """Whether this is one number rather than a column of them."""
-    return isinstance(value, (str, int, float, Decimal, Fraction)) or getattr(value, "shape", None) == ()
+    if isinstance(value, (str, int, float, Decimal, Fraction)) or getattr(value, "shape", None) == ():
+        return True
+    # A scalar of pyarrow.
+    return hasattr(value, "as_py")
 
 
 def text(value: Any) -> str:
     """A number as its shortest text."""
-    if isinstance(value, float):
-        return float.__repr__(value)
-    return str(value)
+    return _boundfit.number_text(value, "decimal")
 
 
 def fraction(value: Any, name: str, reading: str) -> Fraction:
-    """A number exactly; of a float what its shortest text says, or what is stored."""
-    is_float = isinstance(value, float) or getattr(getattr(value, "dtype", None), "kind", None) == "f"
+    """A number exactly, within the limits of numbers; of a float what its shortest text says, or what is stored."""
+    return _boundfit.number(value, name, reading)
+
+
+def count(value: Any, name: str, least: int = 0, most: int | None = None) -> int:
+    """A whole number of a call.
+
+    :raises ValueError: where it is none, or one that has no meaning there.
+    """
+    # Larger ones count nothing that a computer holds.
+    end = 2**62 if most is None else most
     try:
-        return Fraction(float(value) if is_float and reading == "binary64" else text(value).strip())
-    except (ValueError, OverflowError, ZeroDivisionError):
-        raise ValueError(f"{name}: {value!r} is not a number") from None
+        number = None if _is_truth(value) else index(value)
+    except TypeError:
+        number = None
+    if number is None or not least <= number <= end:
+        is_large = number is not None and number > end
+        expected = f"at least {least}" if most is None and not is_large else f"{least} to {end}"
+        kind = "a whole number, " if number is None else ""
+        raise ValueError(f"{name}={value!r}: expected {kind}{expected}")
+    return number
+
+
+def maybe_count(value: Any, name: str, least: int = 0, most: int | None = None) -> int | None:
+    """A whole number, where one is given."""
+    return None if value is None else count(value, name, least, most)
+
+
+def maybe_digits(value: Any) -> int | None:
+    """The digits of a report, where they are given."""
+    return maybe_count(value, "digits", 1, 1000)
+
+
+def flag(value: Any, name: str) -> bool:
+    """A truth value of a call, also one of numpy.
+
+    :raises ValueError: where it is none.
+    """
+    if not _is_truth(value):
+        raise ValueError(f"{name}={value!r}: expected True or False")
+    return bool(value)
+
+
+def _is_truth(value: Any) -> bool:
+    return isinstance(value, bool) or (getattr(getattr(value, "dtype", None), "kind", None) == "b" and getattr(value, "shape", None) == ())
+
+
+def several(values: Any, name: str, length: int, expected: str) -> tuple[Any, ...]:
+    """So many values that belong together, such as both ends of a range.
+
+    :raises ValueError: where they are not as many.
+    """
+    listed = tuple(values) if isinstance(values, Iterable) and not isinstance(values, (str, bytes, Mapping, Set)) else ()
+    if len(listed) != length:
+        raise ValueError(f"{name}={values!r}: expected {expected}")
+    return listed
+
+
+def numbers_of(values: Any, name: str) -> list[Any]:
+    """The numbers of a vector, which may be whatever a column may be; short floats stay short.
+
+    :raises ValueError: where it is none.
+    """
+    return list(cells(values, name))
+
+
+def rows_of(matrix: Any, name: str) -> list[list[Any]]:
+    """The rows of a matrix, also of a sparse one, and of a frame.
+
+    :raises ValueError: where something is no row.
+    """
+    if hasattr(matrix, "toarray"):
+        matrix = matrix.toarray()
+    # Iterating over a frame gives its columns, or their names.
+    columns: list[Any] | None = None
+    if hasattr(matrix, "iloc") and hasattr(matrix, "columns"):
+        columns = [matrix.iloc[:, place] for place in range(matrix.shape[1])]
+    elif hasattr(matrix, "get_columns"):
+        columns = matrix.get_columns()
+    elif hasattr(matrix, "column_names"):
+        columns = matrix.columns
+    if columns is not None:
+        return [list(row) for row in zip(*(numbers_of(column, name) for column in columns), strict=True)]
+    if isinstance(matrix, (str, bytes, Mapping, Set)) or not isinstance(matrix, Iterable):
+        raise ValueError(f"{name} is of type {type(matrix).__name__}: expected rows of numbers")
+    return [numbers_of(row, f"row {number} of {name}") for number, row in enumerate(matrix, 1)]
 
 
 def regressors(x: Any) -> list[Any]:
@@ -117,13 +200,13 @@ def in_memory(
         "lower": lower_name,
         "upper": upper_name,
         "where": texts(where) or None,
-        "through_origin": through_origin,
+        "through_origin": flag(through_origin, "through_origin"),
         "x_origin": x_origin,
         "reading": reading,
         "missing": missing,
         "x_eps": None if x_eps_name else x_eps,
         "x_eps_column": x_eps_name,
-        "strong": strong,
+        "strong": flag(strong, "strong"),
     }
     # Most of it is not said, and each key would be read once more.
     return columns, {key: value for key, value in said.items() if value is not None and value is not False}
@@ -137,26 +220,57 @@ def table(
     rows: Rows = None,
     without: Rows = None,
     where_row: str | Sequence[str] = (),
-    header: bool | None = None,
+    header: bool | Literal["yes", "no", "auto"] | None = None,
     delimiter: str | None = None,
     sheet: str | int | None = None,
-    missing_as: str | Sequence[str] = (),
+    skip_lines: int | None = None,
+    units_row: bool = False,
+    missing_as: Any = (),
     block: str | int | None = None,
+    limits: Mapping[str, int] | None = None,
     **how: Any,
 ) -> dict[str, Any]:
     """How a file is read, in the words of a request."""
 
-    def chosen(asked: Rows) -> Any:
-        return asked if asked is None or isinstance(asked, str) else [int(row) for row in asked]
-
+    chosen = _chosen(rows, "rows")
+    if chosen == []:
+        # No rows would be no choice of rows, which is that of all.
+        raise ValueError(f"rows={rows!r}: expected the number of at least one row, such as [1, 2], or a text such as \"14..36\"")
     return {
-        "rows": chosen(rows),
-        "without": chosen(without),
+        "rows": chosen,
+        "without": _chosen(without, "without"),
         "where_row": texts(where_row),
-        "header": None if header is None else "yes" if header else "no",
+        "header": _header(header),
         "delimiter": None if delimiter is None else DELIMITERS.get(delimiter, delimiter),
         "sheet": None if sheet is None else str(sheet),
-        "missing_as": [missing_as] if isinstance(missing_as, str) else [str(word) for word in missing_as],
+        "skip_lines": maybe_count(skip_lines, "skip_lines"),
+        "units_row": flag(units_row, "units_row"),
+        "missing_as": [text(missing_as)] if is_number(missing_as) else [text(word) for word in missing_as],
         "block": None if block is None else str(block),
+        "limits": None if limits is None else _limits(limits),
         **how,
     }
+
+
+def _chosen(asked: Rows, name: str) -> str | list[int] | None:
+    if asked is None or isinstance(asked, str):
+        return asked
+    if isinstance(asked, bytes) or not isinstance(asked, Iterable):
+        raise ValueError(f"{name}={asked!r}: expected a list of the numbers of rows, such as [1, 2], or a text such as \"14..36\"")
+    return [count(row, name, 1) for row in asked]
+
+
+def _header(header: Any) -> str | None:
+    if header is None or (isinstance(header, str) and header == "auto"):
+        return None
+    if isinstance(header, str) and header in ("yes", "no"):
+        return header
+    if not _is_truth(header):
+        raise ValueError(f"header={header!r}: expected True or \"yes\", False or \"no\", None or \"auto\"")
+    return "yes" if header else "no"
+
+
+def _limits(limits: Any) -> dict[str, int]:
+    if not isinstance(limits, Mapping):
+        raise ValueError(f"limits={limits!r}: expected a dictionary, such as {{\"digits\": 20_000}}")
+    return {str(name): count(most, f"limits[{name!r}]") for name, most in limits.items()}

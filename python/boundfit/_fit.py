@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from . import _boundfit
 from ._answers import value
-from ._bounds import Interval, Intervals, Point, ProvedInterval, Term, lower_bound, upper_bound
-from ._columns import Number, Reading, text
+from ._bounds import Interval, Intervals, LowerBound, Point, ProvedInterval, Term, UpperBound, lower_bound, nearest, upper_bound
+from ._columns import Number, Reading, count, flag, fraction, maybe_count, maybe_digits, several, text
 from ._plane import PlaneSet
 from ._questions import Asked
 
@@ -53,6 +53,27 @@ class Guarantee(NamedTuple):
     source: str
 
 
+def _round_outward(vertices: list[Point], rounded: list[list[float]]) -> None:
+    """Rounds the least and the largest coordinates of several vertices away from each other."""
+    for axis in (0, 1):
+        column = [vertex[axis] for vertex in vertices]
+        least, most = min(column), max(column)
+        for place, value in enumerate(column):
+            # Where all are equal the first one is the lower end.
+            if value == least and (least != most or place == 0):
+                rounded[place][axis] = float(LowerBound(value))
+            elif value == most:
+                rounded[place][axis] = float(UpperBound(value))
+
+
+def _axis(ends: Any, name: str) -> list[str] | None:
+    return None if ends is None else [text(end) for end in several(ends, name, 2, "both ends of the axis, such as (0, 10)")]
+
+
+def _length(length: Any, name: str) -> float | None:
+    return None if length is None else float(fraction(length, name, "decimal"))
+
+
 class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
     """All parameters that agree with all readings, with what follows from them. Every number is exact. Of an empty set
     :attr:`contradiction` says why it is.
@@ -66,6 +87,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
 
     def __init__(self, readings: _boundfit.Readings, eui: bool = True, confidence: Number | None = None) -> None:
         super().__init__(readings)
+        eui = flag(eui, "eui")
         self._core = readings.fit(eui, confidence)
         self._how = eui, confidence
 
@@ -179,6 +201,10 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         >>> fit([0, 1, 2], [0, 1.5, 2], "1/2").response(3)
         Interval(lower=LowerBound(2, 1), upper=UpperBound(4, 1))
         """
+        if x2 is None and self._readings.regressors == 2:
+            raise ValueError("x2: expected one, as the model has two regressors")
+        if x2 is not None and self._readings.regressors == 1:
+            raise ValueError("x2: expected none, as the model is a line")
         both = self._core.range(x, 1 if x2 is None else x2)
         return None if both is None else Interval(lower_bound(both[0]), upper_bound(both[1]), reading=self.reading)
 
@@ -191,23 +217,20 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
 
     def to_numpy(self, outward: bool = True) -> numpy.ndarray[Any, Any]:
         """The vertices as doubles, one per row. With ``outward`` the box of all vertices is not smaller for the rounding: the
-        coordinates that are ends of the intervals are rounded away from the set, others to nearest. Rounded vertices are a
-        picture of the set, not a proof: for that take :attr:`vertices`."""
+        coordinates that are ends of the intervals are rounded away from the set, others to nearest. A single vertex that is no pair
+        of doubles becomes two rows: both corners of the least box around it. Rounded vertices are a picture of the set, not a
+        proof: for that take :attr:`vertices`."""
         import numpy
 
         vertices = self.vertices
-        exact = numpy.array([[float(a), float(b)] for a, b in vertices], dtype=float).reshape(len(vertices), 2)
-        if outward and vertices:
-            for axis in (0, 1):
-                column = [vertex[axis] for vertex in vertices]
-                least, most = min(column), max(column)
-                lower, upper = lower_bound(least), upper_bound(most)
-                for index, value in enumerate(column):
-                    if value == least and lower is not None and least != most:
-                        exact[index, axis] = float(lower)
-                    elif value == most and upper is not None:
-                        exact[index, axis] = float(upper)
-        return exact
+        rounded = [[nearest(theta) for theta in vertex] for vertex in vertices]
+        if flag(outward, "outward") and vertices:
+            if len(vertices) == 1:
+                lowest, highest = ([float(own(theta)) for theta in vertices[0]] for own in (LowerBound, UpperBound))
+                rounded = [lowest] if lowest == highest else [lowest, highest]
+            else:
+                _round_outward(vertices, rounded)
+        return numpy.array(rounded, dtype=float).reshape(len(rounded), 2)
 
     def to_dict(self) -> FitDocument:
         """The report as ``boundfit fit --format json`` writes it, schema boundfit/fit/2."""
@@ -222,7 +245,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         """The report as ``"text"``, ``"markdown"`` or ``"latex"``; the set as ``"wkt"``, ``"ine"`` or ``"ext"``; ``"csv"``.
 
         ``brief`` writes ten lines; ``full`` adds proofs, area and centroid, and all estimates of the inverse line."""
-        return self._core.text(format, brief, full, digits)
+        return self._core.text(format, flag(brief, "brief"), flag(full, "full"), maybe_digits(digits))
 
     def to_csv(self, path: str | os.PathLike[str] | None = None) -> bytes:
         """The columns in memory as CSV, every number exactly as it was read, and row K behind K lines: the bytes that proofs are
@@ -292,13 +315,17 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
 
         :raises ValueError: where a value is none that the program takes.
         """
-        labels = {
+        labels: dict[str, Any] = {
             "title": title, "x_unit": x_unit, "y_unit": y_unit, "x_label": x_label, "y_label": y_label,
-            "x_range": None if x_range is None else [text(end) for end in x_range],
-            "y_range": None if y_range is None else [text(end) for end in y_range],
-            "width": width, "font_size": font_size, "dpi": dpi, "greyscale": greyscale, "real_text": real_text,
-            "flip": flip, "directions": directions, "scaled": scaled,
+            "x_range": _axis(x_range, "x_range"), "y_range": _axis(y_range, "y_range"),
+            "width": _length(width, "width"), "font_size": _length(font_size, "font_size"),
+            "dpi": maybe_count(dpi, "dpi", 30, 1200), "directions": count(directions, "directions", 3, 1000),
+            "greyscale": flag(greyscale, "greyscale"), "real_text": flag(real_text, "real_text"),
+            "flip": flag(flip, "flip"), "scaled": flag(scaled, "scaled"),
         }  # fmt: skip
+        for key in ("title", "x_unit", "y_unit", "x_label", "y_label"):
+            if not isinstance(labels[key], str | None):
+                raise ValueError(f"{key}={labels[key]!r}: expected a text")
         return _boundfit.figure(self._core, figure, format, labels)
 
     def svg(

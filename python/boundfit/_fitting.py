@@ -200,7 +200,7 @@ def fit_file(
     else is as in :func:`fit`, and how the file is read is told by it, or by these:
 
     - ``rows="14..36"``, ``without="23,31"``: rows by number from 1, without the header; ``where_row="temperature >= 20"``
-    - ``header=True`` or ``False``: whether the first row names the columns; ``units_row=True``: the next one has units
+    - ``header=True`` or ``False``, also ``"yes"`` or ``"no"``: whether the first row names the columns; ``units_row=True``: the next one has units
     - ``encoding="windows-1252"``, also ``"utf-8"``, ``"iso-8859-1"``, ``"iso-8859-15"``, ``"utf-16le"``, ``"utf-16be"``: found out
       otherwise
     - ``delimiter``: ``"comma"``, ``"semicolon"``, ``"tab"``, ``"space"``, ``"pipe"`` or the character

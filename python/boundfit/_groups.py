@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import array
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, TypeVar
 
 from ._cells import cells
@@ -77,7 +77,9 @@ def fit_groups(
 
 def _column(frame: Any, name: str) -> Any:
     try:
-        return frame[name]
+        own = frame[name]
+        # An iterator can be gone through once only.
+        return list(own) if isinstance(own, Iterator) else own
     except Exception as problem:
         # Every library has an exception of its own for it.
         if name not in getattr(frame, "column_names", getattr(frame, "columns", frame)):

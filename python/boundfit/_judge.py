@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 from . import _boundfit
+from ._columns import fraction, numbers_of, rows_of, several
 
 
 class Finding(NamedTuple):
@@ -45,6 +47,9 @@ class JudgedProgram:
         """Whether something is refuted."""
         return self.worst == "refuted"
 
+    def __hash__(self) -> int:
+        return hash((self.status, self.value, *self.points, *self.findings))
+
     def _repr_html_(self) -> str:
         from ._html import of_judged
 
@@ -71,31 +76,26 @@ def judge(
     >>> judged.status, judged.value, judged.points
     ('optimal', Fraction(-14, 5), [(Fraction(8, 5), Fraction(6, 5))])
     """
-    costs = [_item(value) for value in c]
-    rows = [(list(map(_item, row)), None, _item(end)) for row, end in _rows(A_ub, b_ub, "ub")]
-    rows += [(list(map(_item, row)), _item(end), _item(end)) for row, end in _rows(A_eq, b_eq, "eq")]
+    costs = numbers_of(c, "c")
+    rows: list[tuple[list[Any], Any, Any]] = [(row, None, end) for row, end in _rows(A_ub, b_ub, "ub")]
+    rows += [(row, end, end) for row, end in _rows(A_eq, b_eq, "eq")]
     for index, (row, _, _) in enumerate(rows):
         if len(row) != len(costs):
             raise ValueError(f"row {index + 1} has {len(row)} coefficients, but c has {len(costs)}")
+    if fraction(tolerance, "tolerance", "binary64") < 0:
+        raise ValueError(f"tolerance={tolerance!r}: expected a share, at least 0")
     claimed = None if result is None else _claimed(result)
     status, value, points, findings = _boundfit.judge(costs, rows, _bounds(bounds, len(costs)), claimed, tolerance)
     found = [Finding(*finding) for finding in findings]
     return JudgedProgram(status, value, [tuple(point) for point in points], found)
 
 
-def _item(value: Any) -> Any:
-    """A number of numpy as one of Python."""
-    return value.item() if hasattr(value, "item") else value
-
-
-def _rows(matrix: Any, ends: Any, name: str) -> list[tuple[Sequence[Any], Any]]:
+def _rows(matrix: Any, ends: Any, name: str) -> list[tuple[list[Any], Any]]:
     if matrix is None and ends is None:
         return []
     if matrix is None or ends is None:
         raise ValueError(f"A_{name} and b_{name} belong together")
-    if hasattr(matrix, "toarray"):
-        matrix = matrix.toarray()
-    matrix, ends = list(matrix), list(ends)
+    matrix, ends = rows_of(matrix, f"A_{name}"), numbers_of(ends, f"b_{name}")
     if len(matrix) != len(ends):
         raise ValueError(f"A_{name} has {len(matrix)} rows, but b_{name} has {len(ends)}")
     return list(zip(matrix, ends, strict=True))
@@ -106,7 +106,9 @@ def _bounds(bounds: Any, count: int) -> list[tuple[Any, Any]]:
         bounds = (0, None)
     if hasattr(bounds, "lb"):
         bounds = list(zip(bounds.lb, bounds.ub, strict=True))
-    bounds = list(bounds)
+    if not isinstance(bounds, Iterable):
+        raise ValueError(f"bounds={bounds!r}: expected a pair such as (0, None), or a list of one per variable")
+    bounds = rows_of(bounds, "bounds") if hasattr(bounds, "columns") else list(bounds)
     if len(bounds) == 2 and all(end is None or not hasattr(end, "__len__") for end in bounds):
         bounds = [tuple(bounds)] * count
     elif len(bounds) == 1:
@@ -114,11 +116,17 @@ def _bounds(bounds: Any, count: int) -> list[tuple[Any, Any]]:
     if len(bounds) != count:
         raise ValueError(f"there are {len(bounds)} bounds, but c has {count} numbers")
 
-    def end(value: Any) -> Any:
-        value = _item(value)
-        return None if isinstance(value, float) and value in (float("inf"), float("-inf")) else value
+    def end(value: Any, place: int, side: str, none: float) -> Any:
+        """An end; that which is none for this side says that there is none."""
+        is_float = isinstance(value, float) or getattr(getattr(value, "dtype", None), "kind", None) == "f"
+        if not is_float or not math.isinf(value):
+            return value
+        if value != none:
+            raise ValueError(f"bounds[{place}]: the {side} bound is {float(value)}: expected a number, {none} or None")
+        return None
 
-    return [(end(lower), end(upper)) for lower, upper in bounds]
+    pairs = [several(pair, f"bounds[{place}]", 2, "a lower and an upper bound") for place, pair in enumerate(bounds)]
+    return [(end(low, place, "lower", -math.inf), end(high, place, "upper", math.inf)) for place, (low, high) in enumerate(pairs)]
 
 
 def _claimed(result: Any) -> dict[str, Any]:

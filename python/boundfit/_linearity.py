@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import os
+from decimal import Decimal
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
@@ -11,7 +13,7 @@ from ._answers import Answer, number, point, value
 from ._bounds import Point, decimal
 from ._asking import Name, Table, ask, exact
 from ._cells import cells
-from ._columns import Column, Missing, Number, Reading, named, quoted, table
+from ._columns import Column, Missing, Number, Reading, named, quoted, several, table
 
 if TYPE_CHECKING:
     from .documents import LinearityDocument
@@ -184,7 +186,22 @@ _KEYS = ("up", "down", "direction")
 
 def _words(column: Any) -> list[str]:
     values = column.tolist() if hasattr(column, "tolist") else list(column)
-    return ["" if own is None or own != own else str(own) for own in values]
+    return [_word(own, row) for row, own in enumerate(values, 1)]
+
+
+def _word(own: Any, row: int) -> str:
+    """A direction as a word; of a float that is whole the integer, since 1.0 is no word for 1."""
+    if hasattr(own, "as_py"):
+        own = own.as_py()
+    if hasattr(own, "item"):
+        own = own.item()
+    if isinstance(own, bool):
+        raise ValueError(f"row {row} of direction: {own} is a truth value: expected words such as up and down, or 1 and -1")
+    if own is None or type(own).__name__ == "NAType" or own != own:
+        return ""
+    if isinstance(own, (float, Decimal, Fraction)) and own not in (math.inf, -math.inf) and own == int(own):
+        return str(int(own))
+    return str(own)
 
 
 def _refuse_others(y: Any, up: Any, down: Any, direction: Any) -> None:
@@ -196,8 +213,6 @@ def _refuse_others(y: Any, up: Any, down: Any, direction: Any) -> None:
 def _answer(
     readings: _boundfit.Readings, full_scale: Number | None, through: tuple[Number, Number], columns: dict[str, Any]
 ) -> Linearity:
-    if len(through) != 2:
-        raise ValueError(f"through={through!r}: expected a point, such as (0, 0)")
-    point = [exact(own, readings.reading) for own in through]
+    point = [exact(own, readings.reading) for own in several(through, "through", 2, "a point, such as (0, 0)")]
     full = exact(full_scale, readings.reading)
     return Linearity(ask(readings, "linearity", full_scale=full, through=point, **columns))

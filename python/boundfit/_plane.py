@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import Any, Generic, Protocol, TypeVar
 
 from ._bounds import Point
-from ._columns import Number
+from ._columns import Number, several
 
 
 class _Region(Protocol):
@@ -59,4 +59,4 @@ class PlaneSet(Generic[Region]):
         return self._core.area()
 
     def __contains__(self, point: tuple[Number, Number]) -> bool:
-        return self._core.contains(*point)
+        return self._core.contains(*several(point, "point", 2, "both parameters, such as (1, 0)"))

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from . import _boundfit
-from ._bounds import Interval, Intervals, Point, lower_bound, upper_bound
-from ._columns import Number, Reading, text
+from ._bounds import Interval, Intervals, lower_bound, upper_bound
+from ._columns import Reading, fraction, numbers_of, rows_of, several, text
 from ._html import of_text
 from ._plane import PlaneSet
 
@@ -21,10 +21,22 @@ if TYPE_CHECKING:
 class Polygon(PlaneSet["_boundfit.Plane"]):
     """A set in the plane, exactly: a polygon, or any other intersection of half-planes."""
 
-    __slots__ = ("_core",)
+    __slots__ = ("_core", "_made")
 
-    def __init__(self, core: _boundfit.Plane) -> None:
+    def __init__(self, core: _boundfit.Plane, made: tuple[Callable[[str, Reading], Polygon], tuple[str, Reading]]) -> None:
         self._core = core
+        self._made = made
+
+    def __reduce__(self) -> Any:
+        # The rows that it was made of, or the path of their file.
+        return self._made
+
+    def __copy__(self) -> Self:
+        # Nothing changes a polygon.
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Self:
+        return self
 
     @property
     def bounds(self) -> Intervals | None:
@@ -32,7 +44,8 @@ class Polygon(PlaneSet["_boundfit.Plane"]):
         both = self._core.bounds()
         if both is None:
             return None
-        return Intervals(*(Interval(lower_bound(lower), upper_bound(upper)) for lower, upper in both))
+        reading = self._core.reading
+        return Intervals(*(Interval(lower_bound(lower), upper_bound(upper), reading=reading) for lower, upper in both))
 
     @property
     def redundant(self) -> list[int]:
@@ -59,23 +72,12 @@ class Polygon(PlaneSet["_boundfit.Plane"]):
         return of_text(str(self))
 
 
-def _exact(value: Any, reading: str) -> Fraction:
-    if hasattr(value, "item"):
-        # The shortest text of a short float is not that of the double which it is.
-        value = str(value) if reading == "decimal" and value.dtype.kind == "f" else value.item()
-    if isinstance(value, float):
-        return Fraction(value) if reading == "binary64" else Fraction(repr(value))
-    return Fraction(value)
-
-
-def _pairs(rows: Iterable[Iterable[Any]], name: str, reading: str) -> list[tuple[Fraction, Fraction]]:
+def _pairs(matrix: Iterable[Iterable[Any]], name: str, reading: str) -> list[tuple[Fraction, Fraction]]:
     pairs = []
-    for index, row in enumerate(rows):
-        try:
-            first, second = (_exact(value, reading) for value in row)
-        except (ValueError, TypeError, OverflowError, ZeroDivisionError) as error:
-            raise ValueError(f"row {index + 1} of {name}: expected two numbers ({error})") from None
-        pairs.append((first, second))
+    for number, row in enumerate(rows_of(matrix, name), 1):
+        place = f"row {number} of {name}"
+        first, second = several(row, place, 2, "two numbers")
+        pairs.append((fraction(first, place, reading), fraction(second, place, reading)))
     return pairs
 
 
@@ -85,7 +87,15 @@ def _of_rows(kind: str, rows: list[list[Fraction]], reading: Reading, linear: Se
         lines.append(" ".join(["linearity", str(len(linear)), *map(str, linear)]))
     lines += ["begin", f"{len(rows)} 3 rational"]
     lines += [" ".join(text(value) for value in row) for row in rows]
-    return Polygon(_boundfit.polygon_of_text("\n".join([*lines, "end", ""]), reading))
+    return _of_text("\n".join([*lines, "end", ""]), reading)
+
+
+def _of_text(rows: str, reading: Reading) -> Polygon:
+    return Polygon(_boundfit.polygon_of_text(rows, reading), (_of_text, (rows, reading)))
+
+
+def _of_file(path: str, reading: Reading) -> Polygon:
+    return Polygon(_boundfit.polygon_of_file(path, reading), (_of_file, (path, reading)))
 
 
 def polygon(A: Iterable[Iterable[Any]], b: Iterable[Any], *, reading: Reading = "decimal") -> Polygon:
@@ -96,7 +106,7 @@ def polygon(A: Iterable[Iterable[Any]], b: Iterable[Any], *, reading: Reading = 
     (Fraction(3, 1), (Fraction(3, 1), Fraction(0, 1)))
     """
     rows = _pairs(A, "A", reading)
-    ends = [_exact(value, reading) for value in b]
+    ends = [fraction(value, f"row {number} of b", reading) for number, value in enumerate(numbers_of(b, "b"), 1)]
     if len(rows) != len(ends):
         raise ValueError(f"A has {len(rows)} rows, but b has {len(ends)}")
     return _of_rows("H-representation", [[end, -a1, -a2] for (a1, a2), end in zip(rows, ends, strict=True)], reading)
@@ -124,4 +134,4 @@ def generators(
 
 def polygon_file(path: str | os.PathLike[str], *, reading: Reading = "decimal") -> Polygon:
     """The set of a file of half-planes (``.ine``, or a table of a1, a2, b) or of generators (``.ext``)."""
-    return Polygon(_boundfit.polygon_of_file(os.fspath(path), reading))
+    return _of_file(os.fspath(path), reading)

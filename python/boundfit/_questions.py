@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import builtins
+from collections.abc import Mapping
 from typing import Any, Literal, Unpack
 
 from . import _boundfit, _found
 from ._asking import How, ask, exact, readings
 from ._cells import cells
-from ._columns import Column, Number, fraction, is_number, regressors
+from ._columns import Column, Number, count, flag, fraction, is_number, maybe_count, regressors, several, text
 from ._found import LinearRange, NextReading, Outliers, Prediction, Statuses, WindowFit
 
 
@@ -29,7 +30,7 @@ class Asked:
         """
         tables = [] if new is None or isinstance(new, str) else [("new", _further(new, self._readings))]
         name = new if isinstance(new, str) else "new" if tables else None
-        asked = ask(self._readings, "status", tables=tables, new=name, repair=repair)
+        asked = ask(self._readings, "status", tables=tables, new=name, repair=flag(repair, "repair"))
         return Statuses(asked, self._readings.reading)
 
     def predict(
@@ -70,7 +71,7 @@ class Asked:
             at=columns.get("values"),
             grid=None if grid is None else _of_grid(grid, reading),
             new_eps=None if bound is None else bound["exact"],
-            proofs=proofs,
+            proofs=flag(proofs, "proofs"),
             **({"from": columns["from_"]} if "from_" in columns else {}),
         )
         return Prediction(asked, reading)
@@ -82,7 +83,14 @@ class Asked:
 
         :raises ValueError: where that is too much.
         """
-        return Outliers(ask(self._readings, "outliers", most=most, max_sets=max_sets, max_steps=max_steps), self._readings.reading)
+        asked = ask(
+            self._readings,
+            "outliers",
+            most=maybe_count(most, "most"),
+            max_sets=maybe_count(max_sets, "max_sets"),
+            max_steps=maybe_count(max_steps, "max_steps"),
+        )
+        return Outliers(asked, self._readings.reading)
 
     def range(self, *, by: Literal["x", "row"] | None = None) -> LinearRange:
         """Every run of readings, in order of x or of rows, that some parameters agree with: where a sensor is linear."""
@@ -102,14 +110,16 @@ class Asked:
         that of the fitted ones.
         """
         reading = self._readings.reading
-        ends = None if within is None else [exact(end, reading) for end in within]
+        ends = None if within is None else [exact(end, reading) for end in several(within, "within", 2, "both ends, such as (0, 10)")]
         return NextReading(ask(self._readings, "next", within=ends, goal=goal, new_eps=exact(new_eps, reading)), reading)
 
     def windows(self, window: int | None = None, *, window_x: Number | None = None, step: int = 1) -> list[WindowFit]:
         """The fits of the last ``window`` readings in order of rows, or of those whose x is at most ``window_x`` less than the
         newest's in order of x, again and again as the window moves on by ``step`` readings."""
         reading = self._readings.reading
-        lines = ask(self._readings, "window", window=window, window_x=exact(window_x, reading), step=step)("json", None)
+        counted = maybe_count(window, "window", 1)
+        asked = ask(self._readings, "window", window=counted, window_x=exact(window_x, reading), step=count(step, "step", 1))
+        lines = asked("json", None)
         return [_found.window(line, reading) for line in lines.splitlines()]
 
 
@@ -144,11 +154,20 @@ def _values(asked: Any, name: str, regressors_of_each: int, reading: str) -> lis
 
 
 def _of_grid(grid: tuple[Number, Number, int], reading: str) -> str:
-    first, last = fraction(grid[0], "grid", reading), fraction(grid[1], "grid", reading)
-    steps = int(grid[2])
-    if not first < last or steps < 1:
-        raise ValueError(f"grid={grid!r}: expected (from, to, steps) with from < to and at least one step, such as (0, 10, 100)")
-    return f"{first}..{last}/{steps}"
+    expected = "(from, to, steps) with from < to and at least one step, such as (0, 10, 100)"
+    start, end, steps = several(grid, "grid", 3, expected)
+    first, last = fraction(start, "grid", reading), fraction(end, "grid", reading)
+    if not first < last:
+        raise ValueError(f"grid={grid!r}: expected {expected}")
+    return f"{text(first)}..{text(last)}/{count(steps, 'grid: the number of steps', 1)}"
+
+
+def _asked(x: Any, y: Any, eps: Any, how: Mapping[str, Any]) -> Asked:
+    """Columns with a question that errors of x have no part in."""
+    for key in ("x_eps", "strong"):
+        if how.get(key) is not None and how[key] is not False:
+            raise ValueError(f"{key}: only fit and fit_file answer with errors in x: expected exact x")
+    return Asked(readings(x, y, eps, **{key: value for key, value in how.items() if key not in ("x_eps", "strong")}))
 
 
 def status(
@@ -166,7 +185,7 @@ def status(
     >>> [(own.row, own.status, own.without) for own in status([0, 1, 2, 3], [0, 1, 2, 9], 1).rows]
     [(1, None, None), (2, None, None), (3, None, 'outlier'), (4, None, 'outlier')]
     """
-    return Asked(readings(x, y, eps, **how)).status(repair=repair, new=new)
+    return _asked(x, y, eps, how).status(repair=repair, new=new)
 
 
 def predict(
@@ -190,7 +209,7 @@ def predict(
     >>> predicted.from_[0].x
     [Interval(lower=LowerBound(0, 1), upper=UpperBound(2, 1))]
     """
-    asked = Asked(readings(x, y, eps, **how))
+    asked = _asked(x, y, eps, how)
     return asked.predict(at, from_=from_, grid=grid, new_eps=new_eps, proofs=proofs)
 
 
@@ -210,7 +229,7 @@ def outliers(
     >>> found.least, found.sets
     (1, [[3], [4]])
     """
-    return Asked(readings(x, y, eps, **how)).outliers(most=most, max_sets=max_sets, max_steps=max_steps)
+    return _asked(x, y, eps, how).outliers(most=most, max_sets=max_sets, max_steps=max_steps)
 
 
 def windows(
@@ -228,7 +247,7 @@ def windows(
     >>> [(own.last_row, own.kind) for own in windows([0, 1, 2, 3], [0, 1, 2, 9], 1, window=3)]
     [(3, 'polygon'), (4, 'empty')]
     """
-    return Asked(readings(x, y, eps, **how)).windows(window, window_x=window_x, step=step)
+    return _asked(x, y, eps, how).windows(window, window_x=window_x, step=step)
 
 
 # The last of this module, which take the names of builtins.
@@ -251,7 +270,7 @@ def next(
     >>> found.best[0].at, found.best[0].worst
     ([Fraction(4, 1)], Fraction(1, 2))
     """
-    return Asked(readings(x, y, eps, **how)).next(within, goal=goal, new_eps=new_eps)
+    return _asked(x, y, eps, how).next(within, goal=goal, new_eps=new_eps)
 
 
 def range(
@@ -269,4 +288,4 @@ def range(
     >>> boundfit.range([0, 1, 2, 3], [0, 1, 2, 9], 1).longest.rows
     (1, 3)
     """
-    return Asked(readings(x, y, eps, **how)).range(by=by)
+    return _asked(x, y, eps, how).range(by=by)

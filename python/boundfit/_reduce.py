@@ -14,7 +14,7 @@ from ._columns import Column, Missing, Number, Reading
 def reduce(
     x: Column | tuple[Column, Column],
     y: Column | None = None,
-    eps: Number | Column | None = 0,
+    eps: Number | Column | None = None,
     *,
     lower: Column | None = None,
     upper: Column | None = None,
@@ -29,8 +29,9 @@ def reduce(
     >>> text.splitlines()[1:]
     [b'x,y', b'0.0,0.0', b'1.0,1.5', b'2.0,1.5', b'3.0,3.0']
     """
-    bound = None if lower is not None or upper is not None else eps
-    return _boundfit.reduce(readings(x, y, bound, lower=lower, upper=upper, reading=reading, missing=missing))
+    if eps is None and lower is None and upper is None:
+        eps = 0
+    return _boundfit.reduce(readings(x, y, eps, lower=lower, upper=upper, reading=reading, missing=missing))
 
 
 def reduce_file(

@@ -16,7 +16,7 @@ from typing import Any
 
 from . import _boundfit
 from ._bounds import Interval, Intervals, ProvedInterval, Term
-from ._columns import Missing, NamedColumns, Number, Reading, quoted
+from ._columns import Missing, NamedColumns, Number, Reading, flag, quoted
 from ._fit import Fit
 
 #: How many reductions are put together at a time.
@@ -118,7 +118,7 @@ def readings(
         lower=lower,
         upper=upper,
         where=_tuple(where),
-        through_origin=through_origin,
+        through_origin=flag(through_origin, "through_origin"),
         x_origin=x_origin,
         reading=reading,
         missing=missing,

@@ -1,14 +1,14 @@
 //! Columns on their way from Python: buffers of numbers are copied once, all else is read as its text.
 
 use boundfit::engine::exact::Foreign;
-use boundfit::files::{Limits, MemoryNumbers, MemoryTable};
+use boundfit::files::{EpsilonColumn, Limits, MemoryNumbers, MemoryTable, Question};
 use boundfit::{Rational, Reading};
 use pyo3::buffer::{Element, PyBuffer};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyFloat, PyInt, PyList, PyString};
 
-use crate::numbers::{shortest_text, stored_text};
+use crate::numbers::{Given, kind_of, printed, refuse, shortest_text, stored_text, unwrapped};
 
 /// A column with its name.
 pub(crate) type NamedColumn<'py> = (String, Bound<'py, PyAny>);
@@ -41,6 +41,32 @@ pub(crate) fn table(
         table.push(name.as_str(), numbers);
     }
     Ok((table, if are_doubles { reading } else { Reading::Decimal }))
+}
+
+/// Refuses floats under a bound that is half a unit of the last digit written: a float has no such digit, in whatever column it is.
+pub(crate) fn refuse_unwritten(
+    columns: &[NamedColumn<'_>],
+    names: &[String],
+    question: &Question,
+) -> PyResult<()> {
+    let regressors = if question.columns.second.is_some() { 2 } else { 1 };
+    let needs_written = matches!(&question.columns.epsilon, EpsilonColumn::Law(law) if law.needs_written());
+    let Some(response) = names.get(regressors).filter(|_| needs_written) else { return Ok(()) };
+    let Some((_, values)) = columns.iter().find(|(name, _)| name == response) else { return Ok(()) };
+    // A buffer is refused where it is read.
+    let Ok(list) = values.cast::<PyList>() else { return Ok(()) };
+    for (row, value) in (1..).zip(list.iter()) {
+        let value = unwrapped(&value)?;
+        let is_float = value.is_instance_of::<PyFloat>() || kind_of(&value)? == Some('f');
+        // NaN is a missing number.
+        if is_float && value.eq(&value)? {
+            return Err(refuse(format_args!(
+                "row {row} of {response}: {value} is a float, of which no last digit is written (expected texts, decimals and \
+                 integers beside 'written', or eps as a number, such as 0.005)"
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// Returns whether every number is a double: then the binary64 reading leaves it as it is.
@@ -107,12 +133,17 @@ fn text(value: &Bound<'_, PyAny>, reading: Reading) -> PyResult<String> {
     let kind = kind.name()?;
     match kind.to_str()? {
         "NoneType" | "NAType" => Ok(String::new()),
-        "Decimal" | "Fraction" => Ok(value.str()?.to_str()?.to_owned()),
-        _ if value.cast::<PyInt>().is_ok()
-            || value.hasattr("__index__")?
-            || value.hasattr("__float__")? =>
-        {
-            Ok(value.str()?.to_str()?.to_owned())
+        "Decimal" | "Fraction" => printed(value),
+        _ if value.cast::<PyInt>().is_ok() => printed(value),
+        _ if value.hasattr("as_py")? => text(&unwrapped(value)?, reading),
+        other if matches!(kind_of(value)?, Some('m' | 'M')) => Err(PyValueError::new_err(format!(
+            "{value} is a time ({other}), not a number (expected numbers, such as those of (t - t0) / one second, from a time t0 on)"
+        ))),
+        _ if kind_of(value)? == Some('b') => {
+            Err(PyValueError::new_err(format!("{value} is a truth value, not a number")))
+        }
+        _ if value.hasattr("__index__")? || value.hasattr("__float__")? => {
+            Ok(value.extract::<Given>()?.text(reading))
         }
         other => Err(PyValueError::new_err(format!(
             "{other} is not a number (expected an int, a float, a Decimal, a Fraction or a text)"

@@ -17,7 +17,7 @@ type Judged<'py> = (
     Option<Bound<'py, PyAny>>,
 );
 
-/// Judges claimed ends: lower and upper of θ1, then of θ2. A text is as precise as its last digit, all else is meant exactly.
+/// Judges claimed ends: lower and upper of θ1, then of θ2. A text is as precise as its last digit, all else is meant exactly, and `None` is no end.
 #[pyfunction]
 pub(crate) fn check<'py>(
     py: Python<'py>,
@@ -27,7 +27,10 @@ pub(crate) fn check<'py>(
     let mut given = claims.iter();
     let claims = PuiEnd::try_each(|_| {
         let claim = given.next().ok_or_else(|| refuse("a claim has four ends"))?;
-        let value = exact(claim)?;
+        if claim.is_none() {
+            return Ok(BoundClaim::bare(Claimed::Unbounded));
+        }
+        let value = exact(claim, "claim")?;
         let printed = match claim.extract::<String>() {
             Ok(text) => Printed::typed(&text, value),
             Err(_) => Printed::exact(value),

@@ -279,7 +279,7 @@ impl Fitted {
     fn json(&self, py: Python<'_>) -> PyResult<String> {
         let question = ask::Fit::default();
         let json = py.detach(|| self.written(&question, Form::Json, self.origin(), Style::default()));
-        json.map_err(|refusal| refuse(in_words(&refusal)))
+        json.map_err(|refusal| refuse(in_words(&refusal, self.file.is_some())))
     }
 
     /// The answer in another format.
@@ -287,7 +287,7 @@ impl Fitted {
         let question = ask::Fit { brief, full, ..ask::Fit::default() };
         let style = Style { digits, ..Style::default() };
         let text = self.written(&question, named(format)?, self.shown_origin(), style);
-        text.map_err(|refusal| refuse(in_words(&refusal)))
+        text.map_err(|refusal| refuse(in_words(&refusal, self.file.is_some())))
     }
 
     /// The proof, where the readings come from delimited text.

@@ -6,7 +6,7 @@ use boundfit::files::{ColumnSelector, GroupFit, Source};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::cells::{NamedColumn, table};
+use crate::cells::{NamedColumn, refuse_unwritten, table};
 use crate::numbers::{outward, refuse};
 use crate::questions;
 use crate::readings::Readings;
@@ -143,12 +143,13 @@ pub(crate) fn fit_groups<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
     let (mut asked, floats) = Keywords(asked).asked_in_memory()?;
+    refuse_unwritten(&columns, &names, &asked.question)?;
     let by = ColumnSelector::name(&key.0);
     let (table, reading) = table(&columns.into_iter().chain([key]).collect::<Vec<_>>(), &names, floats)?;
     asked.options.table.reading = reading;
     let read =
         py.detach(|| Groups::read(&asked, Source::of_table("readings", table), &by).map(|own| lines(&own)));
-    let (lines, per_row) = read.map_err(|refusal| refuse(questions::in_words(&refusal)))?;
+    let (lines, per_row) = read.map_err(|refusal| refuse(questions::in_words(&refusal, false)))?;
     let dict = PyDict::new(py);
     dict.set_item("group", lines.keys)?;
     dict.set_item("rows", lines.rows)?;
@@ -186,7 +187,10 @@ pub(crate) fn reduce<'py>(py: Python<'py>, readings: &Readings) -> PyResult<Boun
     let text = py.detach(|| {
         let table = readings.asked.question.reduce(readings.source()?, &readings.asked.options);
         let mut text = Vec::new();
-        table.map_err(|error| in_words(&error))?.write(&mut text).map_err(|error| error.to_string())?;
+        table
+            .map_err(|error| in_words(&error, readings.has_limits()))?
+            .write(&mut text)
+            .map_err(|error| error.to_string())?;
         Ok(text)
     });
     Ok(PyBytes::new(py, &text.map_err(|error: String| refuse(error))?))

@@ -48,7 +48,7 @@ mod _boundfit {
     #[pymodule_export]
     use crate::proofs::verify;
     #[pymodule_export]
-    use crate::questions::{ask, number_text};
+    use crate::questions::{ask, number, number_text};
     #[pymodule_export]
     use crate::readings::{Readings, readings_of_columns, readings_of_file};
 }

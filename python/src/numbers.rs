@@ -1,9 +1,9 @@
 //! Exact numbers on their way to and from Python.
 
-use boundfit::engine::exact::Shortest;
+use boundfit::engine::exact::{ParseNumberError, Shortest};
 use boundfit::files::Limits;
 use boundfit::num_rational::BigRational;
-use boundfit::{Number as _, Rational, Reading};
+use boundfit::{Rational, Reading};
 use pyo3::Borrowed;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -46,13 +46,71 @@ pub(crate) fn refuse(problem: impl std::fmt::Display) -> PyErr {
     PyValueError::new_err(problem.to_string())
 }
 
-/// The exact value of an object: a float is the dyadic number that it is, texts and what prints as a number are read as decimals
-/// or fractions.
-pub(crate) fn exact(object: &Bound<'_, PyAny>) -> PyResult<Rational> {
-    match object.cast::<PyFloat>() {
-        Ok(float) => float.value().exact().map_err(refuse),
-        Err(_) => object.str()?.to_str()?.exact().map_err(refuse),
+/// Returns the exact value of an object that another program computed. A float, long or short, is the stored number; a text, and an
+/// object that prints as a number, is read as a decimal or a fraction.
+pub(crate) fn exact(object: &Bound<'_, PyAny>, name: &str) -> PyResult<Rational> {
+    object.extract::<Given>()?.number(Reading::Binary64, name)
+}
+
+/// Returns the reading with this name.
+pub(crate) fn reading_named(name: &str) -> PyResult<Reading> {
+    let found = [Reading::Decimal, Reading::Binary64].into_iter().find(|reading| reading.name() == name);
+    found.ok_or_else(|| refuse(format_args!("reading={name:?}: expected one of \"decimal\", \"binary64\"")))
+}
+
+/// Returns the value in a scalar of pyarrow, a short float as one of numpy, and any other object as it is.
+pub(crate) fn unwrapped<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    if !value.hasattr("as_py")? {
+        return Ok(value.clone());
     }
+    let held = value.call_method0("as_py")?;
+    let short = match value.getattr("type")?.str()?.to_str()? {
+        "float" => "float32",
+        "halffloat" => "float16",
+        _ => return Ok(held),
+    };
+    if held.is_none() { Ok(held) } else { value.py().import("numpy")?.getattr(short)?.call1((held,)) }
+}
+
+/// Returns the letter of the kind of a scalar of numpy, such as `f` for its floats.
+pub(crate) fn kind_of(value: &Bound<'_, PyAny>) -> PyResult<Option<char>> {
+    let Some(dtype) = value.getattr_opt("dtype")? else { return Ok(None) };
+    let Some(kind) = dtype.getattr_opt("kind")? else { return Ok(None) };
+    Ok(kind.extract::<char>().ok())
+}
+
+/// Returns the text of an object that prints as a number.
+pub(crate) fn printed(value: &Bound<'_, PyAny>) -> PyResult<String> {
+    let error = match value.str() {
+        Ok(text) => return Ok(text.to_str()?.to_owned()),
+        Err(error) => error,
+    };
+    // Python does not print integers of more than 4,300 digits.
+    let (Ok(numerator), Ok(denominator)) = (value.getattr("numerator"), value.getattr("denominator")) else {
+        return Err(error);
+    };
+    let wide = BigRational::new_raw(numerator.extract()?, denominator.extract()?);
+    let most = Limits::default().digits;
+    // A decimal digit takes less than four bits.
+    if wide.numer().bits().max(wide.denom().bits()) > 4 * most as u64 {
+        return Err(refuse(format_args!("a number of more than {most} digits (the limit)")));
+    }
+    Ok(wide.to_string())
+}
+
+/// Returns the stored number of a float of numpy, as a text that is exactly it.
+fn stored_float(float: &Bound<'_, PyAny>, shown: &str) -> PyResult<String> {
+    const LONGEST_DOUBLE: usize = 8;
+    let double: f64 = float.call_method0("__float__")?.extract()?;
+    if float.getattr("dtype")?.getattr("itemsize")?.extract::<usize>()? <= LONGEST_DOUBLE {
+        return Ok(stored_text(double));
+    }
+    // An array without dimensions has no ratio, but the number in it has.
+    let ratio = float.call_method0("item")?.call_method0("as_integer_ratio");
+    // Neither infinity nor NaN has a ratio.
+    let Ok(ratio) = ratio else { return Ok(shown.to_owned()) };
+    let (numerator, denominator) = ratio.extract()?;
+    Ok(BigRational::new_raw(numerator, denominator).to_string())
 }
 
 /// A number that an argument gives, or words such as those of a law. A float means what floats mean in the readings: its shortest
@@ -60,7 +118,8 @@ pub(crate) fn exact(object: &Bound<'_, PyAny>) -> PyResult<Rational> {
 pub(crate) struct Given {
     /// The shortest text of a float, the text of everything else.
     pub(crate) shown: String,
-    stored: Option<f64>,
+    /// The text of the stored number, of a float.
+    stored: Option<String>,
     is_text: bool,
 }
 
@@ -70,20 +129,24 @@ impl<'py> FromPyObject<'_, 'py> for Given {
     fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
         if let Ok(float) = object.cast::<PyFloat>() {
             let value = float.value();
-            return Ok(Given { shown: shortest_text(value), stored: Some(value), is_text: false });
+            return Ok(Given {
+                shown: shortest_text(value),
+                stored: Some(stored_text(value)),
+                is_text: false,
+            });
         }
-        // A scalar of pyarrow is what it holds.
-        if object.hasattr("as_py")? {
-            return object.call_method0("as_py")?.extract();
+        let object = unwrapped(&object)?;
+        if object.is_instance_of::<PyFloat>() {
+            return object.extract();
         }
-        // Short floats are no `float`.
-        let is_float = match object.getattr_opt("dtype")? {
-            Some(kind) => kind.getattr("kind")?.extract::<String>()? == "f",
-            None => false,
+        let shown = printed(&object)?;
+        // Neither short nor long floats of numpy are a `float`.
+        let stored = match kind_of(&object)? {
+            Some('f') => Some(stored_float(&object, &shown)?),
+            Some('m' | 'M') => return Err(refuse(format_args!("{shown} is a time, not a number"))),
+            _ => None,
         };
-        let stored = if is_float { Some(object.call_method0("__float__")?.extract()?) } else { None };
-        let is_text = object.is_instance_of::<PyString>();
-        Ok(Given { shown: object.str()?.to_str()?.to_owned(), stored, is_text })
+        Ok(Given { shown, stored, is_text: object.is_instance_of::<PyString>() })
     }
 }
 
@@ -91,8 +154,8 @@ impl Given {
     /// Returns the text to read as a decimal: for a float under the binary64 reading, all digits of the stored
     /// double.
     pub(crate) fn text(&self, reading: Reading) -> String {
-        match (self.stored, reading) {
-            (Some(double), Reading::Binary64) => stored_text(double),
+        match (&self.stored, reading) {
+            (Some(stored), Reading::Binary64) => stored.clone(),
             _ => self.shown.clone(),
         }
     }
@@ -113,10 +176,22 @@ impl Given {
         self.number_by(reading, Reading::Decimal, name)
     }
 
+    fn refused(&self, error: &ParseNumberError, name: &str) -> PyErr {
+        const MOST_SHOWN: usize = 40;
+        let cut = self.shown.char_indices().nth(MOST_SHOWN).map(|(end, _)| &self.shown[..end]);
+        let shown = cut.map_or_else(|| format!("{:?}", self.shown), |cut| format!("{cut:?}..."));
+        match error.kind.is_limit() {
+            true => refuse(format_args!("{name}={shown}: {error}")),
+            false => refuse(format_args!(
+                "{name}={shown}: {error} (expected a number, such as 0.5, \"1.30e-2\" or \"7/19\")"
+            )),
+        }
+    }
+
     /// The number, if it is one, where `texts` says how texts are read.
     pub(crate) fn number_by(&self, reading: Reading, texts: Reading, name: &str) -> PyResult<Rational> {
         let number = self.read_by(texts).read(&self.text(reading), &Limits::default());
-        number.map_err(|error| refuse(format_args!("{name}={:?}: {error}", self.shown)))
+        number.map_err(|error| self.refused(&error, name))
     }
 }
 

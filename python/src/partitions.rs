@@ -8,7 +8,7 @@ use boundfit::files::{ColumnSelector, ReducedTable, ScanOptions, Source};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::cells::{NamedColumn, table};
+use crate::cells::{NamedColumn, refuse_unwritten, table};
 use crate::data::Data;
 use crate::numbers::refuse;
 use crate::readings::Readings;
@@ -29,6 +29,7 @@ pub(crate) fn reduce_part<'py>(
     asked: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyBytes>> {
     let (Asked { question, options, .. }, floats) = reducible(asked)?;
+    refuse_unwritten(&columns, &names, &question)?;
     let (table, reading) = table(&columns, &names, floats)?;
     let identity = identity.map(|name| ColumnSelector::name(&name));
     let mut options = ScanOptions { identity, allow_nothing: true, ..options };
@@ -102,7 +103,7 @@ fn of_reductions(asked: &Bound<'_, PyDict>, reading: Reading) -> PyResult<(Asked
 
 fn written(reduced: Result<ReducedTable, boundfit::files::InputError>) -> Result<Vec<u8>, String> {
     let mut text = Vec::new();
-    let reduced = reduced.map_err(|error| in_words(&error))?;
+    let reduced = reduced.map_err(|error| in_words(&error, false))?;
     reduced.write(&mut text).map_err(|error| error.to_string())?;
     Ok(text)
 }

@@ -50,9 +50,6 @@ impl Labels {
             directions: self.directions,
             are_directions_scaled: self.scaled,
         };
-        if !(3..=1000).contains(&options.directions) {
-            return Err(refuse("directions: expected 3 to 1000 of them"));
-        }
         match options.have_letters_room() {
             true => Ok(options),
             false => Err(refuse(
@@ -104,11 +101,7 @@ pub(crate) fn figure(
     let format =
         wanted.ok_or_else(|| refuse(format_args!("format={format:?}: expected one of {}", formats())))?;
     let plain = Encoding::default();
-    let dpi = labels.dpi.unwrap_or(plain.dpi);
-    if !(30..=1200).contains(&dpi) {
-        return Err(refuse(format_args!("dpi={dpi}: expected 30 to 1200")));
-    }
-    let encoding = Encoding { real_text: labels.real_text, dpi };
+    let encoding = Encoding { real_text: labels.real_text, dpi: labels.dpi.unwrap_or(plain.dpi) };
     if asked == Figure::Status && (labels.x_range.is_some() || labels.y_range.is_some()) {
         return Err(refuse("x_range, y_range: the axes of \"status\" are residuals and leverages"));
     }

@@ -10,7 +10,7 @@ use boundfit::report::{
 use boundfit::{Polyhedron, Rational, Reading};
 use pyo3::prelude::*;
 
-use crate::numbers::{Given, Number, pair, refuse};
+use crate::numbers::{Given, Number, pair, reading_named, refuse};
 use crate::words::in_words;
 
 /// Half-planes with the set that they leave.
@@ -27,29 +27,26 @@ pub(crate) struct Plane {
 /// The set of an H- or V-representation, whose numbers are exactly as written; what a float means in questions about it.
 #[pyfunction]
 pub(crate) fn polygon_of_text(py: Python<'_>, text: String, floats: &str) -> PyResult<Plane> {
+    let floats = reading_named(floats)?;
     let plane = py.detach(|| Plane::read(Source::new("polygon", Cursor::new(text)), None, Reading::Decimal));
-    Ok(Plane { floats: named(floats), ..plane.map_err(refuse)? })
+    Ok(Plane { floats, ..plane.map_err(refuse)? })
 }
 
 /// The set of a file of half-planes or generators.
 #[pyfunction]
 pub(crate) fn polygon_of_file(py: Python<'_>, path: String, reading: &str) -> PyResult<Plane> {
-    let reading = named(reading);
+    let reading = reading_named(reading)?;
     let plane = py.detach(|| {
-        let source = Source::open(&path).map_err(|error| in_words(&error))?;
+        let source = Source::open(&path).map_err(|error| in_words(&error, false))?;
         Plane::read(source, Some(path), reading)
     });
     plane.map_err(refuse)
 }
 
-fn named(reading: &str) -> Reading {
-    if reading == "binary64" { Reading::Binary64 } else { Reading::Decimal }
-}
-
 impl Plane {
     fn read(source: Source, name: Option<String>, reading: Reading) -> Result<Self, String> {
         let options = TableOptions { reading, ..TableOptions::default() };
-        let file = read_half_planes(source, &options).map_err(|error| in_words(&error))?;
+        let file = read_half_planes(source, &options).map_err(|error| in_words(&error, false))?;
         file.system.work().check(2, SizeLimits::default().work).map_err(|error| error.to_string())?;
         let polyhedron = Polyhedron::intersect(file.system.clone());
         Ok(Plane { file, polyhedron, name, reading, floats: reading })
@@ -61,6 +58,12 @@ impl Plane {
     #[getter]
     fn kind(&self) -> &'static str {
         self.polyhedron.region().kind().name()
+    }
+
+    /// Returns the meaning of floats in questions about it.
+    #[getter]
+    fn reading(&self) -> &'static str {
+        self.floats.name()
     }
 
     fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {

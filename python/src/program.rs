@@ -44,7 +44,7 @@ pub(crate) fn judge<'py>(
     tolerance: &Bound<'py, PyAny>,
 ) -> PyResult<Judged<'py>> {
     let model = model(&costs, &rows, &bounds)?;
-    let tolerances = Tolerances { relative: exact(tolerance)?, digits_as_printed: false };
+    let tolerances = Tolerances { relative: exact(tolerance, "tolerance")?, digits_as_printed: false };
     let solution = claimed.map(|claimed| claimed.solution()).transpose()?;
     let (answer, findings) = py
         .detach(|| {
@@ -76,18 +76,23 @@ fn numbers(values: &[Rational]) -> Vec<Number<'_>> {
 }
 
 fn model(costs: &[Bound<'_, PyAny>], rows: &[Row<'_>], bounds: &[Ends<'_>]) -> PyResult<Model> {
-    let side = |value: &Option<Bound<'_, PyAny>>| value.as_ref().map(exact).transpose();
+    let side = |value: &Option<Bound<'_, PyAny>>, name: String| {
+        value.as_ref().map(|value| exact(value, &name)).transpose()
+    };
     let columns = costs.iter().zip(bounds).enumerate().map(|(index, (cost, (lower, upper)))| {
         Ok(ModelColumn {
             name: format!("x[{index}]").into(),
-            cost: exact(cost)?,
-            bounds: Bounds { lower: side(lower)?, upper: side(upper)? },
+            cost: exact(cost, &format!("c[{index}]"))?,
+            bounds: Bounds {
+                lower: side(lower, format!("bounds[{index}]"))?,
+                upper: side(upper, format!("bounds[{index}]"))?,
+            },
         })
     });
     let row = |(index, (coefficients, lower, upper)): (usize, &Row<'_>)| {
         let mut own = Vec::new();
         for (column, value) in coefficients.iter().enumerate() {
-            let value = exact(value)?;
+            let value = exact(value, &format!("row {} of A", index + 1))?;
             if !value.is_zero() {
                 own.push((column, value));
             }
@@ -95,7 +100,10 @@ fn model(costs: &[Bound<'_, PyAny>], rows: &[Row<'_>], bounds: &[Ends<'_>]) -> P
         Ok(ModelRow {
             name: format!("row[{index}]").into(),
             coefficients: own,
-            bounds: Bounds { lower: side(lower)?, upper: side(upper)? },
+            bounds: Bounds {
+                lower: side(lower, format!("row {} of b", index + 1))?,
+                upper: side(upper, format!("row {} of b", index + 1))?,
+            },
         })
     };
     Ok(Model {
@@ -109,7 +117,7 @@ fn model(costs: &[Bound<'_, PyAny>], rows: &[Row<'_>], bounds: &[Ends<'_>]) -> P
 impl Claimed<'_> {
     fn solution(&self) -> PyResult<Solution> {
         let given = |value: &Bound<'_, PyAny>| {
-            Ok::<_, PyErr>(Given { number: Printed::exact(exact(value)?), line: 1 })
+            Ok::<_, PyErr>(Given { number: Printed::exact(exact(value, "result")?), line: 1 })
         };
         let all = |values: &Option<Vec<Bound<'_, PyAny>>>| -> PyResult<Option<Vec<Given>>> {
             values.as_ref().map(|values| values.iter().map(given).collect()).transpose()

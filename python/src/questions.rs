@@ -2,15 +2,14 @@
 
 use std::sync::Arc;
 
-use boundfit::Reading;
 use boundfit::ask::{Asked, Files, Held, Refusal, Request, Surface, Tables};
 use boundfit::files::{Source, Way};
 use pyo3::prelude::*;
 
-use crate::cells::{NamedColumn, table};
+use crate::cells::{NamedColumn, refuse_unwritten, table};
 use crate::data::IN_MEMORY;
 use crate::forms::{Form, asked};
-use crate::numbers::{Given, refuse};
+use crate::numbers::{Given, Number, reading_named, refuse};
 use crate::readings::Readings;
 use crate::words::as_argument;
 
@@ -25,10 +24,15 @@ pub(crate) fn ask(
     digits: Option<usize>,
     tables: Option<Vec<(String, Vec<NamedColumn<'_>>)>>,
 ) -> PyResult<String> {
-    let request = Request::parse(request).map_err(|refusal| refuse(in_words(&refusal)))?;
+    let has_limits = readings.has_limits();
+    let request = Request::parse(request).map_err(|refusal| refuse(in_words(&refusal, has_limits)))?;
     let mut held = Vec::new();
     for (name, columns) in tables.unwrap_or_default() {
         let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
+        // Columns of readings, not of x that are asked about.
+        if names == readings.names {
+            refuse_unwritten(&columns, &names, &readings.asked.question)?;
+        }
         let (table, reading) = table(&columns, &names, readings.floats)?;
         let again = Source::of_table(name.as_str(), table).again();
         held.extend(again.map(|again| (name, again, reading)));
@@ -41,18 +45,32 @@ pub(crate) fn ask(
         let tables: Arc<dyn Tables> = Arc::new(Held { tables: held.clone(), shown, files });
         let own = Asked { tables: Some(tables), ..readings.asked.clone() };
         let answer = request.answer(&own, readings.source()?, form, Some(origin), style);
-        Ok(answer.map_err(|refusal| in_words(&refusal))?.text)
+        Ok(answer.map_err(|refusal| in_words(&refusal, has_limits))?.text)
     })
 }
 
 /// The text of a number that is exactly what an argument gives.
 #[pyfunction]
-pub(crate) fn number_text(number: Given, reading: &str) -> String {
-    number.text(if reading == Reading::Binary64.name() { Reading::Binary64 } else { Reading::Decimal })
+pub(crate) fn number_text(number: Given, reading: &str) -> PyResult<String> {
+    Ok(number.text(reading_named(reading)?))
+}
+
+/// Returns the fraction that an argument gives.
+#[pyfunction]
+pub(crate) fn number<'py>(
+    py: Python<'py>,
+    number: Given,
+    name: &str,
+    reading: &str,
+) -> PyResult<Bound<'py, PyAny>> {
+    Number(&number.number(reading_named(reading)?, name)?).into_pyobject(py)
 }
 
 /// The names of settings in the words of arguments.
-struct Arguments;
+struct Arguments {
+    /// The call has an argument `limits`.
+    has_limits: bool,
+}
 
 impl Surface for Arguments {
     fn key(&self, key: &str) -> String {
@@ -66,14 +84,15 @@ impl Surface for Arguments {
     }
 
     fn way(&self, way: &Way) -> String {
-        as_argument(way)
+        as_argument(way, self.has_limits).unwrap_or_default()
     }
 }
 
-/// Returns the reason why there is no answer.
-pub(crate) fn in_words(refusal: &Refusal) -> String {
+/// Returns the reason why there is no answer, to a call that has an argument `limits` or not.
+pub(crate) fn in_words(refusal: &Refusal, has_limits: bool) -> String {
     match refusal {
-        Refusal::Input(error) => crate::words::in_words(error),
-        refusal => refusal.words(&Arguments),
+        Refusal::Input(error) => crate::words::in_words(error, has_limits),
+        // A way that the call does not have leaves the mark before it.
+        refusal => refusal.words(&Arguments { has_limits }).trim_end_matches([' ', ',', ';']).to_owned(),
     }
 }

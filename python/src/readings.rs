@@ -9,7 +9,7 @@ use boundfit::report::{Origin, Style};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyTuple};
 
-use crate::cells::{NamedColumn, columns_of, table};
+use crate::cells::{NamedColumn, columns_of, refuse_unwritten, table};
 use crate::data::Data;
 use crate::fitted::{Answered, Fitted};
 use crate::numbers::{Given, refuse};
@@ -42,6 +42,7 @@ pub(crate) fn readings_of_columns(
     let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
     let keywords = Arc::new(asked.clone().unbind());
     let (mut asked, floats) = Keywords(asked).asked_in_memory()?;
+    refuse_unwritten(&columns, &names, &asked.question)?;
     let (table, reading) = table(&columns, &names, floats)?;
     asked.options.table.reading = reading;
     let data = Data::Columns(Arc::new(table));
@@ -57,7 +58,7 @@ pub(crate) fn readings_of_file(
 ) -> PyResult<Readings> {
     let data = Data::File(path);
     let reading = data.reading(Keywords(asked).reading()?);
-    let (reading, is_stored) = reading.map_err(|error| refuse(in_words(&error)))?;
+    let (reading, is_stored) = reading.map_err(|error| refuse(in_words(&error, true)))?;
     let keywords = Arc::new(asked.clone().unbind());
     let asked = Keywords(asked).asked(reading, Texts::AsCells)?;
     Ok(Readings { data, names, asked, reading, floats: reading, is_stored, keywords })
@@ -76,7 +77,7 @@ impl Readings {
             let asked = question.read_listing(&self.asked, self.source()?, Shows::Rows, false);
             let deciding = asked.and_then(|asked| Answered::new(&question, asked));
             Ok(Fitted {
-                deciding: deciding.map_err(|refusal| questions::in_words(&refusal))?,
+                deciding: deciding.map_err(|refusal| questions::in_words(&refusal, self.has_limits()))?,
                 whole: OnceLock::new(),
                 reading: self.reading,
                 floats: reading,
@@ -148,7 +149,7 @@ impl Readings {
             match question.answer(&written.asked, written.source()?, Form::Proof, origin, &Style::default()) {
                 Ok(proof) => Ok(Some(proof.text)),
                 Err(Refusal::NoProof(_)) => Ok(None),
-                Err(refusal) => Err(questions::in_words(&refusal)),
+                Err(refusal) => Err(questions::in_words(&refusal, self.has_limits())),
             }
         })
         .map_err(|error: String| refuse(error))
@@ -156,9 +157,14 @@ impl Readings {
 }
 
 impl Readings {
+    /// Returns whether the call that made them has an argument `limits`: that of a file.
+    pub(crate) fn has_limits(&self) -> bool {
+        self.data.path().is_some()
+    }
+
     /// Another look at them.
     pub(crate) fn source(&self) -> Result<Source, String> {
-        self.data.source().map_err(|error| in_words(&error))
+        self.data.source().map_err(|error| in_words(&error, self.has_limits()))
     }
 
     /// Columns in memory as the text that proofs are about, and files as they are.

@@ -30,7 +30,7 @@ impl Keywords<'_, '_> {
     /// Returns the meaning of floats: the reading of numbers, where nothing else is stored.
     pub(crate) fn reading(self) -> PyResult<Reading> {
         let words = TableWords { reading: self.named("reading")?, ..TableWords::default() };
-        words.reading(false).map_err(|refusal| refuse(in_words(&refusal)))
+        words.reading(false).map_err(|refusal| refuse(in_words(&refusal, true)))
     }
 
     /// The words of the request. Among the numbers a float means what `reading` says, a text what `texts` says, and everything else is
@@ -48,7 +48,9 @@ impl Keywords<'_, '_> {
             };
             words.insert(key, own);
         }
-        let readings = Readings::take(&mut words).map_err(|refusal| refuse(in_words(&refusal)))?;
+        let has_limits = texts == Texts::AsCells;
+        let readings =
+            Readings::take(&mut words).map_err(|refusal| refuse(in_words(&refusal, has_limits)))?;
         match words.keys().next() {
             Some(key) => Err(refuse(format_args!("{key}: there is no such argument"))),
             None => Ok(readings),
@@ -64,7 +66,7 @@ impl Keywords<'_, '_> {
                 .and_then(|request| request.resolve(&words, reading)),
             None => words.resolve(reading),
         };
-        asked.map_err(|refusal| refuse(in_words(&refusal)))
+        asked.map_err(|refusal| refuse(in_words(&refusal, texts == Texts::AsCells)))
     }
 
     /// Returns the question about columns in memory, and the meaning of floats. All that is said of them is exact,
