@@ -160,6 +160,23 @@ impl Heading {
     }
 }
 
+/// Returns the number, from 1, of a column that is asked for among others in a table whose header has these names.
+///
+/// # Errors
+/// There is no such column, or it could be several.
+pub fn find_column(
+    file: &str,
+    names: &[Foreign],
+    asked: &[ColumnSelector],
+    column: &ColumnSelector,
+) -> Result<usize, InputError> {
+    let cells: Vec<&[u8]> = names.iter().map(|name| name.raw().as_bytes()).collect();
+    let prefers_names = AskedColumns { columns: asked, others: &[] }.prefers_names(&cells);
+    let heading =
+        Heading { width: names.len(), names: Some(names.to_vec()), is_open: false, prefers_names, line: 1 };
+    Ok(heading.find(file, column)?.position)
+}
+
 /// Returns whether a record is a header by its own cells and those below, and whether it could be the other as well.
 ///
 /// A word above numbers is a name. So is nothing above numbers, as in pandas' `,0,1`; but a reading may lack a number. A number that is

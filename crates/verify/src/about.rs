@@ -1,15 +1,14 @@
 //! The subject of a proof.
 
-use std::collections::BTreeMap;
 use std::io::Read;
 
-use boundfit_exact::{Foreign, Rational, Reading};
+use boundfit_exact::{Rational, Reading};
 
 use crate::failure::{DataLimits, Failure};
 use crate::falsehood::Falsehood;
 use crate::name::Name;
 use crate::plane::HalfPlane;
-use crate::rows::{self, Cells, Rows};
+use crate::rows::{self, Rows};
 use crate::shape::{Condition, Number, Quantity, Shape};
 
 /// The subject of a proof: which rows of the data, how they are read, and what they say about the parameters.
@@ -76,15 +75,6 @@ impl About {
             columns: limits.columns,
         };
         Rows::new(data, shape)
-    }
-
-    /// The names of the columns, from the cells of a header.
-    pub(crate) fn names(&self, header: Cells<'_>) -> BTreeMap<u64, Foreign> {
-        let name = |column: u64| {
-            let cell = header.get(usize::try_from(column).ok()?)?;
-            Some((column, Foreign::from(String::from_utf8_lossy(cell).trim())))
-        };
-        self.columns().filter_map(name).collect()
     }
 
     /// Every column that is named, 0 too.

@@ -24,7 +24,7 @@ pub struct Statement {
     pub about: About,
     /// The number of rows the data have.
     pub rows_total: u64,
-    /// The names of the columns that are read, where the data have a header; nothing for one that the header does not reach.
+    /// The names of the columns, where the data have a header.
     pub names: BTreeMap<u64, Foreign>,
     /// The number of half-planes of the data and the conditions.
     pub half_planes: usize,

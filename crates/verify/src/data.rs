@@ -8,7 +8,7 @@ use boundfit_exact::Foreign;
 use crate::about::About;
 use crate::failure::{DataLimits, Failure};
 use crate::falsehood::Falsehood;
-use crate::rows::Rows;
+use crate::rows::{Cells, Rows};
 
 /// The data of a proof: their hash, and what is read of them.
 #[derive(Debug, Clone)]
@@ -71,8 +71,8 @@ impl Data {
         read: impl FnOnce(&About, &mut Rows<R>) -> Result<(), Failure>,
     ) -> Result<Look, Failure> {
         let mut rows = self.about.open(data, limits)?;
-        let has_header = self.about.header && rows.next()?;
-        let names = if has_header { self.about.names(rows.cells()) } else { BTreeMap::new() };
+        let has_header = self.about.header && rows.header()?;
+        let names = if has_header { names(rows.cells()) } else { BTreeMap::new() };
         let found = match read(&self.about, &mut rows) {
             Err(failure) if failure.ends_reading() => return Err(failure),
             found => found,
@@ -80,6 +80,15 @@ impl Data {
         let (hash, rows) = rows.finish()?;
         Ok(Look { hash, rows_total: rows - u64::from(has_header), names, found })
     }
+}
+
+/// The names of the columns, from the cells of a header.
+fn names(header: Cells<'_>) -> BTreeMap<u64, Foreign> {
+    let name = |column: usize| {
+        let cell = header.get(column)?;
+        Some((column as u64, Foreign::from(String::from_utf8_lossy(cell).trim())))
+    };
+    (1..).map_while(name).collect()
 }
 
 /// The result of reading all data.

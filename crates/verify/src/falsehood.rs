@@ -140,7 +140,7 @@ impl fmt::Display for Falsehood {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Falsehood::OtherData => write!(f, "sha256: is not that of the data"),
-            Falsehood::NoRows => write!(f, "rows: are none"),
+            Falsehood::NoRows => write!(f, "rows: are no pairs of a first and a last row that ascend"),
             Falsehood::MissingRow(row) => write!(f, "row {row}: is not in the data"),
             Falsehood::MissingCell { row, column } => write!(f, "row {row}, column {column}: is missing"),
             Falsehood::NotANumber { row, column, error } => write!(f, "row {row}, column {column}: {error}"),
@@ -151,7 +151,12 @@ impl fmt::Display for Falsehood {
             Falsehood::UnknownHalfPlane(name) => write!(f, "{}: is no half-plane of the data", name.quoted()),
             Falsehood::TooManyMultipliers(most) => write!(f, "multipliers: more than {most}"),
             Falsehood::MultiplierNotPositive(name) => write!(f, "multipliers: {name}: is not positive"),
-            Falsehood::NotEmpty => write!(f, "farkas: the sum is true, or the set has parts"),
+            Falsehood::NotEmpty => {
+                write!(
+                    f,
+                    "farkas: does not add up to 0 <= a negative number, or the empty set has vertices, sides or bounds"
+                )
+            }
             Falsehood::UnknownVertex(side) => write!(f, "sides: {side}: there is no such vertex"),
             Falsehood::OutOfOrder(side) => write!(f, "sides: {side}: does not come next by its angle"),
             Falsehood::DoNotMeet(side) => write!(f, "sides: {side}: does not meet the next side like that"),

@@ -62,6 +62,14 @@ impl<R: Read> Rows<R> {
         Ok(false)
     }
 
+    /// Goes on to the first row as [`Rows::next`] does, and keeps all of its cells.
+    pub(crate) fn header(&mut self) -> Result<bool, Failure> {
+        let kept = std::mem::replace(&mut self.row.shape.kept, self.row.shape.columns);
+        let found = self.next();
+        self.row.shape.kept = kept;
+        found
+    }
+
     /// The number of rows there were so far.
     pub(crate) fn count(&self) -> u64 {
         self.count

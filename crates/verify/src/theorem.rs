@@ -1,5 +1,6 @@
 //! A theorem for Coq, whose rows are compared with the data. Coq checks what follows from them.
 
+mod sentences;
 mod text;
 
 use std::collections::BTreeMap;

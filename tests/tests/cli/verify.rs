@@ -1,5 +1,6 @@
 //! The verdicts of `boundfit verify` on proofs that are true, false or about other questions, and its refusals.
 
+use std::fs;
 use std::process::Command;
 
 use boundfit_tests::cli::{boundfit, boundfit_with_input, directory_with};
@@ -162,6 +163,126 @@ fn a_proof_about_another_question_is_refuted() {
         let json: Value = serde_json::from_str(&run.stdout).unwrap();
         assert_eq!((run.status, &json["verified"]), (4, &json!(false)), "{fitted} {asked}");
         assert_eq!(json["falsehood"], json["differences"][0], "{fitted} {asked}");
+    }
+}
+
+/// A proof is compared as `fit` understands the question: errors of x, what is added to y, and columns by the names that mean them.
+#[test]
+fn nothing_of_the_question_is_left_out() {
+    let added = r#"{"schema":"boundfit/proof/2","sha256":"HASH","delimiter":",","header":true,"rows":[1,3],"reading":"decimal",
+        "model":[[1,"1"],[0,"1"],[2,"1"],[0,"3/10"]],"response":[[3,"1"]],"conditions":[],
+        "statements":[{"kind":"empty","multipliers":[["1 lower","1"],["2 upper","2"],["3 lower","1"]]}]}"#;
+    let sum: &[u8] = b"x,y,z\n0,0,9\n1,1,0\n2,2,9\n";
+    let hash = "3cb06592cea439625b82d7703bbbec45f7f52e7f333c84f9b1f62bd1a2790792";
+    let directory = directory_with(&[
+        ("e.csv", b"x,y\n0,1\n1,5\n2,2\n"),
+        ("sum.csv", sum),
+        ("added.json", added.replace("HASH", hash).as_bytes()),
+        ("units.csv", b"U (V),U,y\n0,5,0\n1,1,1\n2,0,2\n"),
+        ("twice.csv", b"x,x,y\n0,5,0\n1,1,1\n2,0,2\n"),
+        ("numbers.csv", b"time,1,2\n0,5,0\n1,1,1\n2,0,2\n"),
+    ]);
+    let folder = directory.path();
+    for (fit, asked, expected) in [
+        (
+            "e.csv --x x --y y --eps 0.1 --x-eps 5",
+            "",
+            Ok("errors in x up to 5, for some x within them, not of 0"),
+        ),
+        (
+            "e.csv --x x --y y --eps 5",
+            "--x-eps 0.1",
+            Ok("errors in x of 0, not up to 0.1, for some x within them"),
+        ),
+        (
+            "e.csv --x x --y y --eps 5 --x-eps y",
+            "--x-eps 5",
+            Ok(
+                "errors in x up to column 2 (\"y\"), for some x within them, not up to 5, for some x within them",
+            ),
+        ),
+        (
+            "e.csv --x x --y y --eps 5 --x-eps 0.1",
+            "--x-eps 0.1 --strong",
+            Ok("errors in x up to 0.1, for some x within them, not up to 0.1, for every x within them"),
+        ),
+        ("units.csv --x 1 --y y --eps 1", "--x U", Ok("x = column 1 (\"U (V)\"), not U")),
+        ("twice.csv --x 2 --y y --eps 9", "--x x", Err("there are several columns \"x\"")),
+        (
+            "numbers.csv --x time --y 3 --eps 9",
+            "--y 2",
+            Err("\"2\" is the name of column 3 and the number of another one"),
+        ),
+    ] {
+        assert!([0, 3].contains(&boundfit(folder, &format!("fit {fit} --proof p.json")).status), "{fit}");
+        let data = fit.split(' ').next().unwrap();
+        let words: Vec<&str> = fit.split(' ').skip(1).collect();
+        // An option that is asked for comes in the place of that of the fit.
+        let own: Vec<String> = words
+            .chunks(2)
+            .filter(|pair| !asked.starts_with(pair[0]) && pair[0] != "--x-eps")
+            .map(|pair| pair.join(" "))
+            .collect();
+        let run = boundfit(folder, &format!("verify p.json {data} {} {asked}", own.join(" ")));
+        match expected {
+            Ok(difference) => {
+                assert_eq!(run.status, 4, "{fit} {asked}: {run:?}");
+                let line = format!("  the proof is about {difference}\n");
+                assert!(run.stdout.contains(&line), "{fit} {asked}\n{}", run.stdout);
+            }
+            Err(message) => {
+                assert_eq!(run.status, 1, "{fit} {asked}: {run:?}");
+                assert!(run.stderr.contains(message), "{fit} {asked}\n{}", run.stderr);
+            }
+        }
+    }
+    for question in ["--x-eps y", "--x-eps-column y", "--x-eps y --strong"] {
+        let line = format!("e.csv --x x --y y --eps 5 {question}");
+        assert!([0, 3].contains(&boundfit(folder, &format!("fit {line} --proof p.json")).status), "{line}");
+        assert_eq!(boundfit(folder, &format!("verify p.json {line}")).status, 0, "{line}");
+    }
+    let run = boundfit(folder, "verify added.json sum.csv --x x --y y --eps 0.3");
+    assert_eq!(run.status, 4, "{run:?}");
+    let added = "  the proof is about y = column 2 (\"y\") + column 3 (\"z\"), not y\n";
+    assert!(run.stdout.contains(added), "{}", run.stdout);
+}
+
+/// Coq's kernel accepts a second definition of the rows, and theorems about it.
+#[test]
+fn a_theorem_about_other_rows_is_none() {
+    let directory = directory_with(&[("a.csv", b"x,y\n0,0\n1,1.1\n2,1.9\n3,3.2\n")]);
+    let folder = directory.path();
+    let theorem = |data: &str, eps: &str| {
+        let line = format!("fit {data} --x x --y y --eps {eps} --proof t.v");
+        assert_eq!(boundfit_with_input(folder, &line, b"x,y\n0,100\n1,100\n").status, 0);
+        fs::read_to_string(folder.join("t.v")).unwrap()
+    };
+    let (own, other) = (theorem("a.csv", "0.3"), theorem("-", "1"));
+    let (before, _) = own.split_once("Definition feasibleR").unwrap();
+    let (_, rows) = other.split_once("Definition rows :").unwrap();
+    let rows = rows.replace("Definition feasible (", "Definition  feasible (");
+    for (forged, refusal) in [
+        (
+            format!("{before}Module Z.\nDefinition  rows :{rows}End Z. Import Z.\n"),
+            "behind what the rows say \"Module Z\" begins a sentence that could change it",
+        ),
+        (
+            format!("{before}Definition  rows :{rows}"),
+            "\"rows\" is defined once more behind what the rows say",
+        ),
+        (
+            format!("{own}Lemma\n(* no *) feasible : True. Proof. exact I. Qed.\n"),
+            "\"feasible\" is defined once more behind what the rows say",
+        ),
+        (
+            format!("{own}#[local] Notation rows := (List.nil).\n"),
+            "behind what the rows say \"#[local] Notation ro\" begins a sentence that could change it",
+        ),
+    ] {
+        fs::write(folder.join("t.v"), forged).unwrap();
+        let run = boundfit(folder, "verify t.v a.csv --x x --y y --eps 0.3");
+        assert_eq!(run.status, 1, "{refusal}: {run:?}");
+        assert!(run.stderr.contains(refusal), "{refusal}\n{}", run.stderr);
     }
 }
 

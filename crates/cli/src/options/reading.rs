@@ -72,13 +72,7 @@ impl DataArguments {
     /// The readings, with what is said of the errors of their x.
     pub(crate) fn words_with(&self, x_errors: &XErrorArguments) -> Words<'_> {
         let Words { path, readings, limits } = self.words();
-        let readings = Readings {
-            x_eps: x_errors.x_eps.clone().map(Given::Read),
-            x_eps_column: x_errors.x_eps_column.clone(),
-            strong: x_errors.strong,
-            ..readings
-        };
-        Words { path, readings, limits }
+        Words { path, readings: x_errors.beside(readings), limits }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The options about errors in x.
 
+use boundfit_ask::{Given, Readings};
 use clap::Args;
 
 /// Errors in x.
@@ -18,6 +19,16 @@ pub(crate) struct XErrorArguments {
 }
 
 impl XErrorArguments {
+    /// These readings, with what is said of the errors of their x.
+    pub(crate) fn beside(&self, readings: Readings) -> Readings {
+        Readings {
+            x_eps: self.x_eps.clone().map(Given::Read),
+            x_eps_column: self.x_eps_column.clone(),
+            strong: self.strong,
+            ..readings
+        }
+    }
+
     /// The errors of x.
     pub(crate) fn are_asked(&self) -> bool {
         self.x_eps.is_some() || self.x_eps_column.is_some()

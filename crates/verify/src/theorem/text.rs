@@ -2,6 +2,7 @@
 
 use boundfit_exact::{Limits, Rational, Reading};
 
+use super::sentences::refuse_new_meanings;
 use super::{Bounds, Stated, Theorem};
 use crate::shape::NotAProof;
 
@@ -42,6 +43,7 @@ pub(super) fn theorem(text: &str) -> Result<Theorem, NotAProof> {
     if is_within_comment(before) {
         return Err(NotAProof::new("the rows stand in a comment"));
     }
+    let from_rows = rest;
     let (rows, rest) = lines(rest).ok_or_else(|| other("the rows"))?;
     let rest = rest.strip_prefix(".\n").ok_or_else(|| other("the rows"))?;
     let (definitions, mut rest) = rest.split_once("\n\n").ok_or_else(|| other("the columns"))?;
@@ -53,7 +55,12 @@ pub(super) fn theorem(text: &str) -> Result<Theorem, NotAProof> {
         rest = after.strip_prefix(").\n\n").ok_or_else(|| other("the conditions"))?;
         conditions = Some(found);
     }
-    let says = rest.strip_prefix(SAYS).and_then(|rest| Some(rest.split_once(".\n")?.0));
+    let said = rest.strip_prefix(SAYS).and_then(|rest| rest.split_once(".\n"));
+    if let Some((_, behind)) = said {
+        let definitions = from_rows.strip_suffix(behind).unwrap_or(from_rows);
+        refuse_new_meanings(&[ROWS, definitions].concat(), behind)?;
+    }
+    let says = said.map(|(says, _)| says);
     let shape = Shape::of(&columns, conditions.is_some(), says).ok_or_else(|| other("what the rows say"))?;
     let rows = rows.iter().map(|row| shape.row(row).ok_or_else(|| NotAProof::new("a row with other cells")));
     let condition = |row: &&str| cells(row)?.try_into().ok();

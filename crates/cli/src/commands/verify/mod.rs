@@ -18,7 +18,7 @@ use crate::exit::{CommandResult, Exit, Failure, raises};
 use crate::input::{named, read_text};
 use crate::options::{
     BAD_USAGE, EpsilonArguments, FileArguments, Format, LimitArguments, LineArguments, Notes, RowArguments,
-    given, parse_regressors, words_or_auto,
+    XErrorArguments, given, parse_regressors, words_or_auto,
 };
 use crate::output;
 use crate::progress::while_working;
@@ -53,12 +53,12 @@ pub(super) const NOTES: Notes = Notes {
     ],
 };
 
-/// Check a proof of 'boundfit fit --proof': is every statement in it true of these data?
+/// Check a proof that '--proof' wrote: is every statement in it true of these data?
 ///
 /// The checker reads the data again and checks every statement by exact arithmetic; it shares only its numbers with the
 /// program that found the answer. It also says which question the proof answers: model, columns, error bound,
 /// conditions and rows. With options of 'fit' the question must be theirs. With --x and an error bound everything is
-/// compared, and an omitted option means what it means in 'fit' (every row, no conditions); otherwise only the given
+/// compared, and an omitted option means what it means in 'fit' (every row, no conditions, no errors in x); otherwise only the given
 /// options are compared. docs/proof.md defines the proof and explains why the checks suffice.
 ///
 /// A theorem for Coq begins with a comment of Coq. Its rows and conditions are compared with the data, number by number. coqc checks
@@ -85,6 +85,8 @@ pub(crate) struct VerifyArguments {
     y: Option<String>,
     #[command(flatten, next_help_heading = QUESTION)]
     epsilon: EpsilonArguments,
+    #[command(flatten)]
+    x_errors: XErrorArguments,
     #[command(flatten)]
     rows: RowArguments,
     /// A linear inequality or equation that the parameters satisfy; repeatable
@@ -114,14 +116,15 @@ impl VerifyArguments {
             limits: self.limits.words(),
             ..TableWords::default()
         };
-        Readings {
+        let readings = Readings {
             x: self.x.clone(),
             y: self.y.clone(),
             conditions: given(&self.conditions),
             rows: self.rows.words(),
             table,
             ..self.line.beside(self.epsilon.words())
-        }
+        };
+        self.x_errors.beside(readings)
     }
 }
 
@@ -163,8 +166,8 @@ pub(super) fn run(arguments: &VerifyArguments) -> CommandResult {
             return Err(Failure::data(format_args!("{data}: {other}{}", raised.unwrap_or_default())));
         }
     };
-    let differences =
-        verdict.as_ref().map_or_else(|_| Vec::new(), |statement| question.differences(statement));
+    let differences = verdict.as_ref().map(|statement| question.differences(named(data_file), statement));
+    let differences = differences.unwrap_or_else(|_| Ok(Vec::new()))?;
     let is_verified = verdict.is_ok() && differences.is_empty();
     let verdict = Verdict { found: verdict, differences };
     let report = match format {

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use boundfit_ask::{Readings, Regressors};
+use boundfit_ask::{AskedXBounds, Readings, Regressors, XErrors};
 use boundfit_estimation::{Condition, EpsilonColumn, Law, LineForm};
-use boundfit_exact::english::split_unit;
 use boundfit_exact::{Foreign, Rational, Reading};
-use boundfit_formats::{ColumnSelector, Header, RowSet};
+use boundfit_formats::{ColumnSelector, Header, RowSet, find_column};
+use boundfit_questions::Agreement;
 use boundfit_report::{condition_text, rows_text};
-use boundfit_verify::{About, Quantity, Statement};
+use boundfit_verify::{About, Claim, Found, Quantity, Side, Statement};
 
 use super::VerifyArguments;
 use crate::exit::Failure;
@@ -18,6 +18,8 @@ pub(crate) struct Question {
     x: Option<(ColumnSelector, Option<ColumnSelector>)>,
     y: Option<ColumnSelector>,
     bound: Option<EpsilonColumn>,
+    /// The errors of x, of which there may be none.
+    x_errors: Option<Option<XErrors>>,
     rows: Option<RowSet>,
     conditions: Option<Vec<Condition>>,
     form: Option<LineForm>,
@@ -40,6 +42,7 @@ impl VerifyArguments {
             Ok((asked?, reading))
         };
         let (asked, reading) = resolved().map_err(Failure::misused)?;
+        let x_errors = asked.x_errors;
         let (question, table) = (asked.question, asked.options.table);
         let columns = question.columns;
         if question.multiple_of_least.is_some() {
@@ -60,6 +63,7 @@ impl VerifyArguments {
             x: said.x.is_some().then_some((columns.first, columns.second)),
             y: columns.response.filter(|_| said.y.is_some()),
             bound: has_bound.then_some(columns.epsilon),
+            x_errors: (is_whole || x_errors.is_some()).then_some(x_errors),
             rows: (is_whole || has_rows).then_some(table.rows),
             conditions: (is_whole || !said.conditions.is_empty()).then_some(question.conditions),
             form: (is_whole || has_form).then_some(columns.form),
@@ -93,8 +97,11 @@ fn refuse(what: &str, instead: &str) -> Failure {
 }
 
 impl Question {
-    /// Returns the differences between the question that a proof answers and this one, a sentence for each.
-    pub(crate) fn differences(&self, statement: &Statement) -> Vec<String> {
+    /// Returns the differences between the question that the proof of a file of data answers and this one, a sentence for each.
+    ///
+    /// # Errors
+    /// A column that is asked for is not there, or could be several.
+    pub(crate) fn differences(&self, file: &str, statement: &Statement) -> Result<Vec<String>, Failure> {
         let about = &statement.about;
         let mut differences = Vec::new();
         let mut differ = |is_same: bool, what: &str, stated: String, asked: String| {
@@ -102,7 +109,7 @@ impl Question {
                 differences.push(format!("the proof is about {what} {stated}, not {asked}"));
             }
         };
-        let columns = Columns(statement);
+        let columns = Columns::new(file, statement, self.columns())?;
         if let Some((first, second)) = &self.x {
             let [phi1, phi2, ..] = &about.model;
             differ(columns.is(phi1, first), "x =", columns.shown(phi1), columns.asked(first));
@@ -127,12 +134,17 @@ impl Question {
             }
         }
         if let Some(y) = &self.y {
-            differ(columns.is(&about.model[2], y), "y =", columns.shown(&about.model[2]), columns.asked(y));
+            let is_same = about.response.is_empty() && columns.is(&about.model[2], y);
+            differ(is_same, "y =", columns.response(about), columns.asked(y));
         }
         if let Some(bound) = &self.bound {
             let (stated, asked) = (columns.bound(about), columns.asked_bound(bound));
             let is_same = columns.is_bound(about, bound);
             differ(is_same, &stated.0, stated.1, asked);
+        }
+        if let Some(asked) = &self.x_errors {
+            let (stated, asked) = (columns.x_errors(statement), columns.asked_x_errors(asked.as_ref()));
+            differ(stated == asked, "errors in x", stated, asked);
         }
         if let Some(form) = &self.form {
             let is_same = about.x_origin == form.x_origin;
@@ -171,7 +183,22 @@ impl Question {
             let is_same = about.delimiter == delimiter;
             differ(is_same, "cells between", format!("{:?}", about.delimiter), format!("{delimiter:?}"));
         }
-        differences
+        Ok(differences)
+    }
+
+    /// The columns that are asked for.
+    fn columns(&self) -> Vec<ColumnSelector> {
+        let x = self.x.iter().flat_map(|(first, second)| [Some(first), second.as_ref()]).flatten();
+        let bound = match &self.bound {
+            Some(EpsilonColumn::Column(column)) => [Some(column), None],
+            Some(EpsilonColumn::Interval { lower, upper }) => [lower.as_ref(), upper.as_ref()],
+            _ => [None, None],
+        };
+        let x_bound = match self.x_errors.iter().flatten().next() {
+            Some(XErrors { bounds: AskedXBounds::Column(column), .. }) => Some(column),
+            _ => None,
+        };
+        x.chain(&self.y).chain(bound.into_iter().flatten()).chain(x_bound).cloned().collect()
     }
 
     fn differ_in_conditions(
@@ -235,28 +262,36 @@ fn asked_rows(rows: &RowSet, total: u64) -> String {
     if rows.without().is_empty() { named } else { format!("{named} without {}", ranges(rows.without())) }
 }
 
-/// The columns of the data by name and number.
-struct Columns<'a>(&'a Statement);
+/// The columns of the data by name and number, and which of them are asked for.
+struct Columns<'a> {
+    statement: &'a Statement,
+    asked: Vec<(ColumnSelector, u64)>,
+}
 
-impl Columns<'_> {
+impl<'a> Columns<'a> {
+    /// Finds the columns that are asked for as `fit` does.
+    fn new(file: &str, statement: &'a Statement, asked: Vec<ColumnSelector>) -> Result<Self, Failure> {
+        let names: Vec<Foreign> = statement.names.values().cloned().collect();
+        let number = |column: &ColumnSelector| match (statement.about.header, column.number()) {
+            (true, _) => find_column(file, &names, &asked, column).map_err(Failure::data),
+            // No row has names, so that no other column can be meant.
+            (false, number) => Ok(number.unwrap_or_default()),
+        };
+        let numbers = asked.iter().map(|column| Ok(number(column)? as u64)).collect::<Result<Vec<_>, _>>()?;
+        Ok(Columns { statement, asked: asked.into_iter().zip(numbers).collect() })
+    }
+
     /// Returns whether a column is taken once, and is the one that was asked for.
     fn is(&self, (column, times): &(u64, Rational), asked: &ColumnSelector) -> bool {
         *times == Rational::one() && self.is_column(*column, asked)
     }
 
-    /// Compares a column by its name, with its unit or without, else by its number.
     fn is_column(&self, column: u64, asked: &ColumnSelector) -> bool {
-        let wanted = asked.text().raw();
-        let name = self.0.names.get(&column).map(Foreign::raw);
-        let has_name = name.is_some_and(|name| {
-            let plain = name.trim_start_matches(['#', '%']).trim_start();
-            [name, plain, split_unit(name).0, split_unit(plain).0].contains(&wanted)
-        });
-        has_name || asked.number().is_some_and(|number| number as u64 == column)
+        self.asked.iter().any(|(own, number)| own == asked && *number == column)
     }
 
     fn column(&self, column: u64) -> String {
-        match self.0.names.get(&column) {
+        match self.statement.names.get(&column) {
             Some(name) => format!("column {column} ({})", name.borrowed().quoted()),
             None => format!("column {column}"),
         }
@@ -268,6 +303,35 @@ impl Columns<'_> {
             column if *times == Rational::one() => self.column(*column),
             column => format!("{times} times {}", self.column(*column)),
         }
+    }
+
+    /// y with the columns that are added to it.
+    fn response(&self, about: &About) -> String {
+        let own = Some(&about.model[2]).filter(|(column, times)| *column > 0 || !times.is_zero());
+        let terms = own.into_iter().chain(&about.response).map(|term| self.shown(term));
+        let terms: Vec<String> = terms.collect();
+        if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") }
+    }
+
+    /// The errors of x that a proof allows.
+    fn x_errors(&self, statement: &Statement) -> String {
+        let Some(bound) = &statement.about.x_error else { return NO_X_ERRORS.to_owned() };
+        let is_strong = |claim: &Claim| claim.scope.side == Some(Side::Strong);
+        let are_strong = matches!(&statement.found, Found::Claims(claims) if claims.iter().all(is_strong));
+        let agreement = if are_strong { Agreement::Strong } else { Agreement::Weak };
+        up_to(&self.shown(bound), agreement)
+    }
+
+    fn asked_x_errors(&self, asked: Option<&XErrors>) -> String {
+        let Some(XErrors { bounds, agreement }) = asked else { return NO_X_ERRORS.to_owned() };
+        let bound = match bounds {
+            AskedXBounds::Uniform(bound) => given(bound),
+            AskedXBounds::Column(column) => {
+                let found = self.asked.iter().find(|(own, _)| own == column);
+                found.map_or_else(|| self.asked(column), |(_, number)| self.column(*number))
+            }
+        };
+        up_to(&bound, *agreement)
     }
 
     fn asked(&self, column: &ColumnSelector) -> String {
@@ -320,6 +384,18 @@ impl Columns<'_> {
             EpsilonColumn::Law(law) => about.interval.is_none() && stated_law(about) == asked_law(law, about),
         }
     }
+}
+
+/// The words where x has no errors.
+const NO_X_ERRORS: &str = "of 0";
+
+/// Errors in x under a bound, and for which x a line agrees.
+fn up_to(bound: &str, agreement: Agreement) -> String {
+    let which = match agreement {
+        Agreement::Weak => "some",
+        Agreement::Strong => "every",
+    };
+    format!("up to {bound}, for {which} x within them")
 }
 
 /// A number as a decimal, or as the fraction that it is.
