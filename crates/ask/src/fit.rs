@@ -1,6 +1,6 @@
 //! The fit of all readings.
 
-use boundfit_estimation::{self as estimation, Bounds, ErrorBound, Family, Keep, Measurement, Problem, fit};
+use boundfit_estimation::{self as estimation, Bounds, Family, Keep, Measurement, Problem, fit};
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{Guarantee, times};
@@ -159,7 +159,7 @@ impl Fit {
         if let Some(sweep) = &sweep {
             sweep.check(&problem, asked.most_work())?;
         }
-        if confidence.is_some() && matches!(problem.measurements.error_bound(), ErrorBound::Interval { .. }) {
+        if confidence.is_some() && problem.measurements.error_bound().has_middles() {
             return Err(Refusal::Misuse(Misuse::ConfidenceOfIntervals));
         }
         let is_zero =

@@ -66,7 +66,7 @@ misuses! {
                  that it was made from",
     /// A share of further readings is asked of intervals.
     ConfidenceOfIntervals:
-        "{confidence} is about error bounds around y, and intervals are none: a further reading need not have one",
+        "{confidence} is about error bounds that reach as far above y as below: intervals need not",
     /// A share of further readings is asked where a reading has the bound 0.
     ConfidenceOfZero:
         "{confidence} is about error bounds above 0: a reading with the bound 0 leaves no room for another one",

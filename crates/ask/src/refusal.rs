@@ -132,9 +132,16 @@ impl Refusal {
             Refusal::Misuse(misuse) => misuse.words(surface),
             Refusal::Input(error) => error.to_string(),
             Refusal::Work(error) => error.to_string(),
-            Refusal::Reduction { ask } => format!(
-                "'{ask}' is about every reading, and the data are a reduction: ask about the table that it was made from"
-            ),
+            Refusal::Reduction { ask } => {
+                let subject = match *ask {
+                    "fit-x-errors" => "a fit with errors in x".to_owned(),
+                    "window" => "a fit of windows".to_owned(),
+                    ask => format!("'{ask}'"),
+                };
+                format!(
+                    "{subject} is about every reading, and the data are a reduction: ask about the table that it was made from"
+                )
+            }
             Refusal::FurtherError(reason) => format!(
                 "{} needs the error bound of the reading, and {reason}: say it with {}",
                 surface.key("from"),

@@ -110,7 +110,7 @@ impl Ask for Window {
         /// Bytes that are written at once.
         const READY: usize = 1 << 16;
         let style = &paper.style;
-        let (mut summary, mut table) = (WindowSummary::default(), FleetTable::of_windows());
+        let (mut summary, mut table) = (WindowSummary::default(), FleetTable::of_windows(moving.order()));
         let taken_for = TableJson::of_measurements(&problem.measurements);
         let mut last_answer = None;
         // A call of the system for each line would take longer than the line.
@@ -119,8 +119,8 @@ impl Ask for Window {
             ready.extend_from_slice(WindowReport::CSV_HEADER.as_bytes());
         }
         let take = |turn: Turn<'_>| {
-            let Some(window) = WindowReport::new(&turn, problem) else { return Ok(()) };
-            summary.add(&window);
+            let Some(window) = WindowReport::new(&turn, problem, moving.order()) else { return Ok(()) };
+            summary.add(&window, style);
             match form {
                 Form::Json => write_window_json(&mut ready, &window, taken_for.as_ref(), style),
                 Form::Csv => ready.extend_from_slice(window.csv(style, &mut last_answer).as_bytes()),

@@ -53,6 +53,16 @@ impl<C> ErrorBound<C> {
     pub fn is_uniform(&self) -> bool {
         self.uniform().is_some()
     }
+
+    /// Returns whether the readings have intervals about middles that need not be y: bounds of columns, or a law that allows
+    /// another error above than below. A factor on the bounds, as ε_min then is, multiplies their widths about these middles.
+    pub fn has_middles(&self) -> bool {
+        match self {
+            ErrorBound::Interval { .. } => true,
+            ErrorBound::Law(law) => law.is_asymmetric(),
+            ErrorBound::Uniform(_) | ErrorBound::Column(_) => false,
+        }
+    }
 }
 
 /// The meaning of the numbers of a row.

@@ -340,7 +340,11 @@ fn directions(found: &Directions, style: &Style) -> [Block; 3] {
             return [name, "-", "-"].map(Text::from).into();
         };
         let area = area.as_ref().map(|area| Text::new().number(style.nearest(area)));
-        vec![name.into(), Text::new().number(vertices.len()), area.unwrap_or("infinite".into())]
+        let count = match (vertices.len(), area.is_some()) {
+            (0, true) => "none: empty".into(),
+            (count, _) => Text::new().number(count),
+        };
+        vec![name.into(), count, area.unwrap_or("infinite".into())]
     };
     let rows = vec![
         row("inner: hull of the optimisers", found.inner.as_ref()),

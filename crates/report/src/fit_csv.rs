@@ -13,7 +13,7 @@ const COLUMNS: [&str; 8] =
 /// quantities are `least_squares`, `eui`, `pui`, `central`, `guaranteed_error` and `minimax`, as far as they exist.
 /// The parameters are `theta1` and `theta2`, and for a line with an inverse also `gain` and `offset`. For gain and
 /// offset, `pui` is the range over the box of both intervals, and `fps` the range over the feasible set. Each has
-/// several rows if it has several parts. The last row is `least_error_bound`, which is a factor where the readings
+/// several rows if it has several parts. The last row is `least_error_bound`, or `least_factor` where the readings
 /// have bounds of their own. `lower`, `upper` and `value` are doubles: ends rounded outward, `-inf` and `inf` where
 /// there are none, errors and the least error bound up, values to nearest. The last columns are exact.
 pub fn fit_csv(problem: &Problem, fit: &Fit) -> String {
@@ -39,7 +39,9 @@ pub fn fit_csv(problem: &Problem, fit: &Fit) -> String {
         table.inverse("offset", &inverse.offset);
     }
     if let Some(minimax) = &fit.minimax {
-        table.value("least_error_bound", "", minimax.least.ceil_to_f64(), &minimax.least);
+        let is_uniform = problem.measurements.error_bound().is_uniform();
+        let quantity = if is_uniform { "least_error_bound" } else { "least_factor" };
+        table.value(quantity, "", minimax.least.ceil_to_f64(), &minimax.least);
     }
     table.into_text()
 }

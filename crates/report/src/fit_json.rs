@@ -255,8 +255,11 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
         reasons.insert("minimax", unknown.map_or_else(|| never.to_owned(), |reason| reason.to_string()));
     }
     if uniform_minimum(problem, fit).is_none() {
-        let per_row = !problem.measurements.error_bound().is_uniform();
-        let reason = if per_row { "every reading has its own error bound" } else { "see minimax" };
+        let reason = match problem.measurements.error_bound() {
+            bound if bound.is_uniform() => "see minimax",
+            bound if bound.has_middles() => "every reading has its own interval",
+            _ => "every reading has its own error bound",
+        };
         reasons.insert("epsilon_min", reason.to_owned());
     }
     if region.is_empty() && problem.measurements.all().is_none() {

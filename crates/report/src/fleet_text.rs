@@ -2,10 +2,12 @@
 
 use boundfit_estimation::GroupFit;
 use boundfit_exact::Foreign;
+use boundfit_questions::Order;
 
 use crate::align::{widths, write_line};
 use crate::fleet_summary::shown_key;
 use crate::style::Style;
+use crate::window::places;
 
 /// The number of cells in a line.
 const CELLS: usize = 6;
@@ -55,9 +57,10 @@ impl FleetTable {
         FleetTable { widths: None, waiting: vec![GroupCells::header(is_bounded_per_row)] }
     }
 
-    /// A table of windows with its header.
-    pub fn of_windows() -> Self {
-        let header = ["rows", "readings", "kind", "theta1", "theta2", "eps_min"].map(ToOwned::to_owned);
+    /// A table of windows in this order with its header.
+    pub fn of_windows(order: Order) -> Self {
+        let header =
+            [places(order), "readings", "kind", "theta1", "theta2", "eps_min"].map(ToOwned::to_owned);
         FleetTable { widths: None, waiting: vec![GroupCells(header)] }
     }
 

@@ -26,6 +26,13 @@ pub fn sweep_document(problem: &Problem, family: &Family, style: &Style) -> Docu
         Block::Paragraph(birth(family, style)),
         Block::Table(breakpoint_table(problem, breakpoints, style)),
     ];
+    if problem.measurements.error_bound().has_middles() {
+        let meaning = Text::symbol(Text::new(), Symbol::Factor);
+        blocks.insert(
+            1,
+            Block::Paragraph(meaning.words(" multiplies the width of each interval, about its middle.")),
+        );
+    }
     family.pieces().iter().for_each(|piece| blocks.extend(piece_blocks(piece, style)));
     Document::new(blocks)
 }

@@ -134,6 +134,11 @@ fn an_empty_set_says_which_row_would_mend_it() {
         "{}",
         fit(two, "")
     );
+    // Nobody can mend it by leaving readings out, so no next step says so.
+    let conditions = fit(three, "--where theta1<=0 --where theta1>=1");
+    let said = "No reading is to blame: the conditions contradict each other whatever the readings are.";
+    assert!(unbroken(&conditions).contains(said), "{conditions}");
+    assert!(!conditions.contains("Next steps"), "{conditions}");
     let json: Value = serde_json::from_str(&fit("x,y\n0,0\n1,1\n", "--format json")).unwrap();
     assert_eq!(json["mended_without"], Value::Null);
     // Above ten thousand rows those that bound nothing now are not at hand.

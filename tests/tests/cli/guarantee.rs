@@ -71,7 +71,7 @@ fn what_is_no_confidence_or_has_no_place_is_refused() {
         (format!("{fit} --confidence 0.9 --brief"), "cannot be used with"),
         (
             "fit data.csv --x x --lower lo --upper up --confidence 0.9".to_owned(),
-            "is about error bounds around y, and intervals are none",
+            "is about error bounds that reach as far above y as below: intervals need not",
         ),
         (
             "fit data.csv --x x --y y --eps-column e --confidence 0.9".to_owned(),

@@ -295,3 +295,81 @@ fn links_in_a_circle_are_not_replaced() {
         assert_eq!(fs::read_link(directory.path().join("one")).unwrap(), Path::new("two"), "{line}");
     }
 }
+
+/// A factor multiplies the widths of intervals about their middles, which are not y where a law allows more error above than below.
+#[test]
+fn factors_say_what_they_multiply() {
+    let directory = directory_with(&[("a.csv", b"x,y,e\n1,1,1\n2,2.4,1/2\n")]);
+    let said = |options: &str| {
+        let run = boundfit(directory.path(), &format!("fit a.csv --x x --y y --through-origin {options}"));
+        unbroken(&run.stdout)
+    };
+    let grow = "would have to grow about their middles by a factor of at least 2.3334 (exactly 7/3).";
+    let report = said("--eps +0.1/-0");
+    assert!(report.contains(&format!("All intervals {grow}")), "{report}");
+    let report = said("--eps +0.5/-0");
+    let least = "eps_min 0.2 times the width of each interval, about its middle";
+    assert!(report.contains(least) && report.contains("distance from the middles"), "{report}");
+    assert!(said("--eps +0.5/-0 --brief").contains("eps_min 0.2 times the widths"));
+    let swept = said("--eps +0.5/-0 --sweep 1/2..1");
+    assert!(swept.contains("s multiplies the width of each interval, about its middle."), "{swept}");
+    let own = said("--eps-column e");
+    assert!(own.contains(" times each row's bound") && !own.contains("middles"), "{own}");
+    let factor = |options: &str| said(&format!("{options} --format csv")).contains("least_factor,");
+    assert_eq!([factor("--eps-column e"), factor("--eps 1")], [true, false]);
+    let json = said("--eps +0.5/-0 --format json");
+    assert!(json.contains("\"epsilon_min\": \"every reading has its own interval\""), "{json}");
+    let refused = boundfit(directory.path(), "fit a.csv --x x --y y --eps +0.5/-0 --confidence 0.5");
+    assert!(refused.status == 2 && refused.stderr.contains("intervals need not"), "{refused:?}");
+}
+
+/// Windows of x are told apart by x, which is that of the data.
+#[test]
+fn windows_and_runs_of_x_are_named_by_the_x_of_the_data() {
+    let directory = directory_with(&[("w.csv", b"x,y\n3,1\n1,2\n2,3\n2,5\n1,9\n")]);
+    let text = boundfit(directory.path(), "fit w.csv --x x --y y --eps 1 --window-x 1 --x-origin 2").stdout;
+    let names: Vec<&str> = text.lines().map(|line| line.split(' ').next().unwrap()).collect();
+    assert!(text.starts_with("x     readings") && names.contains(&"1..2"), "{text}");
+    assert!(text.contains("The first empty one is that of x 1..2\n"), "{text}");
+    let csv =
+        boundfit(directory.path(), "fit w.csv --x x --y y --eps 1 --window 2 --x-origin 2 --format csv")
+            .stdout;
+    assert!(csv.contains("\n1,2,2,3,1,"), "{csv}");
+    let range = boundfit(directory.path(), "range w.csv --x x --y y --eps 1 --x-origin 2").stdout;
+    assert!(range.contains("x from 2 to 3"), "{range}");
+    let own = boundfit(directory.path(), "range w.csv --x x --y y --eps 1").stdout;
+    let runs =
+        |text: &str| text.lines().filter(|line| line.contains(" to ")).map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(runs(&range), runs(&own));
+}
+
+/// What would have no effect is refused, and a recommended command does what it is for.
+#[test]
+fn accepted_options_are_effective() {
+    let directory = directory_with(&[("a.csv", b"x,y\n1,0\n2,123456789\n4,0\n9,1\n")]);
+    let folder = directory.path();
+    printed(folder, "reduce a.csv --x x --y y -o r.csv");
+    let fit = "fit a.csv --x x --y y --eps 1e8";
+    for (line, message) in [
+        (format!("{fit} --window 2 --confidence 0.9"), "cannot be used with"),
+        (format!("{fit} --sweep 0..2 --format csv"), "other formats have no place for many sets"),
+        (format!("{fit} --x-eps 1 --full"), "'--full' is about a single set"),
+        (
+            "plot r.csv --x x --y y --eps 1e8 --figure range -o p.svg".to_owned(),
+            "'range' is about every reading, and the data are a reduction",
+        ),
+        (
+            "plot r.csv --x x --y y --eps 1e8 --figure status -o p.svg".to_owned(),
+            "'status' is about every reading, and the data are a reduction",
+        ),
+    ] {
+        let run = boundfit(folder, &line);
+        assert!(run.status == 2 || run.status == 1, "{line}: {run:?}");
+        assert!(run.stderr.contains(message), "{line}\n{}", run.stderr);
+    }
+    let empty = boundfit(folder, "fit a.csv --x x --y y --eps 1 --rounding nearest").stdout;
+    let step = empty.lines().find(|line| line.contains("boundfit fit ... --eps ")).unwrap();
+    let least = step.split("--eps ").nth(1).unwrap().split(' ').next().unwrap();
+    let again = boundfit(folder, &format!("fit a.csv --x x --y y --eps {least}"));
+    assert_eq!(again.status, 0, "{step}");
+}

@@ -131,7 +131,7 @@ fn range_refuses_what_has_no_order_of_x_and_what_has_not_every_reading() {
         directory.path(),
         "fit reduced.csv --x x --y y --eps 2 --window 3",
         2,
-        "'window' is about every reading, and the data are a reduction: ask about the table that it was made from",
+        "a fit of windows is about every reading, and the data are a reduction: ask about the table that it was made from",
     );
 }
 

@@ -46,6 +46,14 @@ pub struct Moved {
 }
 
 impl Moving {
+    /// The order of the readings: windows of so much of x go by x.
+    pub fn order(&self) -> Order {
+        match self.extent {
+            Extent::Readings(_) => Order::Row,
+            Extent::X(_) => Order::X,
+        }
+    }
+
     /// Shows every window in turn. Exact. Cost: amortised that of a [`Window`] for each reading, and an answer where one is
     /// asked for.
     ///
@@ -57,11 +65,7 @@ impl Moving {
         mut see: impl FnMut(Turn<'_>) -> Result<(), E>,
     ) -> Result<Moved, E> {
         let rows = problem.measurements.kept();
-        let order = match self.extent {
-            Extent::Readings(_) => Order::Row,
-            Extent::X(_) => Order::X,
-        };
-        let positions = in_order(problem, order);
+        let positions = in_order(problem, self.order());
         let (count, step) = (positions.len(), self.step.max(1));
         let x = |position: usize| &rows[positions[position]].regressor[0];
         // Where the first whole window ends.

@@ -18,9 +18,9 @@ pub struct WindowJson<'a> {
     pub schema: &'static str,
     /// The input, the same for all lines.
     pub input: LineInputJson<'a>,
-    /// The first row of the window.
+    /// The row of the first reading of the window.
     pub first_row: usize,
-    /// The last row of the window.
+    /// The row of the last reading of the window.
     pub last_row: usize,
     /// The number of readings in it.
     pub rows: usize,

@@ -40,8 +40,11 @@ pub fn brief_document(problem: &Problem, fit: &Fit, origin: &Origin, style: &Sty
     rows.extend(fit.minimax.as_ref().map(|minimax| {
         let least = Text::new().number(style.upper(&minimax.least));
         let names = list(minimax.proof.multipliers.iter().map(|(name, _)| name.to_string()));
-        let is_uniform = problem.measurements.error_bound().is_uniform();
-        let least = if is_uniform { least } else { least.words(" times the bounds") };
+        let least = least.words(match problem.measurements.error_bound() {
+            bound if bound.has_middles() => " times the widths",
+            bound if bound.is_uniform() => "",
+            _ => " times the bounds",
+        });
         // Where nothing has to be given up, no bound stands against less.
         let least = if names.is_empty() { least } else { least.words(format!(", fixed by {names}")) };
         (Text::from(Symbol::LeastEpsilon), least)

@@ -29,15 +29,12 @@ impl Report<'_> {
                     .number(style.upper(&(&minimax.least - epsilon)));
                 growth.words(", to at least ").then(style.upper_with_exact(&minimax.least)).words(".")
             }
-            (Some(minimax), ErrorBound::Column(_) | ErrorBound::Law(_)) => {
-                Text::from("All error bounds would have to grow by a factor of at least ")
-                    .then(style.upper_with_exact(&minimax.least))
-                    .words(".")
-            }
-            (Some(minimax), ErrorBound::Interval { .. }) => {
-                Text::from("All intervals would have to grow about their middles by a factor of at least ")
-                    .then(style.upper_with_exact(&minimax.least))
-                    .words(".")
+            (Some(minimax), _) => {
+                let what = match error_bound.has_middles() {
+                    true => "All intervals would have to grow about their middles by a factor of at least ",
+                    false => "All error bounds would have to grow by a factor of at least ",
+                };
+                Text::from(what).then(style.upper_with_exact(&minimax.least)).words(".")
             }
         };
         let is_known = self.problem.measurements.deciding_minimax().is_ok();
@@ -62,6 +59,10 @@ impl Report<'_> {
 
     /// Names the single rows without which the set is not empty.
     fn mending(&self) -> String {
+        if self.fit.contradiction_of_conditions().is_some() {
+            return "No reading is to blame: the conditions contradict each other whatever the readings are."
+                .to_owned();
+        }
         match mending_rows(self.problem, self.fit).as_deref() {
             None => format!("The single row to leave out is not known, {NO_MENDING}."),
             Some([]) => "No single row is to blame: without any one of them the set stays empty.".to_owned(),

@@ -53,12 +53,10 @@ fn inverse_blocks(report: &Report, inverse: &Inverse) -> Vec<Block> {
 fn words(fit: &Fit, error_bound: &ErrorBound) -> Vec<(Text, Text)> {
     let largest = match error_bound {
         ErrorBound::Uniform(_) => "the estimate with the smallest largest error",
-        ErrorBound::Column(_) | ErrorBound::Law(_) => {
-            "the estimate with the smallest largest error, in units of each bound"
-        }
-        ErrorBound::Interval { .. } => {
+        bound if bound.has_middles() => {
             "the estimate with the smallest largest distance from the middles, in units of each half width"
         }
+        _ => "the estimate with the smallest largest error, in units of each bound",
     };
     let words = [
         (

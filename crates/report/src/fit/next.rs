@@ -3,7 +3,7 @@
 use boundfit_estimation::{ErrorBound, Fit, Problem};
 
 use crate::document::{Block, Document, Facts, Text};
-use crate::style::Style;
+use crate::style::{EndRounding, Style};
 
 /// A question that helps with an empty set.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,9 +27,9 @@ impl NextStep {
     }
 }
 
-/// Returns the steps that help where the set is empty; none where it is not.
+/// Returns the steps that help where the set is empty; none where it is not, nor where the conditions alone make it so.
 pub fn next_steps(problem: &Problem, fit: &Fit, style: &Style) -> Vec<NextStep> {
-    if !fit.fps.polyhedron().region().is_empty() {
+    if !fit.fps.polyhedron().region().is_empty() || fit.contradiction_of_conditions().is_some() {
         return Vec::new();
     }
     let measurements = &problem.measurements;
@@ -37,6 +37,8 @@ pub fn next_steps(problem: &Problem, fit: &Fit, style: &Style) -> Vec<NextStep> 
     let of_readings = of_readings.into_iter().filter(|_| !measurements.is_of_reductions());
     let is_uniform = matches!(measurements.error_bound(), ErrorBound::Uniform(_));
     let least = fit.minimax.as_ref().filter(|_| is_uniform);
+    // Rounded to nearest the bound could be too small for what it is for.
+    let style = &Style { ends: EndRounding::Outward, ..*style };
     let least = least.map(|minimax| NextStep::LeastBound(style.upper(&minimax.least).to_string()));
     of_readings.chain(least).collect()
 }

@@ -1,6 +1,6 @@
 //! The remaining results of a fit: one line each.
 
-use boundfit_estimation::{ErrorBound, FloatEstimate, LeastSquares, least_squares_is_feasible};
+use boundfit_estimation::{FloatEstimate, LeastSquares, least_squares_is_feasible};
 use boundfit_exact::english::list;
 
 use super::{Extent, Report};
@@ -56,11 +56,11 @@ impl Report<'_> {
             return vec![(label, reason.into())];
         };
         let least = self.style.upper_with_exact(&minimax.least);
-        let least = match self.problem.measurements.error_bound() {
-            ErrorBound::Uniform(_) => least,
-            ErrorBound::Column(_) | ErrorBound::Law(_) => least.words(" times each row's bound"),
-            ErrorBound::Interval { .. } => least.words(" times the width of each interval, about its middle"),
-        };
+        let least = least.words(match self.problem.measurements.error_bound() {
+            bound if bound.has_middles() => " times the width of each interval, about its middle",
+            bound if bound.is_uniform() => "",
+            _ => " times each row's bound",
+        });
         let proof = list(minimax.proof.multipliers.iter().map(|(name, _)| name.to_string()));
         let least = if proof.is_empty() { least } else { least.words(format!(", fixed by {proof}")) };
         let mut lines = vec![(label, least)];

@@ -18,7 +18,7 @@ pub fn range_csv(report: &RangeReport<'_>) -> String {
     for run in &report.range.runs {
         let is_chosen = chosen.next_if(|next| *next == run).is_some();
         let [least, most] = match report.reach(run) {
-            Some(ends) => ends.map(exact),
+            Some(ends) => ends.each_ref().map(exact),
             None => [String::new(), String::new()],
         };
         let (first_row, last_row) = (report.row(run.first), report.row(run.last));

@@ -23,7 +23,7 @@ pub fn range_json(report: &RangeReport<'_>, origin: &Origin, style: &Style) -> S
         first: run.first + 1,
         last: run.last + 1,
         rows: [report.row(run.first), report.row(run.last)],
-        x: report.reach(run).map(|ends| ends.map(|end| style.number(end))),
+        x: report.reach(run).map(|ends| ends.map(|end| style.number(&end))),
         before: run.before.as_ref().map(terms),
         after: run.after.as_ref().map(terms),
     };

@@ -49,7 +49,7 @@ impl<'a> RangeReport<'a> {
         self.problem.measurements.kept()[self.range.order[position]].row
     }
 
-    /// x of the reading at a position; `None` with two regressors.
+    /// x of the reading at a position, counted from its origin; `None` with two regressors.
     pub(crate) fn x(&self, position: usize) -> Option<&'a Rational> {
         match self.problem.measurements.model() {
             Model::Line { .. } => {
@@ -59,15 +59,17 @@ impl<'a> RangeReport<'a> {
         }
     }
 
-    /// The least and the largest x of a run; `None` with two regressors.
-    fn reach(&self, run: &Run) -> Option<[&'a Rational; 2]> {
-        match self.order {
-            Order::X => self.x(run.first).zip(self.x(run.last)).map(<[_; 2]>::from),
+    /// The least and the largest x of a run, which are those of the data; `None` with two regressors.
+    fn reach(&self, run: &Run) -> Option<[Rational; 2]> {
+        let (least, most) = match self.order {
+            Order::X => self.x(run.first).zip(self.x(run.last)),
             Order::Row => {
                 let all = || (run.first..=run.last).filter_map(|position| self.x(position));
-                all().min().zip(all().max()).map(<[_; 2]>::from)
+                all().min().zip(all().max())
             }
-        }
+        }?;
+        let origin = &self.problem.measurements.line_form().x_origin;
+        Some([least + origin, most + origin])
     }
 
     /// The rows of a run where they follow each other in the file: `14..36`, `7`.
@@ -88,8 +90,8 @@ impl<'a> RangeReport<'a> {
         let readings = counted(run.len(), "reading", "readings");
         let reach = match (self.reach(run), self.problem.measurements.model()) {
             (Some([least, most]), Model::Line { x }) => {
-                let from = Text::new().given(x.clone()).words(" from ").then(style.given(least));
-                Some(from.words(" to ").then(style.given(most)))
+                let from = Text::new().given(x.clone()).words(" from ").then(style.given(&least));
+                Some(from.words(" to ").then(style.given(&most)))
             }
             _ => None,
         };
@@ -176,7 +178,7 @@ fn table(report: &RangeReport<'_>, style: &Style) -> Table {
     columns.extend(["not one before", "not one after"]);
     let row = |run: &&Run| -> Vec<Text> {
         let [from, to] =
-            report.reach(run).map_or_else(Default::default, |ends| ends.map(|end| style.given(end)));
+            report.reach(run).map_or_else(Default::default, |ends| ends.map(|end| style.given(&end)));
         let why =
             |why: &Option<Contradiction>| -> Text { why.as_ref().map_or("-".to_owned(), rows_of).into() };
         let cell = |column: &&str| match *column {
@@ -222,8 +224,8 @@ fn choices(report: &RangeReport<'_>, style: &Style) -> Vec<(Text, Text)> {
     if range.runs.len() > 1 {
         let all = if range.alone.is_empty() { "every reading" } else { "every reading that fits alone" };
         let name = |run: &&Run| match (report.reach(run), report.is_by_x()) {
-            (Some([least, most]), true) if least == most => style.given(least).to_string(),
-            (Some([least, most]), true) => format!("{} to {}", style.given(least), style.given(most)),
+            (Some([least, most]), true) if least == most => style.given(&least).to_string(),
+            (Some([least, most]), true) => format!("{} to {}", style.given(&least), style.given(&most)),
             _ => format!("{}..{}", report.row(run.first), report.row(run.last)),
         };
         let shown: Vec<String> = fewest.iter().take(MOST_IN_SENTENCE).map(name).collect();
@@ -269,8 +271,11 @@ fn longest(own: &Problem, fit: &Fit, style: &Style) -> Vec<(Text, Text)> {
     }
     if let Some(minimax) = &fit.minimax {
         let least = Text::new().number(style.upper(&minimax.least));
-        let is_uniform = own.measurements.error_bound().is_uniform();
-        let least = if is_uniform { least } else { least.words(" times the bounds") };
+        let least = least.words(match own.measurements.error_bound() {
+            bound if bound.has_middles() => " times the widths",
+            bound if bound.is_uniform() => "",
+            _ => " times the bounds",
+        });
         rows.push((Symbol::LeastEpsilon.into(), least));
     }
     rows

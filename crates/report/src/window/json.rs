@@ -20,7 +20,7 @@ pub fn write_window_json(
     table: Option<&TableJson>,
     style: &Style,
 ) {
-    let WindowReport { rows: [first_row, last_row], readings, x, fit, least } = window;
+    let WindowReport { rows: [first_row, last_row], readings, x, fit, least, .. } = window;
     let name = |index: usize| fit.names[index];
     let bound = |bound: &ParameterBound, number: &dyn Fn(&Rational) -> Number| match bound {
         ParameterBound::Unbounded(_) => BoundJson::unbounded(style),

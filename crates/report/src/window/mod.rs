@@ -10,7 +10,7 @@ use boundfit_estimation::{GroupFit, Model, ParameterInterval, Problem};
 use boundfit_exact::english::counted;
 use boundfit_exact::{Endpoint, Foreign, Rational};
 use boundfit_geometry::RegionKind;
-use boundfit_questions::{Extent, Moved, Moving, Turn, WindowFit};
+use boundfit_questions::{Extent, Moved, Moving, Order, Turn, WindowFit};
 
 use crate::fleet_text::GroupCells;
 use crate::range::exact;
@@ -21,9 +21,11 @@ use crate::style::Style;
 pub struct WindowReport {
     /// The rows of its first and last reading.
     pub rows: [usize; 2],
+    /// The order of the readings of all windows.
+    pub order: Order,
     /// The number of readings of the window.
     pub readings: usize,
-    /// x of its first and last reading; `None` with two regressors.
+    /// x of its first and last reading, which are those of the data; `None` with two regressors.
     pub x: Option<[Rational; 2]>,
     /// The results of its readings.
     pub fit: Arc<WindowFit>,
@@ -33,15 +35,17 @@ pub struct WindowReport {
 
 impl WindowReport {
     /// The report of a window that has its turn; `None` when it has no reading.
-    pub fn new(turn: &Turn<'_>, problem: &Problem) -> Option<Self> {
+    pub fn new(turn: &Turn<'_>, problem: &Problem, order: Order) -> Option<Self> {
         let mut readings = turn.window.readings();
         let first = readings.next()?;
         let last = readings.next_back().unwrap_or(first);
         let measurements = &problem.measurements;
         let is_line = matches!(measurements.model(), Model::Line { .. });
-        let x = is_line.then(|| [first, last].map(|reading| reading.regressor[0].clone()));
+        let origin = &measurements.line_form().x_origin;
+        let x = is_line.then(|| [first, last].map(|reading| &reading.regressor[0] + origin));
         Some(WindowReport {
             rows: [first.row, last.row],
+            order,
             readings: turn.window.len(),
             x,
             least: turn
@@ -56,19 +60,26 @@ impl WindowReport {
 
     /// The cells of its line of text.
     pub fn cells(&self, style: &Style) -> GroupCells {
-        let [first, last] = self.rows;
         let fit = &self.fit;
         let pui = fit.pui.as_ref();
         let line = GroupFit {
             rows: self.readings,
-            first_row: Some(first),
+            first_row: Some(self.rows[0]),
             kind: fit.kind,
             pui: pui.map(|pui| pui.each_ref().map(ParameterInterval::interval)),
             central: fit.central.clone(),
             least_squares: None,
             least: self.least.clone(),
         };
-        GroupCells::new(Foreign::of(&format!("{first}..{last}")), &line, style)
+        GroupCells::new(Foreign::of(&self.extent(style)), &line, style)
+    }
+
+    /// The place of the window: its rows, or in the order of x, where other rows may stand between them, its first and last x.
+    fn extent(&self, style: &Style) -> String {
+        match (self.order, &self.x) {
+            (Order::X, Some([first, last])) => format!("{}..{}", style.given(first), style.given(last)),
+            _ => format!("{}..{}", self.rows[0], self.rows[1]),
+        }
     }
 
     /// The names of the columns of CSV, with a line end.
@@ -133,22 +144,31 @@ fn is_same(one: &Arc<WindowFit>, other: &Arc<WindowFit>) -> bool {
     Arc::ptr_eq(one, other) || one.kind == other.kind && has_equal() && one.least == other.least
 }
 
+/// Returns what tells windows in this order apart.
+pub(crate) fn places(order: Order) -> &'static str {
+    match order {
+        Order::Row => "rows",
+        Order::X => "x",
+    }
+}
+
 /// Counts over many windows.
 #[derive(Debug, Clone, Default)]
 pub struct WindowSummary {
     empty: usize,
     bounded: usize,
     unbounded: usize,
-    first_empty: Option<[usize; 2]>,
+    /// The order of the windows, and the extent of the first one that is empty.
+    first_empty: Option<(Order, String)>,
 }
 
 impl WindowSummary {
     /// Takes a window in.
-    pub fn add(&mut self, window: &WindowReport) {
+    pub fn add(&mut self, window: &WindowReport, style: &Style) {
         match (window.fit.kind, window.fit.central.is_some()) {
             (RegionKind::Empty, _) => {
                 self.empty += 1;
-                self.first_empty.get_or_insert(window.rows);
+                self.first_empty.get_or_insert_with(|| (window.order, window.extent(style)));
             }
             (_, true) => self.bounded += 1,
             (_, false) => self.unbounded += 1,
@@ -172,8 +192,8 @@ impl WindowSummary {
             "{windows} of {long}, step {step}: {} bounded, {} unbounded, {} empty\n",
             self.bounded, self.unbounded, self.empty
         );
-        if let Some([first, last]) = self.first_empty {
-            text += &format!("The first empty one is that of rows {first}..{last}\n");
+        if let Some((order, extent)) = &self.first_empty {
+            text += &format!("The first empty one is that of {} {extent}\n", places(*order));
         }
         if moved.is_short {
             text += "All readings together do not fill a window: the only one has all of them\n";

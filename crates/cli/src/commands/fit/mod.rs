@@ -103,12 +103,12 @@ pub(crate) struct FitArguments {
     by: Option<String>,
     /// Fit the last N readings in order of rows, repeatedly: one line of text, JSON or CSV per whole window
     #[arg(long, value_name = "N", value_parser = value_parser!(u64).range(1..),
-          conflicts_with_all = ["window_x", "by", "sweep", "brief", "vertices", "inverse", "proof"])]
+          conflicts_with_all = ["window_x", "by", "sweep", "brief", "vertices", "inverse", "proof", "confidence"])]
     window: Option<u64>,
     /// Fit the readings whose x is at most NUM below the x of the newest, in order of x, repeatedly: one line per
     /// window
     #[arg(long, value_name = "NUM", allow_hyphen_values = true,
-          conflicts_with_all = ["by", "sweep", "brief", "vertices", "inverse", "proof"])]
+          conflicts_with_all = ["by", "sweep", "brief", "vertices", "inverse", "proof", "confidence"])]
     window_x: Option<String>,
     /// Number of readings by which a window moves each time [default: 1]
     #[arg(long, value_name = "K", value_parser = value_parser!(u64).range(1..))]
@@ -237,6 +237,8 @@ fn check_usage_of_parts(arguments: &FitArguments, format: ReportFormat) -> Resul
         "'--vertices' is about '--format csv'; other formats have the vertices anyway"
     } else if (arguments.brief || arguments.full || arguments.inverse) && !is_document {
         "'--brief', '--full' and '--inverse' need the format text, latex or markdown; other formats contain everything"
+    } else if arguments.sweep.is_some() && !is_document && format != ReportFormat::Json {
+        "'--sweep' is about text, latex, markdown and json; other formats have no place for many sets"
     } else if arguments.confidence.is_some() && !is_document && format != ReportFormat::Json {
         "'--confidence' is about text, latex, markdown and json; other formats have no place for a guarantee"
     } else {

@@ -21,6 +21,7 @@ fn check_usage(arguments: &FitArguments, format: ReportFormat) -> Result<Form, F
         (arguments.window().is_some(), "'--window' fits many sets"),
         (arguments.confidence.is_some(), "'--confidence' is about the band of a single set"),
         (arguments.brief, "'--brief' is about a single set"),
+        (arguments.full, "'--full' is about a single set"),
         (arguments.inverse, "'--inverse' is about a single set"),
         (
             arguments.vertices,

@@ -242,6 +242,10 @@ impl Job<'_> {
             _ => usize::MAX,
         };
         let problem = problem(self.arguments, 1, most_of_line)?;
+        if problem.measurements.is_of_reductions() && matches!(self.figure, Figure::Status | Figure::Range) {
+            let refusal = Refusal::Reduction { ask: self.figure.name() };
+            return Err(Failure::of(&refusal, self.arguments.data.file_name()));
+        }
         self.draw(&problem)
     }
 
