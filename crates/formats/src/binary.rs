@@ -80,6 +80,10 @@ const NO_MATLAB: &str = "this build has no reader of it (feature matlab); save a
 const NO_UNPACKING: &str = "this build unpacks nothing (feature packed); unpack it first";
 /// Advice on saving a sheet.
 const AS_SHEET: &str = "save it as .xlsx or CSV";
+/// Advice on files in an archive.
+const IN_ARCHIVE: &str = "unpack it and name the file that is in it";
+/// The name of the container of old documents, and of encrypted new ones.
+const OLE2: &str = "a file of Microsoft Office before 2007, such as .xls, or an .xlsx with a password";
 /// Advice on saving a data frame of R.
 const FROM_R: &str = "in R, save the data frame in it as CSV: write.csv(DATA, 'FILE.csv', row.names = FALSE)";
 /// Advice for a picture.
@@ -87,9 +91,9 @@ const NO_NUMBERS: &str = "a picture has no table; give the numbers behind it as 
 
 /// First bytes of files that boundfit does not read, the names of their formats, and advice on getting their
 /// numbers.
-const FOREIGN: [(&[u8], &str, &str); 37] = [
+const FOREIGN: [(&[u8], &str, &str); 40] = [
     (b"%PDF-", "a PDF document", "copy its table into a spreadsheet and save that as .xlsx or CSV"),
-    (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "a file of Microsoft Office before 2007, such as .xls", AS_SHEET),
+    (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", OLE2, "save it as .xlsx without a password, or as CSV"),
     (b"$FL2", "an SPSS file (.sav)", "save it as CSV"),
     (b"$FL3", "an SPSS file (.zsav)", "save it as CSV"),
     (b"<stata_dta>", "a Stata file (.dta)", FROM_STATA),
@@ -99,7 +103,7 @@ const FOREIGN: [(&[u8], &str, &str); 37] = [
     (
         b"\x93NUMPY",
         "a NumPy array (.npy)",
-        "save it as text: numpy.savetxt('FILE.csv', array, delimiter=',')",
+        "save it as text: numpy.savetxt('FILE.csv', array, delimiter=',', fmt='%s')",
     ),
     (
         b"SQLite format 3\0",
@@ -109,8 +113,11 @@ const FOREIGN: [(&[u8], &str, &str); 37] = [
     (b"BZh", "a bzip2 file", "unpack it with bunzip2, or pack it with gzip or zstd"),
     (b"\xfd7zXZ\0", "an xz file", "unpack it with unxz, or pack it with gzip or zstd"),
     (b"\x04\x22\x4d\x18", "an LZ4 file", "unpack it with unlz4, or pack it with gzip or zstd"),
-    (b"7z\xbc\xaf\x27\x1c", "a 7z archive", "unpack it and name the file that is in it"),
-    (b"Rar!\x1a\x07", "a RAR archive", "unpack it and name the file that is in it"),
+    (b"]\0\0", "an LZMA file", "unpack it with unlzma, or pack it with gzip or zstd"),
+    (b"\x1f\x9d", "a file of compress (.Z)", "unpack it with gunzip, or pack it with gzip or zstd"),
+    (b"7z\xbc\xaf\x27\x1c", "a 7z archive", IN_ARCHIVE),
+    (b"Rar!\x1a\x07", "a RAR archive", IN_ARCHIVE),
+    (b"PK\x05\x06", "an empty zip archive", "there is no file in it to read"),
     (b"\x89PNG\r\n\x1a\n", "a PNG picture", NO_NUMBERS),
     (b"\xff\xd8\xff", "a JPEG picture", NO_NUMBERS),
     (b"GIF8", "a GIF picture", NO_NUMBERS),
@@ -148,10 +155,14 @@ const FROM_STATA: &str = "save it as CSV: export delimited using FILE.csv in Sta
 const FROM_NETCDF: &str =
     "save it as CSV: xarray.open_dataset('FILE').to_dataframe().to_csv('FILE.csv') in Python";
 
-/// Refuses text that is no table, but a document or the file of another program.
+/// Refuses text that is no table, but a document or the file of another program, and archives of such.
 pub(crate) fn refuse_document(file: &str, start: &[u8]) -> Result<(), InputError> {
     if cfg!(not(feature = "matlab")) && is_octave(start) {
         let (format, instead) = ("what Octave's save -text writes", NO_MATLAB);
+        return Err(InputError::of_file(file, InputErrorKind::BinaryTable { format, instead }));
+    }
+    if is_tar(start) {
+        let (format, instead) = ("a tar archive", IN_ARCHIVE);
         return Err(InputError::of_file(file, InputErrorKind::BinaryTable { format, instead }));
     }
     let start = String::from_utf8_lossy(start.get(..DOCUMENT_START).unwrap_or(start)).to_lowercase();
@@ -194,6 +205,18 @@ pub(crate) const DOCUMENT_START: usize = 4096;
 const PASS_OVER_LINES: &str = "its numbers are read without its first lines and without a header (skip lines, header no), with columns by number";
 /// Advice on saving a sheet that is open anyway.
 const AS_SHEET_OR_ODS: &str = "save it as .ods, .xlsx or CSV";
+
+/// Returns whether a file that starts like this is a tar archive, of any version (POSIX.1, pax). Behind a name in 100 bytes its first
+/// header has the mode and both owners as octal digits.
+fn is_tar(start: &[u8]) -> bool {
+    let Some((name, numbers)) = start.split_at_checked(100) else { return false };
+    let is_number = |field: &[u8]| {
+        field.split_last().is_some_and(|(end, digits)| {
+            matches!(end, 0 | b' ') && digits.iter().all(|digit| matches!(digit, b'0'..=b'7' | b' '))
+        })
+    };
+    name.last() == Some(&0) && numbers.len() >= 24 && numbers.chunks(8).take(3).all(is_number)
+}
 
 /// Refuses what is not text where text is read.
 pub(crate) fn refuse_binary(file: &str, start: &[u8]) -> Result<(), InputError> {

@@ -153,6 +153,15 @@ impl Header {
             Header::Absent => "no",
         }
     }
+
+    /// Returns words for what is asked for, if anything is.
+    pub(crate) fn asked(self) -> Option<&'static str> {
+        match self {
+            Header::Auto => None,
+            Header::Present => Some("a header is"),
+            Header::Absent => Some("no header is"),
+        }
+    }
 }
 
 /// A column of a table.

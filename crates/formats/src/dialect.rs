@@ -192,6 +192,17 @@ pub struct AskedDialect {
     pub units_row: bool,
 }
 
+impl AskedDialect {
+    /// Returns the decimal mark that this leaves no choice about: the one that is asked for, or the one that does not group digits.
+    pub(crate) fn given_mark(&self) -> Option<DecimalMark> {
+        self.decimal.or(match self.thousands {
+            Some(Thousands::Comma) => Some(DecimalMark::Point),
+            Some(Thousands::Point) => Some(DecimalMark::Comma),
+            _ => None,
+        })
+    }
+}
+
 /// The dialect in which a text table is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Dialect {

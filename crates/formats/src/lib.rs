@@ -81,10 +81,11 @@ pub use dialect::{AskedDialect, BLANKS, CommentMark, DELIMITERS, Dialect, Encodi
 pub use error::{InputError, InputErrorKind, Place, Setting, Way};
 pub use fractions::Fractions;
 pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, read_half_planes};
+pub use heading::find_column;
 pub use limits::{LONGEST_LINE, SizeLimits};
 pub use memory::{MemoryNumbers, MemoryTable};
 pub use memory_use::MemoryUse;
-pub use notes::{BlockNote, HeaderNote, Skipped, TableNotes};
+pub use notes::{BlockNote, HeaderNote, SheetNote, Skipped, TableNotes};
 pub use open::{HeldRows, read_table, scan};
 pub use reduction::{
     AskedReduction, REDUCTION_MARK, ReducedBounds, ReducedModel, ReductionError, ReductionRecord, Reductions,

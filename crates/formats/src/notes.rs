@@ -7,7 +7,7 @@ use crate::dialect::{BLANKS, Dialect, Encoding};
 /// The detected format of a table of text, or of a sheet.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TableNotes {
-    /// The line that names the columns.
+    /// The line that names the columns, and the sheet where it stands.
     pub header: HeaderNote,
     /// The dialect of the text; for a sheet the delimiter and the encoding mean nothing.
     pub dialect: Dialect,
@@ -21,8 +21,8 @@ pub struct TableNotes {
     pub skipped: Skipped,
 }
 
-/// The line that names the columns.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+/// The line that names the columns, and the sheet where it stands.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct HeaderNote {
     /// The line with the names, from 1; `None` where there are none.
     pub line: Option<u64>,
@@ -34,6 +34,23 @@ pub struct HeaderNote {
     pub has_numbers: bool,
     /// `true` if the rows have a cell more than the header, which is their name.
     pub has_row_names: bool,
+    /// The sheet that was read, of a workbook with several sheets.
+    pub sheet: Option<SheetNote>,
+}
+
+/// A sheet of a workbook.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SheetNote {
+    /// The sheet's name.
+    pub name: Foreign,
+    /// The sheet's number, from 1.
+    pub number: usize,
+    /// The number of sheets.
+    pub total: usize,
+    /// `true` if spreadsheets do not show it.
+    pub is_hidden: bool,
+    /// `true` if it was asked for, by its name or its number.
+    pub is_asked: bool,
 }
 
 /// A block of a file that has several.
@@ -74,7 +91,7 @@ impl TableNotes {
     /// Returns words for the unusual properties of the table. The usual table has names in its first line,
     /// numbers with points, and commas, semicolons or tabs between them.
     pub fn words(&self) -> Option<String> {
-        let words: Vec<String> = [self.header_words(), self.block_words()]
+        let words: Vec<String> = [self.sheet_words(), self.header_words(), self.block_words()]
             .into_iter()
             .flatten()
             .chain(self.skipped_words())
@@ -83,10 +100,19 @@ impl TableNotes {
         (!words.is_empty()).then(|| words.join(", "))
     }
 
-    /// Returns whether something about the table was guessed: which line has the names, which rows belong to it. The
+    /// Returns whether something about the table was guessed: its sheet, which line has the names, which rows belong to it. The
     /// way in which the table is written is detected where that is safe, and not guessed.
     pub fn has_guesses(&self) -> bool {
-        self.header_words().is_some() || self.block.is_some() || !self.skipped_words().is_empty()
+        self.header_words().is_some()
+            || self.header.sheet.as_ref().is_some_and(|sheet| !sheet.is_asked)
+            || self.block.is_some()
+            || !self.skipped_words().is_empty()
+    }
+
+    fn sheet_words(&self) -> Option<String> {
+        let SheetNote { name, number, total, is_hidden, .. } = self.header.sheet.as_ref()?;
+        let hidden = if *is_hidden { ", hidden" } else { "" };
+        Some(format!("sheet {number} of {total} ({}{hidden})", name.quoted()))
     }
 
     fn header_words(&self) -> Option<String> {

@@ -9,6 +9,7 @@ use boundfit_exact::Foreign;
 use crate::arrow::{scan_arrow, scan_batches};
 use crate::budget::HeldMemory;
 use crate::columns::ColumnSelector;
+use crate::dialect::CommentMark;
 use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
 use crate::json::scan_json;
@@ -100,12 +101,8 @@ fn scan_content<T: Send>(
     if options.table.sheet.is_some() && !has_sheets {
         return Err(InputError::of_file(name, InputErrorKind::NoSheets));
     }
-    if options.table.block.is_some() && !has_sheets && !matches!(content, Content::Bytes(_)) {
-        return Err(InputError::of_file(name, InputErrorKind::NoBlocks));
-    }
-    if !options.table.missing_as.is_empty() && !has_sheets && !matches!(content, Content::Bytes(_)) {
-        return Err(InputError::of_file(name, InputErrorKind::NoMissingWords));
-    }
+    refuse_vain(&content, has_sheets, &options.table)
+        .map_err(|problem| InputError::of_file(name, problem))?;
     match content {
         #[cfg(feature = "matlab")]
         Content::Matlab(file) | Content::Octave(file) => scan_mat(name, file, columns, options, work, take),
@@ -123,6 +120,39 @@ fn scan_content<T: Send>(
         #[cfg(feature = "arrow")]
         Content::Batches(reader) => scan_batches(name, reader, columns, options, work, take),
         Content::Memory(table) => scan_memory(name, &table, columns, options, work, take),
+    }
+}
+
+/// Refuses what is asked for and could have no effect.
+fn refuse_vain(content: &Content, has_sheets: bool, table: &TableOptions) -> Result<(), InputErrorKind> {
+    if matches!(content, Content::Bytes(_)) {
+        return Ok(());
+    }
+    let is_json = matches!(content, Content::Json(_));
+    let dialect = &table.dialect;
+    // The first of arrays in JSON may name the columns.
+    let header = table.header.asked().filter(|_| !is_json);
+    let of_text = [
+        (dialect.encoding.is_some() && !is_json, "an encoding is"),
+        (dialect.delimiter.is_some(), "a delimiter is"),
+    ];
+    let of_text_and_sheets = [
+        (table.block.is_some(), "a block is"),
+        (dialect.skip_lines > 0, "lines to skip are"),
+        (dialect.units_row, "a row of units is"),
+        (!table.missing_as.is_empty(), "words for missing values are"),
+        (dialect.decimal.is_some(), "a decimal mark is"),
+        (dialect.thousands.is_some(), "a mark between digits is"),
+        (dialect.comment != CommentMark::Auto, "a mark of comments is"),
+        (header.is_some(), header.unwrap_or_default()),
+    ];
+    let first = |words: &[(bool, &'static str)]| words.iter().find(|(is_asked, _)| *is_asked).copied();
+    if let Some((_, asked)) = first(&of_text_and_sheets).filter(|_| !has_sheets) {
+        return Err(InputErrorKind::OnlyOfText { asked, fits_sheets: true });
+    }
+    match first(&of_text) {
+        Some((_, asked)) => Err(InputErrorKind::OnlyOfText { asked, fits_sheets: false }),
+        None => Ok(()),
     }
 }
 

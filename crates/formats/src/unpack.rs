@@ -5,7 +5,7 @@ use std::io::{self, BufRead, BufReader, Cursor, Read};
 use std::rc::Rc;
 
 use boundfit_exact::english::size_text;
-use flate2::bufread::MultiGzDecoder;
+use flate2::bufread::GzDecoder;
 use ruzstd::decoding::errors::{FrameDecoderError, ReadFrameHeaderError};
 use ruzstd::decoding::{BlockDecodingStrategy, FrameDecoder};
 use sha2::{Digest, Sha256};
@@ -61,7 +61,7 @@ impl Packed {
         let packed = Packed(Rc::new(RefCell::new(state)));
         let tap = BufReader::new(Tap { bytes, packed: packed.clone() });
         let (start, decoder): (_, Box<dyn Read>) = match packing {
-            Packing::Gzip => (None, Box::new(MultiGzDecoder::new(tap))),
+            Packing::Gzip => (None, Box::new(Members::new(tap))),
             Packing::Zstandard => {
                 let (start, tap) = start_of_frames(tap);
                 let (decoder, packed) = (FrameDecoder::new(), packed.clone());
@@ -158,6 +158,57 @@ impl Read for Unpacker {
     }
 }
 
+/// Members of gzip one after the other (RFC 1952, 2.2). Zeros behind the last one fill a block of a tape, and say nothing.
+struct Members<R> {
+    /// The current member, which has the bytes; `None` at the end.
+    member: Option<GzDecoder<R>>,
+    is_within: bool,
+    has_zeros: bool,
+}
+
+impl<R: BufRead> Members<R> {
+    fn new(bytes: R) -> Self {
+        Members { member: Some(GzDecoder::new(bytes)), is_within: true, has_zeros: false }
+    }
+
+    /// Begins the next member, if there is one.
+    fn begin(&mut self) -> io::Result<()> {
+        let Some(member) = &mut self.member else { return Ok(()) };
+        loop {
+            let next = member.get_mut().fill_buf()?;
+            let zeros = next.iter().take_while(|byte| **byte == 0).count();
+            if zeros == 0 && !next.is_empty() && self.has_zeros {
+                return Err(io::Error::new(io::ErrorKind::InvalidData, "bytes follow zeros behind its end"));
+            }
+            if zeros == 0 {
+                let is_at_end = next.is_empty();
+                let bytes = self.member.take().map(GzDecoder::into_inner).filter(|_| !is_at_end);
+                self.member = bytes.map(GzDecoder::new);
+                self.is_within = true;
+                return Ok(());
+            }
+            self.has_zeros = true;
+            member.get_mut().consume(zeros);
+        }
+    }
+}
+
+impl<R: BufRead> Read for Members<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        loop {
+            if !self.is_within {
+                self.begin()?;
+            }
+            let Some(member) = &mut self.member else { return Ok(0) };
+            let count = member.read(buffer)?;
+            if count > 0 || buffer.is_empty() {
+                return Ok(count);
+            }
+            self.is_within = false;
+        }
+    }
+}
+
 /// The most bytes that a block unpacks to (RFC 8878, 3.1.1.2.4).
 const BLOCK: u64 = 1 << 17;
 
@@ -186,8 +237,11 @@ impl<R: Read> Read for Noting<'_, R> {
     }
 }
 
-/// The most blocks that are unpacked to tell what is in a file.
-const BLOCKS_OF_START: usize = 8;
+/// The most packed bytes of blocks that tell what is in a file.
+const PACKED_START: u64 = 8 * (BLOCK + 3);
+
+/// A block that is the last one of its frame, and empty (RFC 8878, 3.1.1.2).
+const END_OF_FRAME: [u8; 3] = [1, 0, 0];
 
 /// The first bytes that frames unpack to, as far as the first of them tells, and all bytes of the frames: before there are limits no
 /// window is filled.
@@ -199,26 +253,24 @@ fn start_of_frames(mut bytes: BufReader<Tap>) -> (Vec<u8>, impl BufRead) {
     (start, Cursor::new(noted).chain(bytes))
 }
 
-/// The first bytes of the first frame that is not to be passed over. The decoder is shown the frame with the
-/// smallest window. Nothing is taken out of it before the last of these blocks, so the blocks can repeat
-/// anything that they unpacked to.
+/// The first bytes of the first frame that is not to be passed over. The decoder is shown a frame with a window of one block, which
+/// ends behind these bytes. Nothing is taken out of it before, so the blocks can repeat anything that they unpacked to.
 fn start_of_frame(bytes: &mut Noting<'_, impl Read>) -> Option<Vec<u8>> {
     let mut decoder = FrameDecoder::new();
     let header = header_of_frame(bytes)?;
     decoder.reset(header.as_slice()).ok()?;
-    while decoder.can_collect() < binary::START as usize
-        && !decoder.is_finished()
-        && decoder.blocks_decoded() < BLOCKS_OF_START
-    {
-        decoder.decode_blocks(&mut *bytes, BlockDecodingStrategy::UptoBlocks(1)).ok()?;
-    }
     let mut start = vec![0; binary::START as usize];
+    let enough = BlockDecodingStrategy::UptoBytes(start.len());
+    if !decoder.decode_blocks(bytes.take(PACKED_START), enough).ok()? {
+        decoder.decode_blocks(END_OF_FRAME.as_slice(), BlockDecodingStrategy::All).ok()?;
+    }
     let count = decoder.read(&mut start).ok()?;
     start.truncate(count);
     Some(start)
 }
 
-/// Reads the header of the first frame that is not to be passed over; gives one that says the same but for the window and the length.
+/// Reads the header of the first frame that is not to be passed over; gives one that says the same but for the window, the length and
+/// the checksum.
 fn header_of_frame(bytes: &mut impl Read) -> Option<Vec<u8>> {
     loop {
         let mut magic = [0; 4];
@@ -242,8 +294,8 @@ fn header_of_frame(bytes: &mut impl Read) -> Option<Vec<u8>> {
         let length = [u64::from(is_single), 2, 4, 8].into_iter().nth(usize::from(descriptor >> 6))?;
         io::copy(&mut bytes.by_ref().take(u64::from(!is_single)), &mut io::sink()).ok()?;
         let mut header = magic.to_vec();
-        // No length, the checksum and the dictionary as they are, and a window of one kibibyte.
-        header.extend([descriptor & 0x1f, 0]);
+        // No length, no checksum, the dictionary as it is, and a window of 128 KiB: no block may be larger than the window.
+        header.extend([descriptor & 0x1b, 7 << 3]);
         bytes.by_ref().take(identity).read_to_end(&mut header).ok()?;
         io::copy(&mut bytes.by_ref().take(length), &mut io::sink()).ok()?;
         return Some(header);

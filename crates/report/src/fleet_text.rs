@@ -7,7 +7,6 @@ use boundfit_questions::Order;
 use crate::align::{widths, write_line};
 use crate::fleet_summary::shown_key;
 use crate::style::Style;
-use crate::window::places;
 
 /// The number of cells in a line.
 const CELLS: usize = 6;
@@ -40,6 +39,14 @@ impl GroupCells {
     fn header(is_bounded_per_row: bool) -> Self {
         let last = if is_bounded_per_row { "eps_min / eps" } else { "eps_min" };
         GroupCells(["group", "rows", "kind", "theta1", "theta2", last].map(ToOwned::to_owned))
+    }
+}
+
+/// Returns what tells windows in this order apart.
+pub(crate) fn places(order: Order) -> &'static str {
+    match order {
+        Order::Row => "rows",
+        Order::X => "x",
     }
 }
 

@@ -71,6 +71,14 @@ fn damaged_tables_are_refused_and_advice_works() {
             "longer.json: line 2: the row has 3 cells where the first row has 2",
         ),
         (
+            "fit longer.json --x 1 --y 2 --eps 1 --units-row",
+            "longer.json: a row of units is asked for, and this is neither text nor a workbook",
+        ),
+        (
+            "fit matrix.txt --x 1 --y 2 --eps 1 --skip-lines 4",
+            "matrix.txt: lines to skip are asked for, and this is neither text nor a workbook",
+        ),
+        (
             "fit units.csv --x x --y y --eps 2 --units-row",
             "units.csv: line 2: a row of units was asked for, but this one has numbers in all cells that are asked for \
              (expected units such as mm, or readings without a row of units)",

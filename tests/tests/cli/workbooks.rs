@@ -122,12 +122,30 @@ fn sheets_that_are_not_there() {
             &format!(": there is no sheet \"{wanted}\" {expected}"),
         );
     }
-    refused(&book, XY, ": First: the file is empty (expected at least one row of numbers)");
+    refused(
+        &book,
+        XY,
+        ": First: the sheet is empty; the other one is \"Second\" (expected at least one row of numbers); --sheet N|NAME \
+         chooses one",
+    );
     refused(
         b"x,y\n1,2\n",
         &format!("{XY} --sheet 1"),
         ": a sheet is asked for, and this is no workbook (.xlsx, .ods)",
     );
+}
+
+#[test]
+fn a_sheet_that_nobody_chose_is_a_guess() {
+    let rows = [xlsx_rows("x,y\n1,2\n2,3", b'A', 1), xlsx_rows("a", b'A', 1)];
+    let directory = directory_with(&[("b.xlsx", &xlsx(&[("Data", &rows[0]), ("Notes", &rows[1])]))]);
+    let line = "fit b.xlsx --x x --y y --eps 1 --format csv";
+    let [guessed, chosen] =
+        ["", " --sheet 1"].map(|sheet| boundfit(directory.path(), &format!("{line}{sheet}")));
+    assert_eq!(guessed.stderr, "note: b.xlsx: sheet 1 of 2 (\"Data\")\n");
+    assert_eq!((chosen.stderr.as_str(), chosen.stdout), ("", guessed.stdout));
+    let report = printed(directory.path(), "fit b.xlsx --x x --y y --eps 1 --sheet Data");
+    assert!(report.contains("\n  table    sheet 1 of 2 (\"Data\")\n"), "{report}");
 }
 
 #[test]
@@ -137,7 +155,7 @@ fn other_archives_are_named() {
         (&["xl/workbook.bin"], "a binary Excel workbook (.xlsb); save it as .xlsx"),
         (
             &["a.npy"],
-            "a NumPy archive (.npz); save an array of it as text: numpy.savetxt('FILE.csv', array, delimiter=',')",
+            "a NumPy archive (.npz); save an array of it as text: numpy.savetxt('FILE.csv', array, delimiter=',', fmt='%s')",
         ),
         (&["mimetype", "content.xml"], "an OpenDocument file without sheets; save its table as .ods or CSV"),
         (&["data.csv"], "a zip archive; unpack it and name the file that is in it"),

@@ -7,3 +7,4 @@ mod fuzz_smoke;
 mod guesses;
 mod mat;
 mod scan;
+mod workbooks;

@@ -575,3 +575,26 @@ fn a_pipe_is_opened_once() {
     let output = shell.output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
+
+/// Octave 7.3 gave the numbers of elements: a limit is an element where it is as near to one as rounding leaves it.
+#[test]
+fn a_range_of_octave_has_its_number_of_elements() {
+    for (kind, numbers, elements, last) in [
+        ("range", "0 1 0.10000000000000001", 11, 1.0),
+        ("double_range", "726.57650774824924 726.83600525954591 0.25949751129671139", 2, 726.8360052595459),
+        ("double_range", "73038.343833697887 73033.518012704095 -0.20981830407800806", 24, 73033.5180127041),
+        ("global double_range", "-73.625 -73.625 0.017", 1, -73.625),
+        ("double_range", "-86.375 -73.625000000000043 0.017000000000000001", 751, -73.62500000000004),
+        ("double_range", "72 -3407.9999999999986 -4", 871, -3408.0),
+        ("double_range", "82.875 625.73213214285714 7.1428571428571432", 76, 618.5892857142858),
+    ] {
+        let text = format!(
+            "# Created by Octave 7.3.0\n# name: r\n# type: {kind}\n# base, limit, increment\n{numbers}\n"
+        );
+        let rows = both(text.as_bytes(), &["r"], &TableOptions::default()).unwrap();
+        let end = rows.last().unwrap().1[0].to_f64();
+        assert_eq!((rows.len(), end), (elements, last), "{numbers}");
+    }
+    let global = b"# name: A\n# type: global matrix\n# rows: 2\n# columns: 1\n 1.5\n -2\n\n\n";
+    assert_eq!(both(global, &["A"], &TableOptions::default()).unwrap(), exact(&[1.5, -2.0]));
+}

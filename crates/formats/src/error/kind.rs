@@ -143,6 +143,20 @@ pub enum InputErrorKind {
         /// The sheets in their order.
         available: Vec<Foreign>,
     },
+    /// A text that is the name of one sheet and the number of another.
+    #[error("{wanted:?} is the name of sheet {named} and the number of another one")]
+    SheetNameOrNumber {
+        /// The sheet asked for.
+        wanted: Foreign,
+        /// The sheet with this name.
+        named: usize,
+    },
+    /// A sheet without cells.
+    #[error("the sheet is empty{}", other_sheets(.others))]
+    EmptySheet {
+        /// The other sheets of the workbook.
+        others: Vec<Foreign>,
+    },
     /// A sheet of what has none.
     #[error("a sheet is asked for, and this is no workbook (.xlsx, .ods)")]
     NoSheets,
@@ -252,12 +266,14 @@ pub enum InputErrorKind {
     /// Another block begins: what the readers of rows say to each other.
     #[error("another block of rows begins here")]
     NextBlock,
-    /// Words for missing values where there are no words.
-    #[error("words for missing values are asked for, and this is neither text nor a workbook")]
-    NoMissingWords,
-    /// A block of what has none.
-    #[error("a block is asked for, and this is neither text nor a workbook")]
-    NoBlocks,
+    /// A word about how a table is written, where it can have no effect.
+    #[error("{asked} asked for, and this is {}", if *.fits_sheets { "neither text nor a workbook" } else { "no text table" })]
+    OnlyOfText {
+        /// The word with its verb: `a block is`.
+        asked: &'static str,
+        /// `true` if the word is about workbooks as well.
+        fits_sheets: bool,
+    },
     /// A column that is asked for twice.
     #[error("the same column is asked for as {first:?} and as {second:?}")]
     SameColumn {
@@ -500,6 +516,9 @@ impl InputErrorKind {
                 vec![way(Setting::Encoding, "windows-1252", "reads any byte")]
             }
             InputErrorKind::AmbiguousBlock { .. } => vec![way(Setting::Block, "N", "chooses it")],
+            InputErrorKind::EmptySheet { others } if !others.is_empty() => {
+                vec![way(Setting::Sheet, "N|NAME", "chooses one")]
+            }
             InputErrorKind::SeveralBlocks { .. } | InputErrorKind::UnknownBlock { .. } => vec![
                 way(Setting::Block, "N|NAME", "chooses it"),
                 way(Setting::Block, "all", "takes the rows of all of them together"),
@@ -538,18 +557,16 @@ impl InputErrorKind {
     pub(super) fn expected(&self) -> Option<String> {
         Some(match self {
             InputErrorKind::IsDirectory => "a file, or - for standard input".to_owned(),
-            InputErrorKind::Empty | InputErrorKind::NoRows => "at least one row of numbers".to_owned(),
+            InputErrorKind::Empty | InputErrorKind::NoRows | InputErrorKind::EmptySheet { .. } => {
+                "at least one row of numbers".to_owned()
+            }
             InputErrorKind::NotUtf8 { unit: "cell", .. } => {
                 "text in UTF-8, as the characters before it are".to_owned()
             }
             InputErrorKind::Utf16 | InputErrorKind::NotUtf8 { .. } => "text in UTF-8".to_owned(),
             InputErrorKind::UnknownColumn { available, .. } if are_no_names(available) => return None,
             InputErrorKind::UnknownColumn { available, numbers, .. } => {
-                let mut names: Vec<String> = available.iter().take(MOST_NAMES).map(Foreign::quoted).collect();
-                if available.len() > MOST_NAMES {
-                    names.push(format!("{} more", available.len() - MOST_NAMES));
-                }
-                let names = (!names.is_empty()).then(|| format!("one of {}", names.join(", ")));
+                let names = (!available.is_empty()).then(|| format!("one of {}", first_names(available)));
                 let number = numbers.map(|numbers| format!("a number from 1 to {numbers}"));
                 names.into_iter().chain(number).collect::<Vec<_>>().join(" or ")
             }
@@ -557,8 +574,7 @@ impl InputErrorKind {
                 "a workbook with sheets".to_owned()
             }
             InputErrorKind::UnknownSheet { available, .. } => {
-                let names: Vec<String> = available.iter().take(MOST_NAMES).map(Foreign::quoted).collect();
-                format!("one of {} or a number from 1 to {}", names.join(", "), available.len())
+                format!("one of {} or a number from 1 to {}", first_names(available), available.len())
             }
             InputErrorKind::Time => {
                 "a number: give the cells the format of one, or add a column of seconds or days".to_owned()
@@ -571,6 +587,9 @@ impl InputErrorKind {
             InputErrorKind::SameColumn { .. } => "two columns".to_owned(),
             InputErrorKind::NameOrNumber { wanted, .. } => format!(
                 "'\"{wanted}\"', with the quotes, for the name; for the number the name of that column"
+            ),
+            InputErrorKind::SheetNameOrNumber { wanted, .. } => format!(
+                "'\"{wanted}\"', with the quotes, for the name; for the number the name of that sheet"
             ),
             InputErrorKind::CommasTwice { .. } => {
                 "semicolons or tabs between the columns, or quotes around numbers with commas".to_owned()
@@ -647,6 +666,24 @@ impl InputErrorKind {
             }
             _ => return None,
         })
+    }
+}
+
+/// Returns the first of some names in quotes, and the number of the rest.
+fn first_names(names: &[Foreign]) -> String {
+    let mut first: Vec<String> = names.iter().take(MOST_NAMES).map(Foreign::quoted).collect();
+    if names.len() > MOST_NAMES {
+        first.push(format!("{} more", names.len() - MOST_NAMES));
+    }
+    first.join(", ")
+}
+
+/// Returns words for the other sheets of a workbook.
+fn other_sheets(sheets: &[Foreign]) -> String {
+    match sheets {
+        [] => String::new(),
+        [only] => format!("; the other one is {}", only.quoted()),
+        sheets => format!("; the others are {}", first_names(sheets)),
     }
 }
 

@@ -17,6 +17,8 @@ pub enum Setting {
     Header,
     /// [`TableOptions::missing`](crate::TableOptions::missing).
     Missing,
+    /// [`TableOptions::sheet`](crate::TableOptions::sheet).
+    Sheet,
     /// [`AskedDialect::skip_lines`](crate::AskedDialect::skip_lines).
     SkipLines,
     /// [`AskedDialect::thousands`](crate::AskedDialect::thousands).
@@ -37,6 +39,7 @@ impl Setting {
             Setting::Encoding => "encoding",
             Setting::Header => "header",
             Setting::Missing => "missing",
+            Setting::Sheet => "sheet",
             Setting::SkipLines => "skip lines",
             Setting::Thousands => "thousands",
             Setting::UnitsRow => "units row",

@@ -64,8 +64,17 @@ pub(crate) fn scan_json<T: Send>(
     let mut reader = JsonRows::new(name, text, options.table.header, &options.table.sizes);
     let mut part = reader.part(options.chunk_bytes);
     let names = reader.close_names();
+    // Part of a record does not tell which columns there are.
+    if part.0.lines().is_empty()
+        && let Some(failure) = part.1.take()
+    {
+        return Err(failure);
+    }
     if names.is_empty() {
-        return Err(part.1.unwrap_or_else(|| InputError::of_file(name, InputErrorKind::Empty)));
+        return Err(InputError::of_file(name, InputErrorKind::Empty));
+    }
+    if let Some(asked) = options.table.header.asked().filter(|_| reader.has_keys()) {
+        return Err(InputError::of_file(name, InputErrorKind::OnlyOfText { asked, fits_sheets: true }));
     }
     let wanted = WantedColumns::new(name, &names, columns, options)?;
     let (mut rows, mut used, mut passed) = (0, 0, 0);

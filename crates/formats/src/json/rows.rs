@@ -80,6 +80,11 @@ impl<'a, R: Read> JsonRows<'a, R> {
         self.names.clone()
     }
 
+    /// Returns whether the records that were read have keys, which name the columns.
+    pub(super) fn has_keys(&self) -> bool {
+        self.width.is_none()
+    }
+
     /// The records in about so many bytes, none at the end, and what stopped the reader before.
     pub(super) fn part(&mut self, bytes: usize) -> (Records, Option<InputError>) {
         self.memory.give_back();

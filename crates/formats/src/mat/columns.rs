@@ -18,7 +18,7 @@ use crate::scan::Progress;
 const FORMAT: &str = "a MATLAB file";
 
 /// Advice on getting tables of HDF5 files.
-const FROM_HDF5: &str = "save its table as CSV: in Python pandas.read_hdf('FILE').to_csv('FILE.csv'), in Octave save -text FILE NAME";
+const FROM_HDF5: &str = "save its table as CSV: in Python pandas.read_hdf('FILE').to_csv('FILE.csv') or numpy.savetxt('FILE.csv', h5py.File('FILE')['NAME'][:], delimiter=',', fmt='%s'), in Octave save -text FILE NAME";
 
 /// Columns of one length out of a file.
 pub(super) struct MatColumns {

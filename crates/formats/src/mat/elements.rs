@@ -127,8 +127,8 @@ impl<R: Read> Elements<R> {
             packed.get(..tag.bytes as usize).into_iter().for_each(take);
             return Ok(());
         }
-        let mut buffer = vec![0; 1 << 16];
         let mut left = tag.bytes;
+        let mut buffer = vec![0; usize::try_from(left).unwrap_or(usize::MAX).min(1 << 16)];
         while left > 0 {
             let length = buffer.len().min(usize::try_from(left).unwrap_or(usize::MAX));
             let Some(part) = buffer.get_mut(..length) else { break };

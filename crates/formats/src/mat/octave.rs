@@ -137,7 +137,7 @@ impl<R: BufRead> Text<'_, R> {
     fn variable(&mut self, search: Option<&mut Search>, name: String, nesting: usize) -> Result<(), Damage> {
         let kind = self.value("type")?;
         let before = self.read;
-        let words: Vec<&str> = kind.split(' ').collect();
+        let words: Vec<&str> = kind.strip_prefix("global ").unwrap_or(&kind).split(' ').collect();
         let is_number = |word: &str| {
             let bits = word.trim_start_matches('u').strip_prefix("int");
             word == "float" || bits.is_some_and(|bits| matches!(bits, "8" | "16" | "32" | "64"))
@@ -280,13 +280,11 @@ impl<R: BufRead> Text<'_, R> {
             let reason = format!("{:?} where base, limit and increment belong", self.last);
             return Err(Damage::format(reason));
         };
-        // Octave's own tolerance, so that 0:0.1:1 ends with 1.
-        let steps = ((limit - base) / increment * (1.0 + 3.0 * f64::EPSILON)).floor();
-        let content = match steps {
-            steps if (0.0..2_147_483_647.0).contains(&steps) => {
-                Content::Numbers { rows: 1, columns: steps as u64 + 1 }
+        let content = match elements_of_range(base, limit, increment) {
+            elements if (1.0..=2_147_483_647.0).contains(&elements) => {
+                Content::Numbers { rows: 1, columns: elements as u64 }
             }
-            steps if steps > 0.0 => {
+            elements if elements > 1.0 => {
                 Content::Other("a range of more elements than a matrix may have".to_owned())
             }
             _ => Content::Other("empty".to_owned()),
@@ -297,11 +295,16 @@ impl<R: BufRead> Text<'_, R> {
                 .ask(count.saturating_mul(BYTES_PER_TEXT), MemoryUse::Variables)
                 .map_err(Damage::Refused)?;
             let last = count - 1;
-            let number = |index: u64| match base + index as f64 * increment {
-                number if index == last && (number > limit) == (increment > 0.0) => limit,
-                number => number,
+            let number = |index: u64| base + index as f64 * increment;
+            // The end is Octave's own as well (`xfinal_value` in its `Range.cc`).
+            let end = match number(last) {
+                end if (end > limit) == (increment > 0.0) => limit,
+                end => end,
             };
-            Ok(texts((0..count).map(|index| written(number(index))).collect()))
+            let is_whole = |number: f64| number == number.round();
+            let are_whole = is_whole(base) && (last == 0 || is_whole(increment));
+            let end = if are_whole { end.round() } else { end };
+            Ok(texts((0..last).map(number).chain([end]).map(written).collect()))
         })?;
         Ok(())
     }
@@ -376,4 +379,31 @@ fn written(number: f64) -> String {
 /// Numbers as they are written.
 fn texts(texts: Vec<String>) -> Numbers {
     Numbers::Texts(MemoryNumbers::Texts(texts))
+}
+
+/// The tolerance within which Octave compares numbers of a range (`xtfloor` and `xteq` in its `Range.cc`).
+const TOLERANCE: f64 = 3.0 * f64::EPSILON;
+
+/// Returns how many elements Octave gives a range, so that 0:0.1:1 ends with 1 (`xnumel_internal` in its `Range.cc`).
+fn elements_of_range(base: f64, limit: f64, increment: f64) -> f64 {
+    let is_limit = |steps: f64| {
+        let end = base + steps * increment;
+        (end - limit).abs() < end.abs().max(limit.abs()) * TOLERANCE
+    };
+    match tolerant_floor((limit - base + increment) / increment) {
+        elements if elements < 1.0 || is_limit(elements - 1.0) => elements,
+        elements if is_limit(elements - 2.0) => elements - 1.0,
+        elements if is_limit(elements) => elements + 1.0,
+        elements => elements,
+    }
+}
+
+/// Returns the largest whole number that is not above x by more than the tolerance (Hagerty's FL5).
+fn tolerant_floor(x: f64) -> f64 {
+    let most = 1.0 / (2.0 - TOLERANCE);
+    let near = (TOLERANCE * (1.0 + x.floor()).abs()).min(most).max(TOLERANCE);
+    match (x + near).floor() {
+        floor if x <= 0.0 || floor - x < most => floor,
+        floor => floor - 1.0,
+    }
 }

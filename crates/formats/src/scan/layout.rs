@@ -161,7 +161,7 @@ impl<'a> Layout<'a> {
         };
         let has_numbers = self.names_in.line.is_some() && self.places.iter().any(is_number);
         TableNotes {
-            header: HeaderNote { has_numbers, ..self.names_in },
+            header: HeaderNote { has_numbers, ..self.names_in.clone() },
             dialect: self.dialect(),
             is_sheet: false,
             is_records: false,

@@ -79,12 +79,10 @@ pub(super) enum Mark {
 impl Mark {
     /// The known facts about the numbers of a table whose cells are separated by this, before any is read.
     pub(super) fn of(asked: &AskedDialect, delimiter: u8) -> Self {
-        match (asked.decimal, asked.thousands) {
-            (Some(mark), _) => Mark::Given(mark),
-            (None, Some(Thousands::Comma)) => Mark::Given(DecimalMark::Point),
-            (None, Some(Thousands::Point)) => Mark::Given(DecimalMark::Comma),
-            (None, _) if matches!(delimiter, b',' | b';' | b'\t' | b'|' | BLANKS) => Mark::Open,
-            (None, _) => Mark::Given(DecimalMark::Point),
+        match asked.given_mark() {
+            Some(mark) => Mark::Given(mark),
+            None if matches!(delimiter, b',' | b';' | b'\t' | b'|' | BLANKS) => Mark::Open,
+            None => Mark::Given(DecimalMark::Point),
         }
     }
 

@@ -89,7 +89,7 @@ impl Archive {
         if self.names().any(|name| name.ends_with(".npy")) {
             return other(
                 "a NumPy archive (.npz)",
-                "save an array of it as text: numpy.savetxt('FILE.csv', array, delimiter=',')",
+                "save an array of it as text: numpy.savetxt('FILE.csv', array, delimiter=',', fmt='%s')",
             );
         }
         other("a zip archive", "unpack it and name the file that is in it")

@@ -1,5 +1,8 @@
 //! Tells by the format of a cell if its number stands for itself, a date or a duration.
 
+use boundfit_exact::DecimalMark;
+
+use super::stored_text;
 use crate::doubles::double_text;
 
 /// The meaning that the format of a cell gives to its number.
@@ -51,10 +54,10 @@ impl Shows {
         Shows::Number
     }
 
-    /// The text of a number.
-    pub(super) fn text(self, number: f64, counts_from_1904: bool) -> String {
+    /// The text of a number, with this mark where it stands for itself.
+    pub(super) fn text(self, number: f64, decimal: DecimalMark, counts_from_1904: bool) -> String {
         match self {
-            Shows::Number => double_text(number),
+            Shows::Number => stored_text(number, decimal),
             // From here on spreadsheets show no date either.
             _ if !(0.0..2_958_466.0).contains(&number) => {
                 format!("{} days", double_text(number))
@@ -126,7 +129,7 @@ mod tests {
 
     #[test]
     fn dates_are_those_that_spreadsheets_show() {
-        let date = |number, from_1904| Shows::Date.text(number, from_1904);
+        let date = |number, from_1904| Shows::Date.text(number, DecimalMark::Point, from_1904);
         assert_eq!(date(45_000.0, false), "2023-03-15");
         assert_eq!(date(45_000.5, false), "2023-03-15 12:00:00");
         assert_eq!(date(1.0, false), "1900-01-01");
@@ -136,6 +139,6 @@ mod tests {
         assert_eq!(date(2_958_465.0, false), "9999-12-31");
         assert_eq!(date(0.25, false), "06:00:00");
         assert_eq!(date(-1.0, false), "-1 days");
-        assert_eq!(Shows::Duration.text(1.5, false), "36:00:00");
+        assert_eq!(Shows::Duration.text(1.5, DecimalMark::Comma, false), "36:00:00");
     }
 }

@@ -3,7 +3,7 @@
 //! A sheet is written as tab-separated text, one line per row, and read by the rules of text. Headers,
 //! missing cells and everything else are the same as in a table of text. A number is a double. Its text is
 //! the shortest that reads back as that double, so 0.1 is 1/10 under the decimal reading and the double
-//! itself under binary64.
+//! itself under binary64. Numbers have the decimal mark that is asked for, so that it is about texts alone.
 
 mod archive;
 mod formats;
@@ -15,16 +15,17 @@ mod xlsx_cells;
 
 use std::io::{Cursor, Read};
 
-use boundfit_exact::Foreign;
+use boundfit_exact::{DecimalMark, Foreign};
 use sha2::{Digest, Sha256};
 
 use crate::budget::HeldMemory;
 use crate::columns::ColumnSelector;
 use crate::columns::Role;
+use crate::doubles::double_text;
 use crate::error::{InputError, InputErrorKind};
 use crate::hash::hexadecimal;
 use crate::memory_use::MemoryUse;
-use crate::notes::TableNotes;
+use crate::notes::{HeaderNote, SheetNote, TableNotes};
 use crate::packing::most_unpacked;
 use crate::scan::{Batch, ScanOptions, Scanned, scan_text};
 
@@ -36,7 +37,7 @@ const MOST_SHEETS: usize = 10_000;
 
 /// A sheet as text.
 struct Sheet {
-    name: String,
+    choice: Choice,
     text: Vec<u8>,
     /// The memory of the text.
     memory: HeldMemory,
@@ -68,23 +69,32 @@ pub(crate) fn scan_workbook<T: Send>(
     let sha256 = options.hash.then(|| hexadecimal(&Sha256::new_with_prefix(&content)));
     let total = content.len() as u64;
     let wanted = options.table.sheet.as_deref();
+    let decimal = options.table.dialect.given_mark().unwrap_or_default();
     let sizes = &options.table.sizes;
     let most = limit.min(most_unpacked(total, sizes.ratio));
-    let sheet = sheet_text(content, wanted, most, memory).map_err(|problem| match problem {
+    let sheet = sheet_text(content, wanted, decimal, most, memory).map_err(|problem| match problem {
         InputErrorKind::WorkbookTooLarge { .. } if most < limit => {
             InputErrorKind::UnpacksTooFar { ratio: sizes.ratio }
         }
         problem => problem,
     });
-    let Sheet { name, text, memory: _memory } = sheet.map_err(fail)?;
+    let Sheet { choice, text, memory: _memory } = sheet.map_err(fail)?;
     let mut inner = ScanOptions { hash: false, progress: None, ..options.clone() };
     inner.table.dialect.delimiter = Some(text::DELIMITER);
     let scanned = scan_text(file, Box::new(Cursor::new(text)), columns, &inner, work, take);
-    let scanned = scanned.map_err(|error| error.in_sheet(&name))?;
+    let scanned = scanned.map_err(|error| match error.in_sheet(choice.name()) {
+        InputError { kind: InputErrorKind::Empty, file, place } => {
+            InputError { kind: InputErrorKind::EmptySheet { others: choice.others() }, file, place }
+        }
+        error => error,
+    })?;
     if let Some(progress) = &options.progress {
         progress.advanced(total);
     }
-    let table = scanned.table.map(|notes| TableNotes { is_sheet: true, ..notes });
+    let table = scanned.table.map(|notes| {
+        let header = HeaderNote { sheet: choice.note(), ..notes.header };
+        TableNotes { is_sheet: true, header, ..notes }
+    });
     Ok(Scanned { layout: None, table, bytes: total, sha256, ..scanned })
 }
 
@@ -112,33 +122,94 @@ fn whole(mut bytes: Box<dyn Read>, limit: u64, memory: &HeldMemory) -> Result<Ve
 fn sheet_text(
     content: Vec<u8>,
     wanted: Option<&str>,
+    decimal: DecimalMark,
     limit: u64,
     memory: HeldMemory,
 ) -> Result<Sheet, InputErrorKind> {
-    let mut lines = Lines::new(limit, memory.budget().nothing());
+    let mut lines = Lines::new(decimal, limit, memory.budget().nothing());
     let mut archive = Archive::open(content, limit, memory)?;
-    let name = match archive.kind()? {
+    let choice = match archive.kind()? {
         Kind::Xlsx => xlsx::read_sheet(&mut archive, wanted, &mut lines)?,
         Kind::Ods => ods::read_sheet(&mut archive, wanted, &mut lines)?,
     };
     drop(archive);
     let (text, memory) = lines.finish()?;
-    Ok(Sheet { name, text, memory })
+    Ok(Sheet { choice, text, memory })
 }
 
-/// Returns the index of the wanted sheet, from 0.
-fn chosen(names: &[&str], wanted: Option<&str>) -> Result<usize, InputErrorKind> {
+/// A sheet in the list of a workbook.
+struct Listed {
+    name: String,
+    is_hidden: bool,
+}
+
+/// The sheets of a workbook, and which one is read.
+struct Choice {
+    sheets: Vec<Listed>,
+    /// The index of the sheet, from 0.
+    index: usize,
+    is_asked: bool,
+}
+
+impl Choice {
+    /// Returns the name of the sheet.
+    fn name(&self) -> &str {
+        self.sheets.get(self.index).map_or("", |sheet| sheet.name.as_str())
+    }
+
+    /// Returns the sheet for reports, if there are several.
+    fn note(&self) -> Option<SheetNote> {
+        let &Choice { ref sheets, index, is_asked } = self;
+        let Listed { name, is_hidden } = sheets.get(index).filter(|_| sheets.len() > 1)?;
+        let (name, is_hidden) = (name.as_str().into(), *is_hidden);
+        Some(SheetNote { name, number: index + 1, total: sheets.len(), is_hidden, is_asked })
+    }
+
+    /// Returns the names of the other sheets.
+    fn others(&self) -> Vec<Foreign> {
+        let others = self.sheets.iter().enumerate().filter(|(index, _)| *index != self.index);
+        others.map(|(_, sheet)| sheet.name.as_str().into()).collect()
+    }
+}
+
+/// Chooses the wanted sheet.
+fn chosen(sheets: Vec<Listed>, wanted: Option<&str>) -> Result<Choice, InputErrorKind> {
+    let position = |wanted: &str| sheets.iter().position(|sheet| sheet.name == wanted);
     let found = match wanted {
-        None => (!names.is_empty()).then_some(0),
-        Some(wanted) => names.iter().position(|name| *name == wanted).or_else(|| {
-            let number: usize = wanted.parse().ok()?;
-            number.checked_sub(1).filter(|&index| index < names.len())
-        }),
+        None => (!sheets.is_empty()).then_some(0),
+        Some(wanted) => {
+            let numbered = wanted.parse().ok().and_then(|number: usize| number.checked_sub(1));
+            let numbered = numbered.filter(|&index| index < sheets.len());
+            match (position(wanted), numbered) {
+                (Some(named), Some(numbered)) if named != numbered => {
+                    let (wanted, named) = (wanted.into(), named + 1);
+                    return Err(InputErrorKind::SheetNameOrNumber { wanted, named });
+                }
+                (named, numbered) => named.or(numbered).or_else(|| position(in_quotes(wanted)?)),
+            }
+        }
     };
-    found.ok_or_else(|| InputErrorKind::UnknownSheet {
-        wanted: wanted.unwrap_or("1").into(),
-        available: names.iter().map(|&name| Foreign::from(name)).collect(),
-    })
+    match found {
+        Some(index) => Ok(Choice { sheets, index, is_asked: wanted.is_some() }),
+        None => Err(InputErrorKind::UnknownSheet {
+            wanted: wanted.unwrap_or("1").into(),
+            available: sheets.iter().map(|sheet| sheet.name.as_str().into()).collect(),
+        }),
+    }
+}
+
+/// Returns the name in quotes, which is no number.
+fn in_quotes(wanted: &str) -> Option<&str> {
+    ['"', '\''].into_iter().find_map(|quote| wanted.strip_prefix(quote)?.strip_suffix(quote))
+}
+
+/// Returns a stored double as text with this decimal mark.
+fn stored_text(number: f64, decimal: DecimalMark) -> String {
+    let text = double_text(number);
+    match decimal {
+        DecimalMark::Point => text,
+        DecimalMark::Comma => text.replace('.', ","),
+    }
 }
 
 /// The double that a cell stores as this text; `None` where that is none.

@@ -1,26 +1,25 @@
 //! Sheets of OpenDocument's `.ods`.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
+use boundfit_exact::DecimalMark;
 use quick_xml::events::{BytesStart, Event};
 
 use super::archive::{Archive, Part, attribute_named, check_text, own_text, unreadable};
 use super::text::{Lines, MOST_COLUMNS};
-use super::{MOST_SHEETS, chosen, finite};
-use crate::doubles::double_text;
+use super::{Choice, Listed, MOST_SHEETS, chosen, finite, stored_text};
 use crate::error::InputErrorKind;
 use crate::memory_use::MemoryUse;
 
-/// Hands the cells of the sheet that is wanted over; gives its name.
+/// Hands the cells of the sheet that is wanted over; gives the sheet.
 pub(super) fn read_sheet(
     archive: &mut Archive,
     wanted: Option<&str>,
     lines: &mut Lines,
-) -> Result<String, InputErrorKind> {
+) -> Result<Choice, InputErrorKind> {
     refuse_password(archive)?;
-    let names = names(archive)?;
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let index = chosen(&names, wanted)?;
+    let choice = chosen(listed(archive)?, wanted)?;
     let limit = archive.limit();
     let mut part = content(archive)?;
     let mut before = 0;
@@ -30,7 +29,7 @@ pub(super) fn read_sheet(
             Event::Eof => break,
             _ => false,
         };
-        if is_table && before == index {
+        if is_table && before == choice.index {
             read_table(&mut part, limit, lines)?;
             break;
         }
@@ -39,7 +38,7 @@ pub(super) fn read_sheet(
             before += 1;
         }
     }
-    names.get(index).map(|&name| name.to_owned()).ok_or_else(|| unreadable("it has no sheet"))
+    Ok(choice)
 }
 
 fn content(archive: &mut Archive) -> Result<Part<'_>, InputErrorKind> {
@@ -59,23 +58,39 @@ fn refuse_password(archive: &mut Archive) -> Result<(), InputErrorKind> {
     }
 }
 
-/// The names of all sheets, once it is known that the document does not stop too soon.
-fn names(archive: &mut Archive) -> Result<Vec<String>, InputErrorKind> {
+/// All sheets, once it is known that the document does not stop too soon.
+fn listed(archive: &mut Archive) -> Result<Vec<Listed>, InputErrorKind> {
     let memory = archive.more_memory();
     let mut part = content(archive)?;
-    let mut names = Vec::new();
+    let mut sheets = Vec::new();
+    // The styles stand before the sheets. Each sheet has at most one of its own.
+    let (mut style, mut hiding) = (None, BTreeSet::new());
     loop {
-        let name = match part.next()? {
-            Event::Start(element) => sheet_name(&element)?,
-            Event::Eof => return Ok(names),
+        let found = match part.next()? {
+            Event::Start(element) if element.name().as_ref() == "style:style" => {
+                style = attribute_named(&element, "style:name")?.map(Cow::into_owned);
+                None
+            }
+            Event::Start(element) if element.name().as_ref() == "style:table-properties" => {
+                if attribute_named(&element, "table:display")?.as_deref() == Some("false") {
+                    hiding.extend(style.take().filter(|_| hiding.len() < MOST_SHEETS));
+                }
+                None
+            }
+            Event::Start(element) => {
+                let style = attribute_named(&element, "table:style-name")?;
+                let is_hidden = style.is_some_and(|style| hiding.contains(style.as_ref()));
+                sheet_name(&element)?.map(|name| Listed { name, is_hidden })
+            }
+            Event::Eof => return Ok(sheets),
             _ => None,
         };
-        if let Some(name) = name {
-            memory.ask(name.len() as u64, MemoryUse::Workbook)?;
-            names.push(name);
+        if let Some(sheet) = found {
+            memory.ask(sheet.name.len() as u64, MemoryUse::Workbook)?;
+            sheets.push(sheet);
             part.skip()?;
         }
-        if names.len() > MOST_SHEETS {
+        if sheets.len() > MOST_SHEETS {
             return Err(unreadable(format!("it has more than {MOST_SHEETS} sheets")));
         }
     }
@@ -146,7 +161,7 @@ fn read_table(part: &mut Part<'_>, limit: u64, lines: &mut Lines) -> Result<(), 
                 }
                 "table:table-cell" | "table:covered-table-cell" => {
                     let repeats = repeats(element, "table:number-columns-repeated")?;
-                    let cell = Cell::begin(element)?;
+                    let cell = Cell::begin(element, lines.decimal)?;
                     drop(event);
                     row.push(repeats, cell.text(part, limit)?)?;
                 }
@@ -185,13 +200,13 @@ struct Cell {
 }
 
 impl Cell {
-    fn begin(element: &BytesStart<'_>) -> Result<Self, InputErrorKind> {
+    fn begin(element: &BytesStart<'_>, decimal: DecimalMark) -> Result<Self, InputErrorKind> {
         let of = |name| Ok::<_, InputErrorKind>(attribute_named(element, name)?.map(Cow::into_owned));
         let kind = of("office:value-type")?;
         let stored = match kind.as_deref() {
-            Some("float" | "percentage" | "currency") => {
-                of("office:value")?.map(|value| finite(&value).map_or_else(|| value.clone(), double_text))
-            }
+            Some("float" | "percentage" | "currency") => of("office:value")?.map(|value| {
+                finite(&value).map_or_else(|| value.clone(), |number| stored_text(number, decimal))
+            }),
             Some("date") => of("office:date-value")?,
             Some("time") => of("office:time-value")?.map(|time| clock_text(&time)),
             Some("boolean") => of("office:boolean-value")?.map(|value| value.to_uppercase()),

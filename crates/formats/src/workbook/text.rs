@@ -1,5 +1,7 @@
 //! Cells as lines of text.
 
+use boundfit_exact::DecimalMark;
+
 use super::archive::unreadable;
 use crate::budget::HeldMemory;
 use crate::error::InputErrorKind;
@@ -19,14 +21,16 @@ pub(super) struct Lines {
     rows: Vec<(usize, u32)>,
     /// The number of cells of the row that is being filled.
     width: u32,
+    /// The decimal mark of stored numbers.
+    pub(super) decimal: DecimalMark,
     limit: u64,
     memory: HeldMemory,
 }
 
 impl Lines {
     /// No lines, with room for at most so many bytes, for which this memory is asked.
-    pub(super) fn new(limit: u64, memory: HeldMemory) -> Self {
-        Lines { text: Vec::new(), rows: Vec::new(), width: 0, limit, memory }
+    pub(super) fn new(decimal: DecimalMark, limit: u64, memory: HeldMemory) -> Self {
+        Lines { text: Vec::new(), rows: Vec::new(), width: 0, decimal, limit, memory }
     }
 
     /// Returns the number of bytes in memory: the text, and the rows.
@@ -125,7 +129,7 @@ mod tests {
     use crate::budget::MemoryBudget;
 
     fn lines(cells: &[(u32, u32, &str)], limit: u64) -> Result<String, String> {
-        let mut lines = Lines::new(limit, MemoryBudget::new(1 << 30).nothing());
+        let mut lines = Lines::new(DecimalMark::Point, limit, MemoryBudget::new(1 << 30).nothing());
         for (row, column, text) in cells {
             lines.push(*row, *column, text).map_err(|error| error.to_string())?;
         }

@@ -4,19 +4,19 @@ use boundfit_exact::Foreign;
 use quick_xml::events::Event;
 
 use super::archive::{Archive, attribute, unreadable};
-use super::chosen;
 use super::text::Lines;
 use super::xlsx_book::{Book, refuse_many};
 use super::xlsx_cells::read_cells;
+use super::{Choice, Listed, chosen};
 
 use crate::error::InputErrorKind;
 
-/// Hands the cells of the sheet that is wanted over; gives its name.
+/// Hands the cells of the sheet that is wanted over; gives the sheet.
 pub(super) fn read_sheet(
     archive: &mut Archive,
     wanted: Option<&str>,
     lines: &mut Lines,
-) -> Result<String, InputErrorKind> {
+) -> Result<Choice, InputErrorKind> {
     let package = relations(archive, "_rels/.rels", "")?;
     let main = path_of(&package, "officeDocument").unwrap_or("xl/workbook.xml");
     let (folder, file) = main.rsplit_once('/').unwrap_or(("", main));
@@ -32,14 +32,15 @@ pub(super) fn read_sheet(
         part.map(|part| part.path.as_str())
     };
     sheets.retain(|(_, id)| path_of_sheet(id).is_some());
-    let names: Vec<&str> = sheets.iter().map(|(name, _)| name.as_str()).collect();
-    let (name, id) = sheets.get(chosen(&names, wanted)?).ok_or_else(|| unreadable("it has no sheet"))?;
+    let (sheets, ids): (Vec<Listed>, Vec<String>) = sheets.into_iter().unzip();
+    let choice = chosen(sheets, wanted)?;
+    let id = ids.get(choice.index).ok_or_else(|| unreadable("it has no sheet"))?;
     book.read_styles(archive, &of_kind("styles", "styles.xml"))?;
     book.read_texts(archive, &of_kind("sharedStrings", "sharedStrings.xml"))?;
     let path = path_of_sheet(id).unwrap_or_default();
     let missing = || unreadable(format!("there is no {} in it", Foreign::of(path).quoted()));
     read_cells(&mut archive.part(path)?.ok_or_else(missing)?, &book, lines)?;
-    Ok(name.clone())
+    Ok(choice)
 }
 
 /// A relation from one part to another.

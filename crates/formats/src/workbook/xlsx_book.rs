@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use quick_xml::events::{BytesStart, Event};
 
-use super::MOST_SHEETS;
 use super::archive::{Archive, Part, attribute, check_text, own_text, unreadable};
 use super::formats::Shows;
+use super::{Listed, MOST_SHEETS};
 use crate::budget::HeldMemory;
 use crate::error::InputErrorKind;
 use crate::memory_use::MemoryUse;
@@ -31,12 +31,12 @@ pub(super) struct Book {
 }
 
 impl Book {
-    /// The names of the sheets, and which relation has each.
+    /// The sheets, and which relation has each.
     pub(super) fn read_workbook(
         &mut self,
         archive: &mut Archive,
         path: &str,
-    ) -> Result<Vec<(String, String)>, InputErrorKind> {
+    ) -> Result<Vec<(Listed, String)>, InputErrorKind> {
         let mut sheets = Vec::new();
         let Some(mut part) = archive.part(path)? else { return Err(unreadable("it has no list of sheets")) };
         loop {
@@ -47,7 +47,9 @@ impl Book {
                     "sheet" => {
                         let [name, id] = [attribute(&element, "name")?, attribute(&element, "id")?]
                             .map(|value| value.unwrap_or_default().into_owned());
-                        sheets.push((name, id));
+                        let state = attribute(&element, "state")?;
+                        let is_hidden = matches!(state.as_deref(), Some("hidden" | "veryHidden"));
+                        sheets.push((Listed { name, is_hidden }, id));
                         refuse_many(sheets.len())?;
                     }
                     _ => {}

@@ -1,6 +1,6 @@
 //! The cells of a sheet of `.xlsx`.
 
-use boundfit_exact::Foreign;
+use boundfit_exact::{DecimalMark, Foreign};
 use quick_xml::events::{BytesStart, Event};
 
 use super::archive::{Part, attribute, unreadable};
@@ -75,7 +75,7 @@ pub(super) fn read_cells(part: &mut Part<'_>, book: &Book, lines: &mut Lines) ->
         };
         drop(event);
         if let Some(cell) = cell {
-            if let Some(text) = book.text(&cell, Content::read(part)?)? {
+            if let Some(text) = book.text(&cell, Content::read(part)?, lines.decimal)? {
                 lines.push(cell.row, cell.column, &text)?;
             }
             (row, column) = (cell.row, cell.column.saturating_add(1));
@@ -127,7 +127,12 @@ impl Content {
 
 impl Book {
     /// A cell as a table of text has it; nothing where it is empty. A formula without a value is its own text.
-    fn text(&self, cell: &Cell, content: Content) -> Result<Option<String>, InputErrorKind> {
+    fn text(
+        &self,
+        cell: &Cell,
+        content: Content,
+        decimal: DecimalMark,
+    ) -> Result<Option<String>, InputErrorKind> {
         let Content { formula, value, inline } = content;
         let is_unknown = value.is_empty() || self.is_recalculated && value == "0";
         if let Some(formula) = formula.filter(|_| is_unknown && cell.stored != Stored::Text) {
@@ -151,7 +156,7 @@ impl Book {
             Stored::Number => match finite(&value) {
                 Some(number) => {
                     let shows = self.shows.get(cell.style).copied().unwrap_or_default();
-                    shows.text(number, self.counts_from_1904)
+                    shows.text(number, decimal, self.counts_from_1904)
                 }
                 None => value,
             },

@@ -12,7 +12,7 @@ use boundfit_exact::{Endpoint, Foreign, Rational};
 use boundfit_geometry::RegionKind;
 use boundfit_questions::{Extent, Moved, Moving, Order, Turn, WindowFit};
 
-use crate::fleet_text::GroupCells;
+use crate::fleet_text::{GroupCells, places};
 use crate::range::exact;
 use crate::style::Style;
 
@@ -142,14 +142,6 @@ fn is_same(one: &Arc<WindowFit>, other: &Arc<WindowFit>) -> bool {
     // A middle and the distances from it are an interval.
     let has_equal = || one.central.is_some() && one.central == other.central;
     Arc::ptr_eq(one, other) || one.kind == other.kind && has_equal() && one.least == other.least
-}
-
-/// Returns what tells windows in this order apart.
-pub(crate) fn places(order: Order) -> &'static str {
-    match order {
-        Order::Row => "rows",
-        Order::X => "x",
-    }
 }
 
 /// Counts over many windows.
