@@ -428,6 +428,21 @@ test("cells of a spreadsheet are pasted into the cells, a whole table into the b
   await close();
 });
 
+test("blanks between groups of digits are shown as they are, and the form says how to read them", async () => {
+  const { page, complaints, close } = await opened(LINE);
+  await page.locator("#paste summary").click();
+  await page.locator("#paste-text").fill("x\ty\n1\u{a0}000\t2\n2\u{a0}000\t4\n3\u{a0}000\t5\n");
+  await page.locator("#paste-use").click();
+  await page.locator("#import-problem").waitFor();
+  const problem = await page.locator("#import-problem").textContent();
+  assert.match(problem, /“1\u{a0}000”.*Choose “blank \(1 000\)” for “digits grouped by”, above\.$/u);
+  await page.locator("#import-thousands").selectOption(" ");
+  await page.locator("#import-apply").click();
+  await page.locator("#import").waitFor({ state: "detached" });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("a file is opened or dropped; where the header does not say it, the reader chooses the columns", async () => {
   const { page, complaints, close } = await opened(LINE);
   const file = join(tmpdir(), `boundfit-open-${process.pid}.csv`);

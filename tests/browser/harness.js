@@ -36,6 +36,8 @@ export const SPECIAL = {
   badCondition: [straight, "--x", "x", "--y", "y", "--eps", "0.1", "--where", "theta1>=2"],
   tooTight: [csv("crooked", "x,y", "1,1", "2,3", "3,2"), "--x", "x", "--y", "y", "--eps", "0.1"],
   fromLeast: [csv("crooked", "x,y", "1,1", "2,3", "3,2"), "--x", "x", "--y", "y", "--eps", "1.2*min"],
+  least: [csv("crooked", "x,y", "1,1", "2,3", "3,2"), "--x", "x", "--y", "y", "--eps", "min"],
+  oneReading: [csv("one-reading", "x,y", "1,1"), "--x", "x", "--y", "y", "--eps", "0.1", "--where", "theta1>=0"],
   noError: [straight, "--x", "x", "--y", "y", "--eps", "0"],
 };
 /** The options of `boundfit` for the data sets of the tests. */

@@ -345,11 +345,12 @@ test("the keyboard alone reaches and does everything", async () => {
   assert.equal(await page.evaluate(() => document.activeElement.dataset.vertex), "1");
 });
 
-test("the theme can be changed", async () => {
-  const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
-  const light = await background();
+test("the theme can be changed, and its button shows that it is pressed", async () => {
+  const ground = (selector) => page.locator(selector).evaluate((part) => getComputedStyle(part).backgroundColor);
+  const light = await ground("body");
   await page.locator("#theme-toggle").click();
-  assert.notEqual(await background(), light);
+  assert.notEqual(await ground("body"), light);
+  assert.notEqual(await ground("#theme-toggle"), await ground("#edit-toggle"));
   await page.locator("#theme-toggle").click();
-  assert.equal(await background(), light);
+  assert.equal(await ground("body"), light);
 });

@@ -149,3 +149,45 @@ test("links of older versions are refused, and the page says what to do", async 
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test("the engine takes bytes in any form, and says what it was not given", async () => {
+  const table = "x,y\n0,0\n1,1\n2,2\n";
+  const asked = { x: "x", y: "y", eps: "1" };
+  const bytes = new TextEncoder().encode(table);
+  // A view of a part of a buffer has a beginning of its own.
+  const shifted = new Uint8Array(bytes.length + 3);
+  shifted.set(bytes, 3);
+  for (const own of [bytes, bytes.buffer, new DataView(bytes.buffer), shifted.subarray(3), new DataView(shifted.buffer, 3)])
+    assert.equal(run(own, asked), run(table, asked));
+  for (const wrong of [null, undefined, 7, [1, 2], {}])
+    assert.throws(() => run(wrong, asked), { name: "TypeError", message: /^the table is neither text nor bytes/ });
+  assert.throws(() => run(table), /x is missing/);
+  const fresh = await import("../../crates/lesson/engine/boundfit.mjs?not-started");
+  assert.throws(() => fresh.run(table, asked), /the engine has not been started/);
+});
+
+test("the link past the header goes to the planes and is no link to readings", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.strip);
+  await page.locator("a.skip").focus();
+  await page.keyboard.press("Enter");
+  assert.equal(await page.evaluate(() => location.hash), "#planes");
+  await settled(page);
+  assert.equal(await page.locator("[role=alert]:visible").count(), 0);
+  assert.doesNotMatch(await page.locator("#editor").innerText(), /planes/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("readings of a link without a file have a title without one, in each language", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.strip);
+  await page.evaluate(() => {
+    location.hash = "ask=fit&x=V&y=z&eps=1&table=V,z%0A0,0%0A1,1.5%0A";
+  });
+  const title = page.locator("#title");
+  await page.waitForFunction(() => document.querySelector("#title").textContent === "z against V");
+  await page.locator("#language").selectOption("de");
+  assert.equal(await title.textContent(), "z gegen V");
+  assert.doesNotMatch(await page.locator("#provenance").textContent(), /standard/);
+  assert.deepEqual(complaints, []);
+  await close();
+});

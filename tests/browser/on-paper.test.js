@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 
-import { DATA, fitReport, launch, openLesson } from "./harness.js";
+import { DATA, SPECIAL, fitReport, launch, openLesson } from "./harness.js";
 
 let browser;
 
@@ -24,6 +24,9 @@ for (const [name, options] of Object.entries(DATA)) {
     assert.equal(await pictures.count(), 2);
     for (const picture of await pictures.all()) {
       assert.ok((await picture.boundingBox()).width > 300);
+      const letters = await picture.locator("text").evaluateAll((texts) =>
+        texts.filter((text) => text.textContent.trim() !== "").map((text) => text.getBoundingClientRect()).map(({ width, height }) => Math.min(width, height)));
+      assert.ok(Math.max(...letters) > 9, `letters of ${Math.max(...letters)} pixels`);
       assert.notEqual(await picture.getAttribute("aria-label"), "");
     }
     const tables = await page.locator("noscript table").count();
@@ -105,4 +108,21 @@ test("the teacher's notes are closed, speak of these data, and are printed when 
   assert.equal(await shown(page, "#teacher dd"), await page.locator("#teacher dd").count());
   assert.deepEqual(complaints, []);
   await close();
+});
+
+test("the teacher's notes are true of sets without area, equal readings and bounds that cannot shrink", async () => {
+  for (const [name, ...expected] of [
+    ["duplicates", "do 100 readings give, and what do they leave? Expected: 200;", "saved? Expected: each one alone, yet not all of these together.", "Expected: the set shrinks, but even ε = 0 leaves something."],
+    ["tooTight", "saved? Expected: all but 1, 2 and 3: the set is empty without the others, too.", "Expected: the set is empty already, and stays empty."],
+    ["least", "Expected: the set is gone at once."],
+    ["noError", "saved? Expected: each one alone, yet not all of these together.", "Expected: nothing, since no error bound here can become smaller."],
+    ["oneReading", "does 1 reading give, and what does it leave with the condition? Expected: 2;", "saved? Expected: all but 1."],
+  ]) {
+    const { page, complaints, close } = await openLesson(browser, SPECIAL[name]);
+    await page.locator("#teacher summary").first().click();
+    const notes = await page.locator("#teacher").innerText();
+    for (const words of expected) assert.ok(notes.includes(words), `${name}: ${words} in ${notes}`);
+    assert.deepEqual(complaints, []);
+    await close();
+  }
 });

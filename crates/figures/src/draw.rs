@@ -12,7 +12,7 @@ use crate::page::Page;
 use crate::picture::Picture;
 use crate::render::Look;
 use crate::series::{Compared, Series};
-use crate::text::one_line;
+use crate::text::{self, one_line};
 use crate::{data_plane, groups, next, parameter_plane, render, status};
 
 /// Draws a figure of a fit. Cost: linear in the readings; [`Figure::Directions`] solves a linear program per direction, and
@@ -158,7 +158,12 @@ pub(crate) fn finished(mut drawing: Drawing, options: &PlotOptions) -> Result<Pi
         }
     }
     let look = Look { page: Page::of(options), greyscale: options.greyscale };
-    Ok(Picture::new(render::svg(&drawing, &look)?, drawing, look))
+    let mut source = render::svg(&drawing, &look)?;
+    if text::has_missing(&source) {
+        drawing.notes.push(text::NOTE_OF_MISSING.to_owned());
+        source = render::svg(&drawing, &look)?;
+    }
+    Ok(Picture::new(source, drawing, look))
 }
 
 /// Draws a linear program in two variables: the feasible set, the optimal points, and the direction in which the

@@ -39,6 +39,7 @@ mod linearity;
 mod next;
 #[cfg_attr(not(feature = "outlines"), path = "no_outlines.rs")]
 mod outlines;
+mod outside;
 mod page;
 mod palette;
 mod parameter_plane;

@@ -16,8 +16,9 @@ use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 
 const WIDTH: Stroke = Stroke::new(BLUE, 1.8, Dash::Solid);
 const TWICE: Stroke = Stroke::new(FAINT_INK, 1.2, Dash::Long);
-const UNSURE: Fill = Fill { colour: SKY, opacity: 0.2 };
-const CERTAIN: Fill = Fill { colour: ORANGE, opacity: 0.16 };
+// One is darker than the other, in greys too.
+const UNSURE: Fill = Fill { colour: SKY, opacity: 0.14 };
+const CERTAIN: Fill = Fill { colour: ORANGE, opacity: 0.34 };
 const CERTAIN_EDGE: Stroke = Stroke::new(ORANGE, 1.2, Dash::Short);
 const READINGS: Stroke = Stroke::new(GREY, 4.0, Dash::Solid);
 /// Significant digits of x.
@@ -71,8 +72,11 @@ struct Sheet<'a> {
 }
 
 impl Sheet<'_> {
-    /// The least and the largest x of the readings in memory.
+    /// The least and the largest x of the readings in memory; two regressors have no single x.
     fn readings(&self) -> Option<[&Rational; 2]> {
+        if !matches!(self.problem.measurements.model(), Model::Line { .. }) {
+            return None;
+        }
         let x = || self.problem.measurements.kept().iter().map(|reading| &reading.regressor[0]);
         Some([x().min()?, x().max()?])
     }
@@ -189,5 +193,32 @@ impl Sheet<'_> {
                 format!("At x {} {surely}", places.join(" and "))
             }
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use boundfit_estimation::fit;
+
+    use super::*;
+    use crate::drawing::Item;
+    use crate::samples::problem;
+
+    #[test]
+    fn places_differ_in_greys() {
+        assert!(UNSURE.grey_on_paper() - CERTAIN.grey_on_paper() >= 16.0);
+    }
+
+    #[test]
+    fn the_bar_from_the_first_to_the_last_x_is_that_of_a_line() {
+        for (kind, rows, expected) in [
+            ("line", ["0 1 0.5", "1 2 0.5", "2 4 0.5"], 1),
+            ("two", ["0 1 1 0.5", "1 2 2 0.5", "2 0 4 0.5"], 0),
+        ] {
+            let problem = problem(kind, &rows, &[]);
+            let figure = drawing(&problem, &fit(&problem), &PlotOptions::default());
+            let is_bar = |item: &&Item| matches!(item, Item::Line { stroke, .. } if *stroke == READINGS);
+            assert_eq!(figure.panels[0].items.iter().filter(is_bar).count(), expected, "{kind}");
+        }
     }
 }

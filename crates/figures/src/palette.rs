@@ -101,6 +101,15 @@ pub(crate) struct Fill {
     pub(crate) opacity: f64,
 }
 
+#[cfg(test)]
+impl Fill {
+    /// The grey of the area on white paper, from 0 to 255.
+    pub(crate) fn grey_on_paper(self) -> f64 {
+        let Colour(grey, ..) = self.colour.grey();
+        255.0 - self.opacity * (255.0 - f64::from(grey))
+    }
+}
+
 /// The form of a mark.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Shape {

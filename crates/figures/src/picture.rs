@@ -105,7 +105,7 @@ impl Picture {
         if let Some(outlines) = self.outlines.get() {
             return Ok(outlines);
         }
-        let made = Outlines::of(&self.source)?;
+        let made = Outlines::of(&text::drawable(&self.source))?;
         Ok(self.outlines.get_or_init(|| made))
     }
 

@@ -18,17 +18,20 @@ use crate::palette::{
 };
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 
-const INNER: Fill = Fill { colour: GREEN, opacity: 0.12 };
-const OUTER: Fill = Fill { colour: SKY, opacity: 0.14 };
-const STRICTLY: Fill = Fill { colour: ORANGE, opacity: 0.14 };
-const OUTLYING: Fill = Fill { colour: PURPLE, opacity: 0.12 };
+// Each region is darker than the one before it, in greys too.
+const INNER: Fill = Fill { colour: GREEN, opacity: 0.06 };
+const OUTER: Fill = Fill { colour: SKY, opacity: 0.2 };
+const STRICTLY: Fill = Fill { colour: ORANGE, opacity: 0.32 };
+const OUTLYING: Fill = Fill { colour: PURPLE, opacity: 0.38 };
 const BORDER: Stroke = Stroke::new(FAINT_INK, 1.1, Dash::Long);
 const OTHERS: Mark = Mark::new(Shape::Disc, 2.6, INK);
 const DECIDING: Mark = Mark::new(Shape::Diamond, 4.6, BLUE);
 const MENDING: Mark = Mark::new(Shape::Diamond, 4.6, VERMILLION);
 const FAR: Mark = Mark::new(Shape::Triangle, 5.2, VERMILLION);
-/// The view goes no farther than this; what lies beyond is shown at its edge.
+/// The view goes no farther than this. A reading beyond it is shown at the edge of the region of its status.
 const FARTHEST: [i64; 2] = [6, 4];
+/// The distance from the edge of the view to the middle of a mark there, in pixels.
+const FAR_MARGIN: i64 = 7;
 /// The number of readings that get a label where there is room.
 const MOST_LABELS: usize = 24;
 /// The approximate room of a letter, in pixels of the nominal size.
@@ -184,20 +187,51 @@ fn room(frame: Frame, place: Place, text: &str, towards: [f64; 2]) -> [f64; 4] {
     [x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0]
 }
 
+/// The largest residual and leverage at which a mark is wholly on the panel.
+fn farthest(panel: &Panel) -> [Rational; 2] {
+    let lengths = [panel.frame.width, panel.frame.height];
+    let [across, up] = panel.coordinates();
+    [(across, lengths[0]), (up, lengths[1])].map(|(axis, length)| {
+        let margin = axis.width() * Rational::ratio(FAR_MARGIN, (length as i64).max(1));
+        axis.lower() + axis.width() - margin
+    })
+}
+
+/// Moves a residual and a leverage as near as these largest ones, within the region of their status. Only outliers and strictly outer
+/// readings are far: the other regions are bounded, and wholly in view.
+fn drawn_in([residual, leverage]: &[Rational; 2], [across, up]: &[Rational; 2]) -> [Rational; 2] {
+    let one = Rational::one();
+    if residual.abs() > leverage + &one {
+        // Outliers have their region at every height: below the border of strictly outer readings.
+        let size = residual.abs().min(across.clone());
+        let border = &size - &one;
+        let height = leverage.min(up).min(&(border * Rational::ratio(9, 10))).clone();
+        return [if residual.is_negative() { -size } else { size }, height];
+    }
+    // Towards the corner of all regions a reading stays strictly outer.
+    let shorter = |most: &Rational, own: &Rational| {
+        most.checked_div(own).unwrap_or_else(Rational::one).min(Rational::one())
+    };
+    let part = shorter(across, &residual.abs()).min(shorter(&(up - &one), &(leverage - &one)));
+    [residual * &part, (leverage - &one) * part + one]
+}
+
 /// Marks readings, those that matter most last and with their rows where there is room; gives how many are too far out.
 fn mark(panel: &mut Panel, spots: &[Spot], taken: &mut Vec<[f64; 4]>) -> usize {
     let frame = panel.frame;
     let mut far = 0;
     let mut seen: BTreeSet<(i64, i64, bool)> = BTreeSet::new();
     let mut placed: Vec<(Place, Mark, usize)> = Vec::new();
+    let most = farthest(panel);
     for spot in spots {
         let place = panel.place([&spot.at[0], &spot.at[1]]);
         let is_far = !panel.shows(place);
         far += usize::from(is_far);
-        let edge = |length: f64| (FAR.radius + 1.5) / length;
-        let kept = |coordinate: f64, length: f64| coordinate.clamp(edge(length), 1.0 - edge(length));
         let place = match is_far {
-            true => [kept(place[0], frame.width), kept(place[1], frame.height)],
+            true => {
+                let [residual, leverage] = drawn_in(&spot.at, &most);
+                panel.place([&residual, &leverage])
+            }
             false => place,
         };
         let mark = if is_far { FAR } else { spot.mark };
@@ -268,4 +302,34 @@ fn notes(judged: &[(RowStatus, bool)], far: usize, unplaced: usize, is_empty: bo
         ));
     }
     notes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn readings_far_out_are_drawn_in_the_region_of_their_status() {
+        let number = |n: i64, d: i64| Rational::ratio(n, d);
+        let [across, up] = [number(118, 50), number(68, 50)];
+        let is_outlier = |[r, l]: &[Rational; 2]| r.abs() > l + Rational::one();
+        for (residual, leverage) in
+            [(-5, 8), (9, 8), (10, 8), (-40, 8), (7, 0), (-7, 1), (0, 99), (100, 99), (101, 99)]
+        {
+            let own = [Rational::from(residual), Rational::from(leverage)];
+            let drawn = drawn_in(&own, &[across.clone(), up.clone()]);
+            assert!(
+                drawn[0].abs() <= across && drawn[1] <= up && !drawn[1].is_negative(),
+                "{own:?}: {drawn:?}"
+            );
+            assert_eq!(is_outlier(&drawn), is_outlier(&own), "{own:?}: {drawn:?}");
+            assert!(is_outlier(&own) || drawn[1] > Rational::one(), "{own:?}: {drawn:?}");
+        }
+    }
+
+    #[test]
+    fn regions_differ_in_greys() {
+        let greys = [INNER, OUTER, STRICTLY, OUTLYING].map(Fill::grey_on_paper);
+        assert!(greys.windows(2).all(|pair| pair[0] - pair[1] >= 8.0), "{greys:?}");
+    }
 }

@@ -122,7 +122,7 @@ fn plain(character: char) -> Option<(char, char)> {
 }
 
 /// A text of one line as LaTeX shows it with any encoding of its fonts. Letters of other scripts stay as they are, for documents
-/// that have them; what else has no command is a lozenge, as it is in the other formats.
+/// that have them; any other character without a command is a lozenge.
 pub(crate) fn text(text: &str) -> String {
     let mut result = String::new();
     // The state: an open formula, and in it a group that is raised or lowered.

@@ -71,9 +71,22 @@ const IN_FONT: [(char, char); 33] = [
 /// The replacement of a character that the font lacks.
 const MISSING: char = '\u{25ca}';
 
+/// The note below a figure with a character that the font lacks.
+pub(crate) const NOTE_OF_MISSING: &str =
+    "◊ stands for letters that the font Inter lacks, wherever letters are drawn as paths.";
+
+/// Returns whether the font has a character, or whether it ends a line of a document.
+fn has(character: char) -> bool {
+    character == '\n' || IN_FONT.iter().any(|&(first, last)| (first..=last).contains(&character))
+}
+
+/// Returns whether the font lacks a character of a text.
+pub(crate) fn has_missing(text: &str) -> bool {
+    !text.chars().all(has)
+}
+
 /// A text as the font can show it: a lozenge for each character that it lacks, which would vanish otherwise.
 pub(crate) fn drawable(text: &str) -> String {
-    let has = |c: char| IN_FONT.iter().any(|&(first, last)| (first..=last).contains(&c));
     text.chars().map(|c| if has(c) { c } else { MISSING }).collect()
 }
 

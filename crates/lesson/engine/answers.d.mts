@@ -111,9 +111,9 @@ export interface WindowDocument {
   schema: "boundfit/window/1";
   /** The input, the same for all lines. */
   input: LineInput;
-  /** The first row of the window. */
+  /** The row of the first reading of the window. */
   first_row: number;
-  /** The last row of the window. */
+  /** The row of the last reading of the window. */
   last_row: number;
   /** The number of readings in it. */
   rows: number;

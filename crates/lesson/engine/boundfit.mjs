@@ -11,16 +11,21 @@ import {
   run as runOnce,
 } from "./boundfit_wasm.mjs";
 
+let isStarted = false;
+
 /**
  * Unpacks the engine and starts it.
  * @param {BlobPart} packed the bytes of `boundfit_wasm.wasm.gz`
  */
 export const start = async (packed) => {
   const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return initSync({ module: await new Response(unpacked).arrayBuffer() });
+  const exports = initSync({ module: await new Response(unpacked).arrayBuffer() });
+  isStarted = true;
+  return exports;
 };
 
 /**
+ * @typedef {string | ArrayBuffer | ArrayBufferView} Table text, or the bytes of a file
  * @typedef {import("./request.d.mts").Request} Request
  * @typedef {Request | (Omit<Extract<Request, { ask: "fit" }>, "ask"> & { ask?: undefined })} Options
  */
@@ -28,9 +33,10 @@ export const start = async (packed) => {
 /**
  * Answers a question about readings, the fit unless `options.ask` names another one, as JSON unless `options.format` says otherwise.
  *
- * Throws an Error in the words of the program where options or table are wrong. A trap, such as for lack of memory, is thrown too; the
+ * Throws an Error in the words of the program where options or table are wrong, before {@link start} has ended too, and a TypeError where
+ * the table is neither text nor bytes. A trap, such as for lack of memory, is thrown too; the
  * engine is started anew then, so that the next call finds it whole.
- * @param {string | Uint8Array} table
+ * @param {Table} table
  * @param {Options} options the options of the program, with `_` in the place of `-` (docs/wasm.md)
  * @returns {string}
  */
@@ -39,7 +45,7 @@ export const run = (table, options) => ask(runOnce, table, options);
 /**
  * Returns the data of the page of `boundfit lesson`: the document of schema `boundfit/lesson/3`. The exact simplex alone answers its
  * linear programs. Throws as {@link run} does.
- * @param {string | Uint8Array} table
+ * @param {Table} table
  * @param {object} options those of {@link run}, and of a lesson (docs/wasm.md)
  * @returns {string}
  */
@@ -47,27 +53,40 @@ export const lesson = (table, options) => ask(lessonOnce, table, options);
 
 /**
  * The columns of a table of which nothing is known yet, as JSON: `{"columns": ["x", "y"], "header": true}`. Throws as {@link run} does.
- * @param {string | Uint8Array} table
- * @param {object} options how the table is written, as for {@link run}
+ * @param {Table} table
+ * @param {object} [options] how the table is written, as for {@link run}
  * @returns {string}
  */
 export const columns = (table, options) => ask(columnsOnce, table, options);
 
 /**
  * What there is to say about half-planes, one a line: the document of schema `boundfit/polytope/1`. Throws as {@link run} does.
- * @param {string | Uint8Array} text
- * @param {object} options `objective`, two numbers as text, and `start`, the number of a vertex from 0
+ * @param {Table} text
+ * @param {object} [options] `objective`, two numbers as text, and `start`, the number of a vertex from 0
  * @returns {string}
  */
 export const polytope = (text, options) => ask(polytopeOnce, text, options);
 
 /**
- * @param {(table: Uint8Array, options: string) => string} answer
- * @param {string | Uint8Array} table
- * @param {object} options
+ * The bytes of a table. A buffer without a view has no length that the engine could read.
+ * @param {Table} table
  */
-const ask = (answer, table, options) => {
-  const bytes = typeof table === "string" ? new TextEncoder().encode(table) : table;
+const bytesOf = (table) => {
+  if (typeof table === "string") return new TextEncoder().encode(table);
+  if (ArrayBuffer.isView(table)) return new Uint8Array(table.buffer, table.byteOffset, table.byteLength);
+  // Buffers of another window or context are no instances of this one's ArrayBuffer.
+  if (Object.prototype.toString.call(table) === "[object ArrayBuffer]") return new Uint8Array(table);
+  throw new TypeError("the table is neither text nor bytes (expected a string, an ArrayBuffer, or a view of one such as a Uint8Array)");
+};
+
+/**
+ * @param {(table: Uint8Array, options: string) => string} answer
+ * @param {Table} table
+ * @param {object} [options] none where the engine is to say which are missing
+ */
+const ask = (answer, table, options = {}) => {
+  if (!isStarted) throw new Error("the engine has not been started: wait for start(bytes) with the bytes of boundfit_wasm.wasm.gz");
+  const bytes = bytesOf(table);
   try {
     return answer(bytes, JSON.stringify(options));
   } catch (error) {

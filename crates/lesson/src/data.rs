@@ -21,6 +21,9 @@ use crate::readings::{self, ConditionJson, EpsilonJson, ModelJson, ReadingJson};
 use crate::sweep::{SweepJson, sweep};
 use crate::texts::{Message, Value, say, text};
 
+/// The file of readings that come from none, in the words of all surfaces.
+const STANDARD_INPUT: &str = "standard input";
+
 /// The document of schema `boundfit/lesson/3`. Texts from outside are in it as they are shown.
 #[derive(Debug, Serialize)]
 pub(crate) struct LessonJson {
@@ -155,5 +158,9 @@ fn default_title(file: Foreign<&str>, problem: &Problem) -> Message {
         Model::Line { x } => vec![problem.measurements.line_form().abscissa(x).to_string()],
         Model::TwoRegressors { regressors } => regressors.iter().map(ToString::to_string).collect(),
     };
+    // Readings that were typed, piped or linked have no file to name.
+    if file.raw() == STANDARD_INPUT {
+        return text!("page.title-of-input", y: y.to_string(), x: Value::listed(x));
+    }
     text!("page.title", file: file.to_string(), y: y.to_string(), x: Value::listed(x))
 }

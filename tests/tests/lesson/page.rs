@@ -134,7 +134,7 @@ fn titles_and_files_have_defaults() {
         "lesson - --x 1 --y 2 --eps 1",
         b"1,2\n2,3\n",
     );
-    assert_eq!(data(&run.stdout)["title"], "standard input: col2 against col1");
+    assert_eq!(data(&run.stdout)["title"], "col2 against col1");
 }
 
 #[test]

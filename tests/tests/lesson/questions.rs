@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use boundfit_exact::{Rational, Rounding};
+use boundfit_tests::cli::{directory_with, printed};
 use boundfit_tests::shape::Tally;
 use serde_json::{Value, json};
 
@@ -205,4 +206,13 @@ fn answers_agree_with_the_engine() {
         }
     }
     tally.assert_each(10, &["feasible", "infeasible", "matters", "does not", "box"]);
+}
+
+#[test]
+fn why_there_is_no_least_squares_estimate_is_the_true_reason() {
+    let folder = directory_with(&[("one-sided.csv", b"x,lo,hi\n0,0,1\n1,1,\n2,,4\n3,2.5,5\n")]);
+    let page = printed(folder.path(), "lesson one-sided.csv --x x --lower lo --upper hi");
+    let answer = "There is no single least-squares estimate to ask about: no column of y was given, \
+        and a reading with one bound only has no middle to take instead.";
+    assert!(page.contains(answer));
 }

@@ -8,7 +8,6 @@ use boundfit_exact::{Rational, Rounding};
 use boundfit_questions::{BoxBound, Corner, SideSet, SlopeEnd, XErrorFit, XErrorProblem};
 
 use super::frames::RIGHT;
-use super::outside_note;
 use super::readings::{style_of_fitted, style_of_other};
 use super::scene::{MOST_LARGE_MARKS, MOST_MARKS, level};
 use crate::axis::Axis;
@@ -16,6 +15,7 @@ use crate::drawing::{Anchor, Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::extent::Extent;
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::outside::Outside;
 use crate::page::Page;
 use crate::palette::{BLUE, Dash, Fill, GREY, INK, Mark, PURPLE, Stroke, VERMILLION, style};
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
@@ -81,9 +81,9 @@ pub(crate) fn boxes(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotO
     }
     let mut notes = notes(problem, answer, options);
     let all = || measurements.others().iter().chain(measurements.kept());
-    let stands = |reading: &Measurement| panel.shows(panel.place([&reading.regressor[0], &level(reading)]));
-    let outside = all().filter(|reading| !stands(reading)).count();
-    notes.extend(outside_note([outside, count + others]));
+    let mut found = Outside::default();
+    all().for_each(|reading| found.include(&panel, [&reading.regressor[0], &level(reading)]));
+    notes.extend(found.note(&panel, "this view"));
     if step > 1 || other_step > 1 {
         let all = counted(count + others, "reading", "readings");
         notes.push(format!("{all}; drawn are some, evenly spread, and those that decide."));

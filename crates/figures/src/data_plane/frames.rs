@@ -22,7 +22,9 @@ pub(super) fn frames(options: &PlotOptions) -> [Frame; 2] {
         let [first, second] = if options.flip { [420.0, 420.0] } else { [250.0, 170.0] };
         let frame = |top, height| Frame { left, top, width, height: page.height(height) };
         let labels = if options.flip { BOTTOM_LABELS } else { 0.0 };
-        [frame(20.0, first), frame(20.0 + page.height(first) + labels + 32.0, second)]
+        // A heading that is too wide to stand beside the scale of the axis stands above it.
+        let gap = if page.is_narrow() { 46.0 } else { 32.0 };
+        [frame(20.0, first), frame(20.0 + page.height(first) + labels + gap, second)]
     }
 }
 

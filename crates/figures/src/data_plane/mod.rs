@@ -21,6 +21,7 @@ use boundfit_exact::english::counted;
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::figure::{Figure, PlotOptions};
 use crate::labels::{self, Conflict};
+use crate::outside::Outside;
 use crate::palette::{Dash, FAINT_INK, Stroke, style};
 use crate::parameter_plane::nested;
 use crate::render::BOTTOM_LABELS;
@@ -68,12 +69,14 @@ fn drawing_of(scene: &Scene, bands: &Bands, title: String, mut notes: Vec<String
     let names = [labels::abscissa(problem, options), labels::response(problem, options)];
     let whole = View { scene, reference: None };
     let mut panels = vec![panel(&whole, bands, frames[0], names)];
-    notes.extend(whole.outside(&panels[0]).and_then(outside_note));
+    // Where residuals stand beside them, the readings have the first panel.
+    let first = if scene.reference.is_some() { "the first panel" } else { "this view" };
+    notes.extend(whole.outside(&panels[0]).and_then(|found| found.note(&panels[0], first)));
     if let Some(reference) = &scene.reference {
         let view = View { scene, reference: Some(reference) };
         let names = [labels::abscissa(problem, options), labels::residual(options)];
         let mut distances = panel(&view, bands, frames[1], names);
-        if let Some([outside, count]) = view.outside(&distances)
+        if let Some(Outside { outside, count, .. }) = view.outside(&distances)
             && outside > 0
             && scene.options.x_range.is_none()
         {
@@ -103,15 +106,6 @@ fn drawing_of(scene: &Scene, bands: &Bands, title: String, mut notes: Vec<String
     }
 }
 
-/// The words about readings outside a view: how many there are, of how many.
-pub(crate) fn outside_note([outside, count]: [usize; 2]) -> Option<String> {
-    match outside {
-        0 => None,
-        _ if outside == count => Some("No reading is in this view.".to_owned()),
-        _ => Some(format!("Outside this view: {outside} of {}.", counted(count, "reading", "readings"))),
-    }
-}
-
 /// One panel with everything on it, from the back to the front.
 fn panel(view: &View, bands: &Bands, frame: Frame, names: [String; 2]) -> Panel {
     let scene = view.scene;
@@ -121,9 +115,14 @@ fn panel(view: &View, bands: &Bands, frame: Frame, names: [String; 2]) -> Panel 
     let bars = readings::bars(view, &panel);
     readings::shade(view, &mut panel, &bars);
     density::draw(view, &mut panel);
+    // Readings that are as dense as a wall would hide the lines behind it.
+    let is_wall = scene.is_dense() && !scene.is_crowded();
+    if is_wall {
+        readings::draw(view, &mut panel, &bars, &[false]);
+    }
     bands.draw(view, &mut panel);
     view.lines(&mut panel);
-    readings::draw(view, &mut panel, &bars);
+    readings::draw(view, &mut panel, &bars, if is_wall { &[true] } else { &[false, true] });
     panel
 }
 

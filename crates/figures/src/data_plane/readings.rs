@@ -91,13 +91,13 @@ pub(crate) fn shade(view: &View, panel: &mut Panel, bars: &[Bar]) {
     }
 }
 
-/// Draws the readings of a view: others first, conflicting ones last.
-pub(crate) fn draw(view: &View, panel: &mut Panel, bars: &[Bar]) {
+/// Draws readings of a view: for each flag in turn those that are conflicting or those that are not.
+pub(crate) fn draw(view: &View, panel: &mut Panel, bars: &[Bar], in_turn: &[bool]) {
     let kept: Vec<&Bar> =
         if view.scene.is_crowded() { thinned(bars, columns(length(panel))) } else { bars.iter().collect() };
     let caps = if kept.len() <= MOST_CAPS { 3.0 / length(panel) } else { 0.0 };
     let dense = view.scene.is_dense();
-    for conflicting in [false, true] {
+    for &conflicting in in_turn {
         let drawn = || kept.iter().filter(|bar| bar.shown.conflicting == conflicting);
         // Many bars would cover each other's marks.
         if dense {

@@ -11,6 +11,7 @@ use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::extent::Extent;
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::outside::Outside;
 use crate::page::Page;
 use crate::palette::{Dash, INK, Mark, Shape, Stroke, style};
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
@@ -66,8 +67,9 @@ pub(crate) fn several(all: &[Series], options: &PlotOptions) -> Drawing {
     let entries = all.iter().zip(&styles).enumerate();
     let legend = entries.map(|(index, (own, style))| entry(own, style, lines.contains(&index))).collect();
     let mut notes: Vec<String> = thinned(count, step).into_iter().collect();
-    let outside = all.iter().map(|own| outside(&panel, own.problem)).sum();
-    notes.extend(super::outside_note([outside, count]));
+    let mut found = Outside::default();
+    all.iter().for_each(|own| look_outside(&mut found, &panel, own.problem));
+    notes.extend(found.note(&panel, "this view"));
     let title = "Readings and lines, compared".to_owned();
     let told: Vec<String> = all.iter().map(|own| told(own, true)).collect();
     Drawing {
@@ -92,10 +94,10 @@ pub(crate) fn panels(
     let is_dense = all.iter().any(|own| own.problem.measurements.kept().len() > MOST_IN_SMALL);
     let (bar, mark) = super::readings::style_of_fitted(is_dense);
     let style = Style { bar, mark, line: Stroke { width: 1.3, ..style::LEAST_SQUARES } };
-    let mut beyond = 0;
+    let mut beyond = Outside::default();
     let panels = all.iter().zip(frames).map(|(own, frame)| {
         let mut panel = Panel::new(*frame, axes(all, *frame, options), options.flip);
-        beyond += outside(&panel, own.problem);
+        look_outside(&mut beyond, &panel, own.problem);
         draw_readings(&mut panel, own.problem, step, &style);
         draw_line(&mut panel, own, style.line);
         panel.heading = match own.fit.is_empty() {
@@ -113,7 +115,8 @@ pub(crate) fn panels(
         LegendEntry::new(Swatch::line(style.line), "least-squares line"),
     ];
     let mut notes: Vec<String> = thinned(count, step).into_iter().collect();
-    notes.extend(super::outside_note([beyond, count]));
+    // The panels have the same axes.
+    notes.extend(panels.first().and_then(|panel| beyond.note(panel, "this view")));
     let empty = all.iter().filter(|own| own.fit.is_empty()).count();
     if empty > 0 {
         notes.push(format!("No line agrees with all readings of {}.", counted(empty, "group", "groups")));
@@ -121,11 +124,11 @@ pub(crate) fn panels(
     (panels, legend, notes)
 }
 
-/// Returns the number of readings outside a panel.
-fn outside(panel: &Panel, problem: &Problem) -> usize {
-    let stands =
-        |reading: &Measurement| panel.shows(panel.place([&abscissa(problem, reading), &level(reading)]));
-    problem.measurements.kept().iter().filter(|reading| !stands(reading)).count()
+/// Counts the readings outside a panel.
+fn look_outside(found: &mut Outside, panel: &Panel, problem: &Problem) {
+    for reading in problem.measurements.kept() {
+        found.include(panel, [&abscissa(problem, reading), &level(reading)]);
+    }
 }
 
 fn thinned(count: usize, step: usize) -> Option<String> {

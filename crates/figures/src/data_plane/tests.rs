@@ -7,6 +7,7 @@ use super::drawing;
 use super::readings::style_of_fitted;
 use crate::drawing::{Drawing, Item};
 use crate::figure::{Figure, PlotOptions};
+use crate::palette::style;
 use crate::samples::problem;
 
 fn figure(problem: &Problem, y_range: Option<[i64; 2]>) -> Drawing {
@@ -29,12 +30,29 @@ fn readings_on_the_border_are_drawn_and_those_outside_counted() {
     for (range, expected, note) in [
         (None, 4, None),
         (Some([0, 3]), 4, None),
-        (Some([1, 2]), 2, Some("Outside this view: 2 of 4 readings.")),
-        (Some([5, 6]), 0, Some("No reading is in this view.")),
+        (Some([1, 2]), 2, Some("Outside the first panel: 2 of 4 readings.")),
+        (
+            Some([5, 6]),
+            0,
+            Some("No reading is in the first panel: they lie from 0 to 3 across and from 0 to 3 up."),
+        ),
     ] {
         let drawing = figure(&problem, range);
         assert_eq!(marked(&drawing), expected, "{range:?}");
-        let found = drawing.notes.iter().find(|note| note.contains("this view"));
+        let found = drawing.notes.iter().find(|note| note.contains("the first panel"));
         assert_eq!(found.map(String::as_str), note, "{range:?}");
+    }
+}
+
+#[test]
+fn lines_are_above_readings_that_are_as_dense_as_a_wall() {
+    let rows: Vec<String> = (0..3000).map(|k| format!("{k} {} 1", k % 2)).collect();
+    let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
+    let figure = figure(&problem("line", &rows, &[]), None);
+    for panel in &figure.panels {
+        let last_mark = panel.items.iter().rposition(|item| matches!(item, Item::Mark { .. }));
+        let is_line =
+            |item: &Item| matches!(item, Item::Line { stroke, .. } if *stroke == style::LEAST_SQUARES);
+        assert!(panel.items.iter().position(is_line) > last_mark, "{last_mark:?}");
     }
 }

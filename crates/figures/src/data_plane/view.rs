@@ -10,6 +10,7 @@ use crate::axis::Axis;
 use crate::drawing::{Anchor, Frame, Panel};
 use crate::extent::Extent;
 use crate::figure::Figure;
+use crate::outside::Outside;
 use crate::palette::{FAINT_INK, Stroke};
 
 /// The content of a panel: values, or distances from a reference line.
@@ -92,22 +93,23 @@ impl View<'_> {
         fitted.grown_towards(bands, &band_room).grown_towards(&others, &others_room).padded(&margin)
     }
 
-    /// Returns the number of the figure's readings outside the panel, and the number of all. Returns `None` where a
-    /// look at each of very many readings takes long and would find none.
-    pub(crate) fn outside(&self, panel: &Panel) -> Option<[usize; 2]> {
-        let Scene { problem, figure, options, count, .. } = self.scene;
+    /// Counts the figure's readings outside the panel. Returns `None` where a look at each of very many readings takes
+    /// long and would find none.
+    pub(crate) fn outside(&self, panel: &Panel) -> Option<Outside> {
+        let Scene { problem, figure, options, .. } = self.scene;
         let is_asked = options.x_range.is_some() || options.y_range.is_some();
         if self.scene.is_crowded() && (self.reference.is_some() || !is_asked) {
             return None;
         }
         let others = if *figure == Figure::Corridor { &[] } else { problem.measurements.others() };
         let all = others.iter().map(Cow::Borrowed).chain(self.scene.fitted());
-        let stands = |reading: &Measurement| {
-            let level = level(reading);
-            let value = if self.reference.is_some() { level - self.reference_at(reading) } else { level };
-            panel.shows(panel.place([&self.scene.abscissa(reading), &value]))
-        };
-        Some([all.filter(|reading| !stands(reading)).count(), *count])
+        let mut found = Outside::default();
+        for reading in all {
+            let level = level(&reading);
+            let value = if self.reference.is_some() { level - self.reference_at(&reading) } else { level };
+            found.include(panel, [&self.scene.abscissa(&reading), &value]);
+        }
+        Some(found)
     }
 
     /// Marks the places where the fitted rows begin and end, when other rows are shown.

@@ -14,6 +14,7 @@ use crate::clip::Place;
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::outside::unseen_sets;
 use crate::page::Page;
 use crate::palette::{Dash, FAINT_INK, Fill, GREY, INK, Mark, Shape, Stroke, VERMILLION, style};
 
@@ -62,6 +63,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         true => "The directions are spread evenly where the PUI box is a square.".to_owned(),
         false => "The directions are spread evenly in the plane of θ₁ and θ₂.".to_owned(),
     });
+    notes.extend(panels.first().and_then(|main| unseen_sets(main, [polyhedron].into_iter(), options)));
     if let Some(sliver) = sliver {
         panels.push(thin(sliver.panel(0, page), &sliver, polyhedron, &outer, hull));
         notes.push(Sliver::note("the exact set"));

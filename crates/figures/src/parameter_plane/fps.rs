@@ -12,6 +12,7 @@ use super::{empty, region};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::outside::unseen_sets;
 use crate::page::Page;
 use crate::palette::{Mark, style};
 
@@ -56,6 +57,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         panels.push(thin(sliver.panel(panels.len() - 1, page), &sliver, fit, &estimates));
         notes.push(Sliver::note("the set"));
     }
+    notes.extend(panels.first().and_then(|main| unseen_sets(main, [polyhedron].into_iter(), options)));
     notes.extend(marks::outside_note(&panels, &estimates));
     notes.extend(labels::why_no_eui(fit));
     if polyhedron.region().kind() == RegionKind::Plane {

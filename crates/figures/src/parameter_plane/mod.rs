@@ -20,5 +20,6 @@ pub(crate) use directions::drawing as directions;
 pub(crate) use fps::drawing as fps;
 pub(crate) use outliers::drawing as outliers;
 pub(crate) use program::{drawing as program, region as region_of_half_planes};
+pub(crate) use region::inequality;
 pub(crate) use several::{panels, several};
 pub(crate) use x_errors::drawing as x_errors;

@@ -10,16 +10,17 @@ use super::{marks, region, view};
 use crate::drawing::{Anchor, Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::outside::unseen_sets;
 use crate::page::Page;
-use crate::palette::{BLUE, Dash, Fill, INK, ORANGE, Stroke};
+use crate::palette::{BLUE, Dash, Fill, INK, Stroke};
 
 /// The number of sets that are drawn, evenly spread, beside the set of the bounds as given.
 const SETS: i64 = 5;
 /// Light enough for one set to be seen through others.
 pub(crate) const FILL: Fill = Fill { colour: BLUE, opacity: 0.16 };
 pub(crate) const EDGE: Stroke = Stroke::new(BLUE, 1.0, Dash::Solid);
-/// The set of the bounds as given.
-pub(crate) const GIVEN: Stroke = Stroke::new(ORANGE, 1.9, Dash::Long);
+/// The set of the bounds as given: darker than the sets around it, in greys too.
+pub(crate) const GIVEN: Stroke = Stroke::new(INK, 2.2, Dash::Long);
 /// Significant digits of factors.
 const DIGITS: usize = 4;
 
@@ -55,6 +56,7 @@ pub(crate) fn drawing(problem: &Problem, family: &Family, options: &PlotOptions)
         notes.push(in_order(&sets));
     }
     notes.extend(nothing_below(family));
+    notes.extend(unseen_sets(&panel, sets.iter().map(|nested| &nested.set), options));
     if sets.iter().any(|nested| !nested.set.region().is_bounded()) {
         notes.push("Arrows: the set goes on without end.".to_owned());
     }
@@ -131,4 +133,18 @@ fn name(panel: &mut Panel, nested: &Nested) -> bool {
 pub(crate) fn shown(sign: &str, factor: &Rational, rounding: Rounding) -> String {
     let about = if factor.exact_decimal(DIGITS).is_some() { "" } else { "≈ " };
     format!("{about}{sign}{}", labels::number(factor, DIGITS, rounding))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_set_as_given_is_seen_in_greys() {
+        // The darkest area is that of all sets, one on another.
+        let light = (1.0 - FILL.opacity).powi(SETS as i32 + 1);
+        let paper = Fill { opacity: 1.0 - light, ..FILL }.grey_on_paper();
+        let edge = Fill { colour: GIVEN.colour, opacity: 1.0 }.grey_on_paper();
+        assert!(paper - edge >= 80.0, "{paper} {edge}");
+    }
 }

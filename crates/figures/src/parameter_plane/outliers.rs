@@ -11,6 +11,7 @@ use super::{marks, region, view};
 use crate::drawing::{Anchor, Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::outside::unseen_sets;
 use crate::page::Page;
 use crate::palette::{BLUE, Dash, ORANGE, Stroke, style};
 
@@ -56,8 +57,9 @@ pub(crate) fn drawing(problem: &Problem, outliers: &Outliers, options: &PlotOpti
     } else {
         mark_pieces(&mut main, pieces);
     }
-    let mut panels = vec![main];
     let mut notes = told(outliers);
+    notes.extend(unseen_sets(&main, pieces.iter().map(|piece| piece.left.polyhedron()), options));
+    let mut panels = vec![main];
     if let Some(sliver) = sliver {
         panels.push(marks::thin(&sliver, regions(), Page::of(options)));
         notes.push(Sliver::note("the set"));

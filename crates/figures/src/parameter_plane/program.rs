@@ -1,15 +1,17 @@
 //! A set of half-planes, and a linear program over it: where the objective improves, and the optimal points.
 
 use boundfit_exact::{Foreign, Rational};
-use boundfit_geometry::{Direction, Face, Polyhedron, RegionKind, Support};
+use boundfit_geometry::constructions::foot;
+use boundfit_geometry::{Direction, Face, Point, Polyhedron, RegionKind, Support};
 
 use super::layout::{main_frame, panel};
 use super::region::{at, direction};
 use super::{marks, region, view};
-use crate::clip;
+use crate::clip::{self, Place};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::outside::unseen_sets;
 use crate::page::Page;
 use crate::palette::{Dash, Mark, Shape, Stroke, VERMILLION, style};
 use crate::render::BOTTOM_LABELS;
@@ -22,6 +24,8 @@ const OPTIMUM: Mark = Mark::new(Shape::Disc, 4.8, VERMILLION);
 const LEVEL: Stroke = Stroke::new(VERMILLION, 1.0, Dash::Short);
 /// The length of the arrow of the objective, in parts of the panel.
 const ARROW: f64 = 0.16;
+/// The least part of a panel that an arrow takes to be seen.
+const SEEN: f64 = 0.05;
 /// Farther than a panel is wide or high.
 const ACROSS: f64 = 4.0;
 
@@ -41,13 +45,14 @@ pub(crate) fn region(
         RegionKind::Plane => "Every point is in all half-planes.",
         _ => "Arrows: the set goes on without end.",
     };
+    let unseen = unseen_sets(&panel, [polyhedron].into_iter(), options);
     finished(
         one_line(title, 90),
         format!("set: {}", kind.name()),
         &labels::asked_for(&labels::described(options), names),
         panel,
         vec![LegendEntry::new(set, "set")],
-        (note, true),
+        Notes { own: note, is_shown: true, unseen },
     )
 }
 
@@ -90,31 +95,48 @@ pub(crate) fn drawing(
             (optimal_points(&face), face == Face::Whole)
         }
         Support::Unbounded(proof) => {
-            let from = at(&panel, &proof.point.coordinates());
             let along = direction(&panel, &proof.ray);
+            let from = start_of_ray(&panel, polyhedron, &proof.point, along);
+            let drawn = panel.items.len();
             panel.ray(from, along, 0.0, LEVEL);
             legend.push(improves);
-            ("The objective improves for ever along the arrow.", true)
+            match panel.items.len() > drawn {
+                true => ("The objective improves for ever along the arrow.", true),
+                false => ("The objective improves for ever, along an arrow outside this view.", true),
+            }
         }
         Support::Empty(_) => ("No point is feasible.", true),
     };
     let subtitle = format!("feasible set: {}", polyhedron.region().kind().name());
     let names = labels::asked_for(&labels::described(options), names);
-    finished(one_line(title, 90), subtitle, &names, panel, legend, (note, is_shown))
+    let unseen = unseen_sets(&panel, [polyhedron].into_iter(), options);
+    finished(one_line(title, 90), subtitle, &names, panel, legend, Notes { own: note, is_shown, unseen })
 }
 
-/// A figure with all its parts; of the note, whether it stands below the panel.
+/// The remarks of a figure.
+struct Notes {
+    own: &'static str,
+    /// `true` if the own remark stands below the panel, too.
+    is_shown: bool,
+    /// The remark on a set that is not in view.
+    unseen: Option<String>,
+}
+
+/// A figure with all its parts.
 fn finished(
     title: String,
     subtitle: String,
     names: &[String; 2],
     panel: Panel,
     legend: Vec<LegendEntry>,
-    (note, is_shown): (&str, bool),
+    Notes { own, is_shown, unseen }: Notes,
 ) -> Drawing {
     let main = panel.frame;
+    let own = Some(own.to_owned()).filter(|own| !own.is_empty());
+    let remarks: Vec<&str> = own.iter().chain(&unseen).map(String::as_str).collect();
+    let remarks = remarks.join(" ");
     let description =
-        format!("{title}, {subtitle}. Horizontal axis: {}. Vertical axis: {}. {note}", names[0], names[1]);
+        format!("{title}, {subtitle}. Horizontal axis: {}. Vertical axis: {}. {remarks}", names[0], names[1]);
     Drawing {
         description: description.trim_end().to_owned(),
         title,
@@ -122,7 +144,7 @@ fn finished(
         height: main.top + main.height + BOTTOM_LABELS + 8.0,
         panels: vec![panel],
         legend,
-        notes: Some(note.to_owned()).filter(|note| is_shown && !note.is_empty()).into_iter().collect(),
+        notes: own.filter(|_| is_shown).into_iter().chain(unseen).collect(),
     }
 }
 
@@ -170,6 +192,26 @@ fn draw_face(panel: &mut Panel, face: &Face) {
     }
 }
 
+/// Returns the place where a ray along which a set goes on starts: the vertex from which most of it is in view. The ray may start at
+/// any point of the set, so that a set without a vertex in view has it from a point inside.
+fn start_of_ray(panel: &Panel, polyhedron: &Polyhedron, inside: &Point, along: Place) -> Place {
+    let region = polyhedron.region();
+    let shown = |from: &Place| {
+        let visible = clip::crossing(*from, along, 0.0, f64::INFINITY);
+        visible.map_or(0.0, |(enter, leave)| (leave - enter) * along[0].hypot(along[1]))
+    };
+    let best = |places: Vec<Place>| {
+        let seen = places.into_iter().map(|place| (shown(&place), place));
+        seen.filter(|(length, _)| *length > SEEN).max_by(|one, other| one.0.total_cmp(&other.0))
+    };
+    let place = |point: &Point| at(panel, &point.coordinates());
+    let vertices = region.vertices().iter().map(|vertex| place(vertex.point()));
+    let vertices: Vec<Place> = vertices.filter(|vertex| panel.shows(*vertex)).collect();
+    let sides = region.boundaries().iter().map(|side| foot(side.half_plane()));
+    let others: Vec<Place> = sides.chain(region.witness()).map(|point| place(&point)).collect();
+    best(vertices).or_else(|| best(others)).map_or_else(|| place(inside), |(_, place)| place)
+}
+
 /// The line on which the objective has its optimum, and an arrow in which direction it improves.
 fn draw_level(panel: &mut Panel, point: &[Rational; 2], along: &Direction) {
     let middle = at(panel, point);
@@ -182,4 +224,52 @@ fn draw_level(panel: &mut Panel, point: &[Rational; 2], along: &Direction) {
         if panel.shows(tip) { (middle, tip) } else { (clip::along(middle, step, -ARROW), middle) };
     panel.line(&[from, tip], LEVEL);
     panel.arrow(tip, step, LEVEL.colour);
+}
+
+#[cfg(test)]
+mod tests {
+    use boundfit_exact::Rational;
+    use boundfit_geometry::{Inequality, Polyhedron};
+
+    use super::*;
+    use crate::drawing::Item;
+
+    /// The figure of x ≥ 0, y ≥ 0 and x - y ≥ 1 with an objective.
+    fn wedge(gain: [i64; 2], options: &PlotOptions) -> Drawing {
+        let row = |a1: i64, a2: i64, b: i64| Inequality::new(a1.into(), a2.into(), b.into());
+        let set = Polyhedron::intersect([row(-1, 0, 0), row(0, -1, 0), row(-1, 1, -1)].into_iter().collect());
+        drawing(&set, &gain.map(Rational::from), &["x".into(), "y".into()], &"wedge".into(), options)
+    }
+
+    #[test]
+    fn an_objective_without_end_improves_from_the_vertex_on() {
+        for gain in [[1, 1], [1, 0], [2, -1]] {
+            let figure = wedge(gain, &PlotOptions::default());
+            let panel = &figure.panels[0];
+            let vertex = panel.place([&Rational::one(), &Rational::zero()]);
+            let mut lines = panel.items.iter().filter_map(|item| match item {
+                Item::Line { points, stroke } if *stroke == LEVEL => Some(points),
+                _ => None,
+            });
+            assert_eq!(lines.next().map(|points| points[0]), Some(vertex), "{gain:?}");
+            assert!(
+                panel
+                    .items
+                    .iter()
+                    .any(|item| matches!(item, Item::ArrowHead { colour, .. } if *colour == LEVEL.colour))
+            );
+        }
+    }
+
+    #[test]
+    fn a_set_out_of_view_is_said_to_be_elsewhere() {
+        let range = |from: i64, to: i64| Some([from, to].map(Rational::from));
+        let options = PlotOptions { x_range: range(-9, -5), y_range: range(3, 4), ..PlotOptions::default() };
+        let notes = wedge([1, 1], &options).notes;
+        let expected = [
+            "The objective improves for ever, along an arrow outside this view.",
+            "The set is not in this view: it has vertices at 1 across and at 0 up.",
+        ];
+        assert_eq!(notes, expected);
+    }
 }

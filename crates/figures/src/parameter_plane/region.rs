@@ -111,7 +111,7 @@ fn form_in(panel: &Panel, half_plane: &HalfPlane) -> Option<(Place, f64)> {
 }
 
 /// A half-plane as an inequality.
-pub(super) fn inequality(half_plane: &HalfPlane) -> Inequality {
+pub(crate) fn inequality(half_plane: &HalfPlane) -> Inequality {
     let [a1, a2, b] = [half_plane.a1(), half_plane.a2(), half_plane.b()].map(Rational::from);
     Inequality::new(a1, a2, b)
 }

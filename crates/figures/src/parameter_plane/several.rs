@@ -11,6 +11,7 @@ use super::{marks, region};
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::outside::unseen_sets;
 use crate::page::Page;
 use crate::palette::{Mark, Shape, Stroke, style};
 use crate::render::BOTTOM_LABELS;
@@ -38,6 +39,7 @@ pub(crate) fn several(all: &[Series], options: &PlotOptions) -> Drawing {
     if all.iter().any(|own| own.fit.central.is_some()) {
         notes.push("Marks: central estimates.".to_owned());
     }
+    notes.extend(unseen_sets(&main, all.iter().map(|own| own.fit.fps.polyhedron()), options));
     notes.extend(without_end(all));
     let title = "Feasible parameter sets, compared".to_owned();
     let described = self::names(all, &labels::described(options));

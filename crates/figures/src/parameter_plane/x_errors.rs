@@ -12,6 +12,7 @@ use super::{marks, region, view};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::outside::unseen_sets;
 use crate::page::Page;
 use crate::palette::{Dash, FAINT_INK, Fill, Stroke, style};
 use crate::x_errors::{asked, conflict, emptiness};
@@ -57,6 +58,7 @@ pub(crate) fn drawing(problem: &XErrorProblem, answer: &XErrorFit, options: &Plo
     }
     let mut notes = vec![asked(problem, options)];
     notes.extend(answer.pui().and_then(|intervals| pui_note(&intervals, &names)));
+    notes.extend(unseen_sets(&main, pieces.iter().map(|piece| &piece.polyhedron), options));
     let mut panels = vec![main];
     if let Some(sliver) = sliver {
         panels.push(marks::thin(&sliver, regions(), Page::of(options)));

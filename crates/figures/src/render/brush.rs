@@ -121,7 +121,7 @@ impl<'a, 'b> Brush<'a, 'b> {
             Align::End => HPos::Right,
         };
         let style = text_style(size, colour).pos(Pos::new(horizontal, VPos::Center));
-        self.canvas.draw_text(&drawable(text), &style, fine(at))
+        self.canvas.draw_text(text, &style, fine(at))
     }
 
     /// A line of text, on its plate.
@@ -133,7 +133,7 @@ impl<'a, 'b> Brush<'a, 'b> {
         self.text(*at, text, *size, *colour, *align)
     }
 
-    /// The width of a text.
+    /// The width of a text, with a lozenge for each letter that the font lacks.
     pub(super) fn text_width(&self, text: &str, size: f64) -> CanvasResult<f64> {
         let (width, _) = self.canvas.estimate_text_size(&drawable(text), &text_style(size, INK))?;
         Ok(f64::from(width) / FINE)
@@ -141,9 +141,8 @@ impl<'a, 'b> Brush<'a, 'b> {
 
     /// A text as far as it fits a width; what is cut ends in "…".
     pub(super) fn fitted(&self, text: &str, size: f64, room: f64) -> CanvasResult<String> {
-        let text = drawable(text);
-        if self.text_width(&text, size)? <= room {
-            return Ok(text);
+        if self.text_width(text, size)? <= room {
+            return Ok(text.to_owned());
         }
         let letters: Vec<char> = text.chars().collect();
         let cut = |kept: usize| -> String {

@@ -1,6 +1,6 @@
 //! The least-squares and the central estimate.
 
-use boundfit_estimation::{BoundName, Central, Fit};
+use boundfit_estimation::{BoundName, Central, Fit, NoLeastSquares};
 use boundfit_exact::{PlusMinus, Rational, Rounding};
 
 use super::wording::{bound, bounds, decimal, every_bound, sentences, value};
@@ -34,8 +34,15 @@ fn of_model(facts: &Facts<'_>, line: &str, two_regressors: &str) -> Message {
     text!(if facts.is_line() { line } else { two_regressors })
 }
 
+/// Returns the reason, in the words of the layers where they are as short.
 fn no_least_squares(facts: &Facts<'_>) -> Message {
-    of_model(facts, "q.squares.one-abscissa", "q.squares.one-vector")
+    match facts.fit.least_squares {
+        Err(NoLeastSquares::NoResponse) => text!("reason.9"),
+        Err(NoLeastSquares::EveryXZero) => text!("reason.8"),
+        Err(NoLeastSquares::Singular) | Ok(_) => {
+            of_model(facts, "q.squares.one-abscissa", "q.squares.one-vector")
+        }
+    }
 }
 
 /// The half-planes whose slack at the least-squares estimate has a certain sign.

@@ -259,6 +259,19 @@ fn a_document_has_the_picture_for_tikz_in_it() {
     }
 }
 
+#[test]
+fn letters_that_the_font_lacks_stay_where_texts_do() {
+    let line = format!("{TRANSDUCER} --figure fps --x-label 温度");
+    let [outlined, real] = ["", " --real-text"].map(|option| svg(&format!("{line}{option}"), 0));
+    assert!(real.contains("温度") && !real.contains("◊</text>"), "{real}");
+    assert!(!outlined.contains("◊</text>"));
+    let note = "stands for letters that the font Inter lacks";
+    assert!(real.contains(note));
+    let source = String::from_utf8(picture(&format!("{line} --format tikz"), 0)).unwrap();
+    assert!(source.contains("{温度}") && !source.contains("diamond"), "{source}");
+    assert!(!svg(&format!("{TRANSDUCER} --figure fps --real-text"), 0).contains(note));
+}
+
 /// The description of a picture has its notes.
 fn description(text: &str) -> &str {
     text.split_once("<desc").and_then(|(_, rest)| rest.split_once("</desc>")).map_or("", |(own, _)| own)
@@ -276,12 +289,25 @@ fn readings_on_the_border_are_drawn_and_those_outside_counted() {
     let on_border = data("--figure data --y-range 0.013..0.035");
     let wide = data("--figure data --y-range 0.0127..0.0353");
     for text in [&close, &on_border, &wide] {
-        assert!(description(text).contains("Outside this view: 23 of 46 readings."), "{}", description(text));
+        assert!(
+            description(text).contains("Outside the first panel: 23 of 46 readings."),
+            "{}",
+            description(text)
+        );
     }
     let all = data("--figure data --y-range 0..0.045");
-    assert!(!description(&all).contains("this view"), "{}", description(&all));
+    assert!(!description(&all).contains("the first panel"), "{}", description(&all));
     let none = data("--figure data --y-range 1..2");
-    assert!(description(&none).contains("No reading is in this view."), "{}", description(&none));
+    let place =
+        "No reading is in the first panel: they lie from −6.9582 to 7.5844 across and from 0 to 0.045 up.";
+    assert!(description(&none).contains(place), "{}", description(&none));
+    // Neither is the set where no parameters are looked for.
+    let set = data("--figure fps --x-range 5..6");
+    assert!(
+        description(&set).contains("The set is not in this view: it has vertices from "),
+        "{}",
+        description(&set)
+    );
 }
 
 #[test]

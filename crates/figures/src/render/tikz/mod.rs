@@ -16,6 +16,7 @@ use crate::drawing::{Drawing, Frame, Item, Panel, Swatch};
 use crate::error::FigureError;
 use crate::palette::{Colour, Dash, FRAME, Fill, GRID, INK, Mark, PAPER, Shape, Stroke};
 use crate::tex;
+use crate::text::NOTE_OF_MISSING;
 use path::Paths;
 use styles::Styles;
 
@@ -63,6 +64,10 @@ pub(crate) fn source(drawing: &Drawing, look: &Look, is_document: bool) -> Resul
 
 /// Returns the source of the figure, the styles that it uses, and the size of the picture in points.
 fn written(drawing: &Drawing, look: &Look) -> CanvasResult<(String, Styles, [f64; 2])> {
+    // The letters of a document are its own.
+    let mut drawing = drawing.clone();
+    drawing.notes.retain(|note| note != NOTE_OF_MISSING);
+    let drawing = &drawing;
     let words = measured(drawing, look.page)?;
     let points = POINTS * look.page.scale;
     let mut writer = Writer { paths: Paths::default(), styles: Styles::new(points, look.greyscale), points };

@@ -63,7 +63,8 @@ export function connectAddress(bench) {
 /** @param {Workbench} bench */
 function followAddress(bench) {
   const words = location.hash.slice(1);
-  if (words === "" || words.startsWith("view=")) return;
+  // The link past the header names a part of the page.
+  if (words === "" || words.startsWith("view=") || document.getElementById(words) !== null) return;
   bench.notice = "";
   const following = readAddress(bench, words).catch((error) => {
     bench.notice = sentenceOf(refusalOf(error));

@@ -13,6 +13,19 @@ export function refusalOf(error) {
   return refusal ?? { kind: "", words: wordsOfError(error) };
 }
 
+/** Digits in groups of three with blanks of any width between them. */
+const GROUPED_BY_BLANKS = /^[+-]?\d{1,3}(?:\s\d{3})+(?:[.,]\d+)?$/;
+
+/**
+ * A text of the table with its blanks as they are: the engine escapes those of another width.
+ * @param {string} text
+ */
+const withBlanks = (text) =>
+  text.replace(/\\u\{([0-9a-f]{2,4})\}/g, (escaped, code) => {
+    const character = String.fromCharCode(parseInt(code, 16));
+    return /\p{Zs}/u.test(character) ? character : escaped;
+  });
+
 /** @param {string} sentence */
 const capital = (sentence) => sentence.slice(0, 1).toUpperCase() + sentence.slice(1);
 
@@ -29,7 +42,7 @@ export const sentenceOf = (refusal) => capital(refusedWords(refusal));
 export function refusedWords({ kind, words, text, position, values = {} }) {
   const said = isText(`problem.${kind}`) ? t(`problem.${kind}`, values) : words;
   const placed = position === undefined ? said : t("problem-at.character", { problem: said, position });
-  return text === undefined || text === "" ? placed : t("problem-at.text", { problem: placed, text });
+  return text === undefined || text === "" ? placed : t("problem-at.text", { problem: placed, text: withBlanks(text) });
 }
 
 /**
@@ -37,9 +50,10 @@ export function refusedWords({ kind, words, text, position, values = {} }) {
  * @param {Refusal} refusal
  */
 export function sentenceOfTable(refusal) {
-  const { line, column, name, kind } = refusal;
+  const { line, column, name, kind, text } = refusal;
   const sentence = refusedWords(refusal);
   const place = { problem: sentence, line: line ?? "", column: name ?? `${column ?? ""}` };
   const placed = line === undefined ? capital(sentence) : t(column === undefined ? "problem-at.line" : "problem-at.cell", place);
-  return isText(`problem-way.${kind}`) ? `${placed}. ${t(`problem-way.${kind}`)}` : placed;
+  const way = kind === "number" && GROUPED_BY_BLANKS.test(withBlanks(text ?? "").trim()) ? "number-blanks" : kind;
+  return isText(`problem-way.${way}`) ? `${placed}. ${t(`problem-way.${way}`)}` : placed;
 }

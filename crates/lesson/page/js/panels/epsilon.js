@@ -43,6 +43,12 @@ function leastStop(lesson) {
 }
 
 /**
+ * What the slider moves: the one error bound, or the factor of all of them.
+ * @param {Lesson} lesson
+ */
+const symbolOf = (lesson) => (lesson.epsilon === null ? "s" : "ε");
+
+/**
  * The slider's range. The stops are evenly spaced on it; so are their ticks.
  * @param {Lesson} lesson
  */
@@ -54,7 +60,7 @@ export function drawStops(lesson) {
   const least = leastStop(lesson);
   const at = stops.flatMap((stop, k) => (stop.breakpoint === null && k !== givenStop(stops) ? [] : [k]));
   const given = givenStop(stops);
-  const symbol = lesson.epsilon === null ? "s" : "ε";
+  const symbol = symbolOf(lesson);
   // Two labels that would run into each other stand below each other.
   const isNear = least >= 0 && Math.abs(given - least) / last < NEAR_LABELS;
   const marks = at.map((k) => {
@@ -91,12 +97,12 @@ export function epsilonSentence(lesson, stop) {
   if (stop.s.compare(sMin) < 0)
     return t("epsilon.empty", { demands: demands(lesson) });
   if (stop.breakpoint === null)
-    return t("epsilon.between");
+    return t("epsilon.between", { symbol: symbolOf(lesson) });
   const { entering, leaving } = sweepOf(lesson).breakpoints[stop.breakpoint];
   const parts = [];
   if (entering.length > 0) parts.push(t("epsilon.become-active", { bounds: namesList(entering) }));
   if (leaving.length > 0) parts.push(t("epsilon.become-redundant", { bounds: namesList(leaving) }));
-  return parts.length === 0 ? t("epsilon.end") : t("epsilon.breakpoint", { changes: parts.join("; ") });
+  return parts.length === 0 ? t("epsilon.end") : t("epsilon.breakpoint", { symbol: symbolOf(lesson), changes: parts.join("; ") });
 }
 
 /**

@@ -9,6 +9,9 @@ import { teacherValues } from "./teacher.js";
 
 const LONGEST_IN_FORMULA = 14;
 
+/** The file of readings that come from none, in the words of the program. */
+const STANDARD_INPUT = "standard input";
+
 /**
  * Fills in titles, names of columns and the data set's own facts.
  * @param {Lesson} lesson
@@ -56,7 +59,9 @@ function titleOf({ data }) {
   if (!data.is_default_title) return data.title;
   const { model } = data;
   const list = model.kind === "line" ? [model.x] : model.regressors;
-  return t("page.title", { file: data.file, y: model.y, x: { list } });
+  // Readings that were typed or linked have no file to name.
+  const key = data.file === STANDARD_INPUT ? "page.title-of-input" : "page.title";
+  return t(key, { file: data.file, y: model.y, x: { list } });
 }
 
 /** @param {Lesson} lesson */
@@ -86,7 +91,7 @@ function provenance(lesson) {
       ? t("count.readings", { count: length })
       : t("provenance.of", { readings: length, all: length + data.others.length });
   // A title that nobody gave begins with the name of the file.
-  const file = data.is_default_title ? [] : [data.file];
+  const file = data.is_default_title || data.file === STANDARD_INPUT ? [] : [data.file];
   return [...file, readings, bound + unitOf(lesson)].join(" · ");
 }
 
