@@ -120,9 +120,9 @@ class WindowDocument(TypedDict):
     input: LineInput
     """The input, the same for all lines."""
     first_row: int
-    """The first row of the window."""
+    """The row of the first reading of the window."""
     last_row: int
-    """The last row of the window."""
+    """The row of the last reading of the window."""
     rows: int
     """The number of readings in it."""
     x: list[Exact] | None

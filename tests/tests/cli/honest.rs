@@ -343,7 +343,7 @@ fn windows_and_runs_of_x_are_named_by_the_x_of_the_data() {
     assert_eq!(runs(&range), runs(&own));
 }
 
-/// What would have no effect is refused, and a recommended command does what it is for.
+/// Options without an effect are refused, and a recommended command does what it is for.
 #[test]
 fn accepted_options_are_effective() {
     let directory = directory_with(&[("a.csv", b"x,y\n1,0\n2,123456789\n4,0\n9,1\n")]);
