@@ -87,7 +87,9 @@ fn what_is_asked_for_in_vain_is_refused() {
     let mat = std::fs::read(boundfit_tests::program::root().join("fixtures/mat/transducer-v7.mat")).unwrap();
     let objects: &[u8] = br#"{"x": 1, "y": 2}"#;
     let arrays: &[u8] = br#"[["1", 2], [2, 3]]"#;
-    let has_no_effect: [(&str, bool, &dyn Fn(&mut TableOptions)); 11] = [
+    /// Words for what is asked for, whether workbooks have it, and how it is asked for.
+    type Asked = (&'static str, bool, &'static dyn Fn(&mut TableOptions));
+    let has_no_effect: [Asked; 11] = [
         ("an encoding is", false, &|options| options.dialect.encoding = Some(Encoding::Iso8859Part1)),
         ("a delimiter is", false, &|options| options.dialect.delimiter = Some(b';')),
         ("a block is", true, &|options| options.block = Some(AskedBlock::All)),
