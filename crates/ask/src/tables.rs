@@ -69,7 +69,12 @@ impl Tables for Held {
 
 /// Returns the options for reading a further table: as the first one, but all of it.
 fn of_all_rows(options: &ScanOptions, reading: Reading) -> ScanOptions {
-    let table =
-        TableOptions { rows: RowSet::default(), conditions: Vec::new(), reading, ..options.table.clone() };
+    let table = TableOptions {
+        rows: RowSet::default(),
+        conditions: Vec::new(),
+        reading,
+        is_beside: true,
+        ..options.table.clone()
+    };
     ScanOptions { table, hash: false, list_rows: false, progress: None, ..options.clone() }
 }

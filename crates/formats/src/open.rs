@@ -98,7 +98,7 @@ fn scan_content<T: Send>(
     let has_sheets = matches!(content, Content::Archive(_));
     #[cfg(not(feature = "spreadsheets"))]
     let has_sheets = false;
-    if options.table.sheet.is_some() && !has_sheets {
+    if options.table.sheet.is_some() && !has_sheets && !options.table.is_beside {
         return Err(InputError::of_file(name, InputErrorKind::NoSheets));
     }
     refuse_vain(&content, has_sheets, &options.table)
@@ -125,7 +125,7 @@ fn scan_content<T: Send>(
 
 /// Refuses what is asked for and could have no effect.
 fn refuse_vain(content: &Content, has_sheets: bool, table: &TableOptions) -> Result<(), InputErrorKind> {
-    if matches!(content, Content::Bytes(_)) {
+    if matches!(content, Content::Bytes(_)) || table.is_beside {
         return Ok(());
     }
     let is_json = matches!(content, Content::Json(_));

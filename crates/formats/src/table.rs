@@ -62,6 +62,8 @@ pub struct TableOptions {
     pub row_cost: usize,
     /// The most wanted rows that may be held: one more is refused as soon as it is met.
     pub most_wanted: Option<usize>,
+    /// `true` if the options are those of another table, beside which this one is read: what has no effect here is passed over.
+    pub is_beside: bool,
 }
 
 impl TableOptions {

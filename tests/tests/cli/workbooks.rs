@@ -273,3 +273,26 @@ fn every_command_reads_sheets() {
     assert_eq!(fit("data.xlsx.reduced")["pui"], fit("data.csv.reduced")["pui"]);
     assert_eq!(fit("data.ods.reduced"), fit("data.xlsx.reduced"));
 }
+
+/// Options say how the table of the data is written; of one beside it they hold as far as they can.
+#[test]
+fn tables_beside_the_data_may_be_of_another_kind() {
+    let more = xlsx(&[("M\u{fc}ller", &xlsx_rows("x,y\n4,4.5\n5,9", b'A', 1))]);
+    let directory = directory_with(&[
+        ("base.csv", b"x;y\n1;1,1\n2;1,9\n3;3\n"),
+        ("more.csv", b"x;y\n4;4,5\n5;9\n"),
+        ("more.xlsx", &more),
+        ("more.json", br#"[{"x": 4, "y": 4.5}, {"x": 5, "y": 9}]"#),
+    ]);
+    let options = "--delimiter semicolon --decimal comma --encoding windows-1252 --header yes --comment none";
+    let judged = |more: &str| {
+        let line = format!("status base.csv --x x --y y --eps 1/2 {options} --new {more} --format csv");
+        let run = boundfit(directory.path(), &line);
+        assert_eq!(run.status, 0, "{more}: {run:?}");
+        run.stdout
+    };
+    let expected = judged("more.csv");
+    assert_eq!(expected.lines().count(), 6, "{expected}");
+    assert_eq!(judged("more.xlsx"), expected);
+    assert_eq!(judged("more.json"), expected);
+}

@@ -73,7 +73,9 @@ pub(crate) fn scan_json<T: Send>(
     if names.is_empty() {
         return Err(InputError::of_file(name, InputErrorKind::Empty));
     }
-    if let Some(asked) = options.table.header.asked().filter(|_| reader.has_keys()) {
+    if let Some(asked) =
+        options.table.header.asked().filter(|_| reader.has_keys() && !options.table.is_beside)
+    {
         return Err(InputError::of_file(name, InputErrorKind::OnlyOfText { asked, fits_sheets: true }));
     }
     let wanted = WantedColumns::new(name, &names, columns, options)?;

@@ -81,6 +81,7 @@ pub(crate) fn scan_workbook<T: Send>(
     let Sheet { choice, text, memory: _memory } = sheet.map_err(fail)?;
     let mut inner = ScanOptions { hash: false, progress: None, ..options.clone() };
     inner.table.dialect.delimiter = Some(text::DELIMITER);
+    inner.table.dialect.encoding = None;
     let scanned = scan_text(file, Box::new(Cursor::new(text)), columns, &inner, work, take);
     let scanned = scanned.map_err(|error| match error.in_sheet(choice.name()) {
         InputError { kind: InputErrorKind::Empty, file, place } => {
