@@ -1,5 +1,6 @@
 //! The embedded font and what may be written in it.
 
+use std::borrow::Cow;
 use std::sync::Once;
 
 use boundfit_exact::Foreign;
@@ -80,14 +81,18 @@ fn has(character: char) -> bool {
     character == '\n' || IN_FONT.iter().any(|&(first, last)| (first..=last).contains(&character))
 }
 
-/// Returns whether the font lacks a character of a text.
-pub(crate) fn has_missing(text: &str) -> bool {
-    !text.chars().all(has)
+/// Returns whether the font lacks a character of a document. Lines of coordinates, which are most of it, are passed over.
+pub(crate) fn has_missing(document: &str) -> bool {
+    let is_plain = |line: &str| line.bytes().all(|byte| (b' '..=b'~').contains(&byte));
+    document.split('\n').any(|line| !is_plain(line) && !line.chars().all(has))
 }
 
 /// A text as the font can show it: a lozenge for each character that it lacks, which would vanish otherwise.
-pub(crate) fn drawable(text: &str) -> String {
-    text.chars().map(|c| if has(c) { c } else { MISSING }).collect()
+pub(crate) fn drawable(text: &str) -> Cow<'_, str> {
+    match has_missing(text) {
+        true => text.chars().map(|c| if has(c) { c } else { MISSING }).collect::<String>().into(),
+        false => text.into(),
+    }
 }
 
 /// A text between XML tags.

@@ -7,7 +7,9 @@ use crate::dialect::{BLANKS, Dialect, Encoding};
 /// The detected format of a table of text, or of a sheet.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TableNotes {
-    /// The line that names the columns, and the sheet where it stands.
+    /// The sheet that was read, of a workbook with several sheets.
+    pub sheet: Option<SheetNote>,
+    /// The line that names the columns.
     pub header: HeaderNote,
     /// The dialect of the text; for a sheet the delimiter and the encoding mean nothing.
     pub dialect: Dialect,
@@ -21,8 +23,8 @@ pub struct TableNotes {
     pub skipped: Skipped,
 }
 
-/// The line that names the columns, and the sheet where it stands.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+/// The line that names the columns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct HeaderNote {
     /// The line with the names, from 1; `None` where there are none.
     pub line: Option<u64>,
@@ -34,8 +36,6 @@ pub struct HeaderNote {
     pub has_numbers: bool,
     /// `true` if the rows have a cell more than the header, which is their name.
     pub has_row_names: bool,
-    /// The sheet that was read, of a workbook with several sheets.
-    pub sheet: Option<SheetNote>,
 }
 
 /// A sheet of a workbook.
@@ -104,13 +104,13 @@ impl TableNotes {
     /// way in which the table is written is detected where that is safe, and not guessed.
     pub fn has_guesses(&self) -> bool {
         self.header_words().is_some()
-            || self.header.sheet.as_ref().is_some_and(|sheet| !sheet.is_asked)
+            || self.sheet.as_ref().is_some_and(|sheet| !sheet.is_asked)
             || self.block.is_some()
             || !self.skipped_words().is_empty()
     }
 
     fn sheet_words(&self) -> Option<String> {
-        let SheetNote { name, number, total, is_hidden, .. } = self.header.sheet.as_ref()?;
+        let SheetNote { name, number, total, is_hidden, .. } = self.sheet.as_ref()?;
         let hidden = if *is_hidden { ", hidden" } else { "" };
         Some(format!("sheet {number} of {total} ({}{hidden})", name.quoted()))
     }

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
+use boundfit_tests::cli::refusals::check_refusal;
 use boundfit_tests::cli::{
     boundfit, boundfit_with_input, command, directory_with, finish, printed, unbroken,
 };
@@ -351,21 +352,28 @@ fn accepted_options_are_effective() {
     printed(folder, "reduce a.csv --x x --y y -o r.csv");
     let fit = "fit a.csv --x x --y y --eps 1e8";
     for (line, message) in [
-        (format!("{fit} --window 2 --confidence 0.9"), "cannot be used with"),
-        (format!("{fit} --sweep 0..2 --format csv"), "other formats have no place for many sets"),
-        (format!("{fit} --x-eps 1 --full"), "'--full' is about a single set"),
+        (
+            format!("{fit} --window 2 --confidence 0.9"),
+            "the argument '--window <N>' cannot be used with '--confidence <NUM>'",
+        ),
+        (
+            format!("{fit} --sweep 0..2 --format csv"),
+            "'--sweep' is about text, latex, markdown and json; other formats have no place for many sets",
+        ),
+        (
+            format!("{fit} --x-eps 1 --full"),
+            "'--full' is about a single set: with errors in x ('--x-eps') there may be two, one for each sign of theta1",
+        ),
         (
             "plot r.csv --x x --y y --eps 1e8 --figure range -o p.svg".to_owned(),
-            "'range' is about every reading, and the data are a reduction",
+            "'range' is about every reading, and the data are a reduction: ask about the table that it was made from",
         ),
         (
             "plot r.csv --x x --y y --eps 1e8 --figure status -o p.svg".to_owned(),
-            "'status' is about every reading, and the data are a reduction",
+            "'status' is about every reading, and the data are a reduction: ask about the table that it was made from",
         ),
     ] {
-        let run = boundfit(folder, &line);
-        assert!(run.status == 2 || run.status == 1, "{line}: {run:?}");
-        assert!(run.stderr.contains(message), "{line}\n{}", run.stderr);
+        check_refusal(&boundfit(folder, &line), &line, 2, message);
     }
     let empty = boundfit(folder, "fit a.csv --x x --y y --eps 1 --rounding nearest").stdout;
     let step = empty.lines().find(|line| line.contains("boundfit fit ... --eps ")).unwrap();

@@ -115,6 +115,7 @@ pub(crate) fn scan_json<T: Send>(
 /// Returns notes on records in this encoding.
 fn notes(encoding: Encoding, missing: Missing) -> TableNotes {
     TableNotes {
+        sheet: None,
         header: HeaderNote::default(),
         dialect: Dialect {
             delimiter: b',',

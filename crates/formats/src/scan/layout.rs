@@ -161,7 +161,8 @@ impl<'a> Layout<'a> {
         };
         let has_numbers = self.names_in.line.is_some() && self.places.iter().any(is_number);
         TableNotes {
-            header: HeaderNote { has_numbers, ..self.names_in.clone() },
+            sheet: None,
+            header: HeaderNote { has_numbers, ..self.names_in },
             dialect: self.dialect(),
             is_sheet: false,
             is_records: false,

@@ -25,7 +25,7 @@ use crate::doubles::double_text;
 use crate::error::{InputError, InputErrorKind};
 use crate::hash::hexadecimal;
 use crate::memory_use::MemoryUse;
-use crate::notes::{HeaderNote, SheetNote, TableNotes};
+use crate::notes::{SheetNote, TableNotes};
 use crate::packing::most_unpacked;
 use crate::scan::{Batch, ScanOptions, Scanned, scan_text};
 
@@ -92,10 +92,7 @@ pub(crate) fn scan_workbook<T: Send>(
     if let Some(progress) = &options.progress {
         progress.advanced(total);
     }
-    let table = scanned.table.map(|notes| {
-        let header = HeaderNote { sheet: choice.note(), ..notes.header };
-        TableNotes { is_sheet: true, header, ..notes }
-    });
+    let table = scanned.table.map(|notes| TableNotes { sheet: choice.note(), is_sheet: true, ..notes });
     Ok(Scanned { layout: None, table, bytes: total, sha256, ..scanned })
 }
 

@@ -1,6 +1,6 @@
 //! The report of a fit in ten lines.
 
-use boundfit_estimation::{Fit, Problem};
+use boundfit_estimation::{ErrorBound, Fit, Problem};
 use boundfit_exact::english::list;
 
 use super::{InverseLine, Report};
@@ -40,11 +40,7 @@ pub fn brief_document(problem: &Problem, fit: &Fit, origin: &Origin, style: &Sty
     rows.extend(fit.minimax.as_ref().map(|minimax| {
         let least = Text::new().number(style.upper(&minimax.least));
         let names = list(minimax.proof.multipliers.iter().map(|(name, _)| name.to_string()));
-        let least = least.words(match problem.measurements.error_bound() {
-            bound if bound.has_middles() => " times the widths",
-            bound if bound.is_uniform() => "",
-            _ => " times the bounds",
-        });
+        let least = least.words(times_what(problem.measurements.error_bound()));
         // Where nothing has to be given up, no bound stands against less.
         let least = if names.is_empty() { least } else { least.words(format!(", fixed by {names}")) };
         (Text::from(Symbol::LeastEpsilon), least)
@@ -72,4 +68,13 @@ pub fn brief_document(problem: &Problem, fit: &Fit, origin: &Origin, style: &Sty
         blocks.extend(lines.map(|(_, line)| Block::Paragraph(line)));
     }
     Document::new(blocks)
+}
+
+/// Returns the words behind a short ε_min: what of the bounds it multiplies, where it is a factor.
+pub(crate) fn times_what(error_bound: &ErrorBound) -> &'static str {
+    match error_bound {
+        bound if bound.has_middles() => " times the widths",
+        bound if bound.is_uniform() => "",
+        _ => " times the bounds",
+    }
 }

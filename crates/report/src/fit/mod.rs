@@ -7,6 +7,7 @@ mod next;
 mod results;
 
 pub use brief::brief_document;
+pub(crate) use brief::times_what;
 pub(crate) use estimates::bounded_rows;
 pub use next::{NextStep, next_document, next_steps};
 

@@ -17,7 +17,7 @@ use boundfit_exact::english::{counted, list_of};
 use boundfit_questions::{Contradiction, LinearRange, Order, Run};
 
 use crate::document::{Block, Document, Facts, Symbol, THETA, Table, Text};
-use crate::fit::fit_facts;
+use crate::fit::{fit_facts, times_what};
 use crate::origin::Origin;
 use crate::region::kind_text;
 use crate::style::Style;
@@ -271,11 +271,7 @@ fn longest(own: &Problem, fit: &Fit, style: &Style) -> Vec<(Text, Text)> {
     }
     if let Some(minimax) = &fit.minimax {
         let least = Text::new().number(style.upper(&minimax.least));
-        let least = least.words(match own.measurements.error_bound() {
-            bound if bound.has_middles() => " times the widths",
-            bound if bound.is_uniform() => "",
-            _ => " times the bounds",
-        });
+        let least = least.words(times_what(own.measurements.error_bound()));
         rows.push((Symbol::LeastEpsilon.into(), least));
     }
     rows

@@ -11,9 +11,10 @@ const NAMING: usize = 3;
 /// Refuses sentences that could change what a name stands for: Coq's kernel accepts a second definition, in a module or not, and the
 /// theorems behind it would be about other rows. `definitions` are the sentences whose names must keep their meaning.
 pub(super) fn refuse_new_meanings(definitions: &str, behind: &str) -> Result<(), NotAProof> {
-    let definitions = code(definitions);
+    let open = || NotAProof::new("a comment or a quote does not end");
+    let definitions = code(definitions).ok_or_else(open)?;
     let names: BTreeSet<&str> = words(&definitions).collect();
-    for sentence in code(behind).split(". ") {
+    for sentence in code(behind).ok_or_else(open)?.split(". ") {
         // Marks of parts of a proof stand before a sentence.
         let sentence =
             sentence.trim_start_matches(|mark: char| mark.is_whitespace() || "-+*{}".contains(mark));
@@ -38,8 +39,9 @@ pub(super) fn refuse_new_meanings(definitions: &str, behind: &str) -> Result<(),
     Ok(())
 }
 
-/// A text of Coq without comments and what stands in quotes, and with a blank for all white space.
-fn code(text: &str) -> String {
+/// A text of Coq without comments and what stands in quotes, and with a blank for all white space; `None` where it ends within one of
+/// both.
+pub(super) fn code(text: &str) -> Option<String> {
     let mut code = String::new();
     let (mut depth, mut is_quoted) = (0_usize, false);
     let mut characters = text.chars().peekable();
@@ -60,7 +62,7 @@ fn code(text: &str) -> String {
         }
     }
     code.push(' ');
-    code
+    (!is_quoted && depth == 0).then_some(code)
 }
 
 /// The names and numbers of a text.

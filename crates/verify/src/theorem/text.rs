@@ -2,7 +2,7 @@
 
 use boundfit_exact::{Limits, Rational, Reading};
 
-use super::sentences::refuse_new_meanings;
+use super::sentences::{code, refuse_new_meanings};
 use super::{Bounds, Stated, Theorem};
 use crate::shape::NotAProof;
 
@@ -40,7 +40,7 @@ pub(super) fn theorem(text: &str) -> Result<Theorem, NotAProof> {
         }
     }
     let (before, rest) = text.split_once(ROWS).ok_or_else(|| other("the rows"))?;
-    if is_within_comment(before) {
+    if code(before).is_none() {
         return Err(NotAProof::new("the rows stand in a comment"));
     }
     let from_rows = rest;
@@ -73,27 +73,6 @@ pub(super) fn theorem(text: &str) -> Result<Theorem, NotAProof> {
 
 fn other(what: &str) -> NotAProof {
     NotAProof::new(format_args!("{what} of this theorem are not written as boundfit writes them"))
-}
-
-/// Returns whether a text ends within a comment of Coq, or within quotes.
-fn is_within_comment(text: &str) -> bool {
-    let (mut depth, mut is_quoted) = (0_usize, false);
-    let mut bytes = text.bytes().peekable();
-    while let Some(byte) = bytes.next() {
-        match (byte, bytes.peek()) {
-            (b'"', _) => is_quoted = !is_quoted,
-            (b'(', Some(b'*')) if !is_quoted => {
-                bytes.next();
-                depth += 1;
-            }
-            (b'*', Some(b')')) if !is_quoted && depth > 0 => {
-                bytes.next();
-                depth -= 1;
-            }
-            _ => {}
-        }
-    }
-    is_quoted || depth > 0
 }
 
 /// The lines of pieces of text, and what follows the pieces.

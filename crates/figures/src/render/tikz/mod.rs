@@ -5,6 +5,7 @@
 mod path;
 mod styles;
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
 use super::brush::{self, CIRCLE_LINE, CROSS_LINE, PLATE, RING_LINE};
@@ -65,9 +66,13 @@ pub(crate) fn source(drawing: &Drawing, look: &Look, is_document: bool) -> Resul
 /// Returns the source of the figure, the styles that it uses, and the size of the picture in points.
 fn written(drawing: &Drawing, look: &Look) -> CanvasResult<(String, Styles, [f64; 2])> {
     // The letters of a document are its own.
-    let mut drawing = drawing.clone();
-    drawing.notes.retain(|note| note != NOTE_OF_MISSING);
-    let drawing = &drawing;
+    let without = |drawing: &Drawing| {
+        let mut drawing = drawing.clone();
+        drawing.notes.retain(|note| note != NOTE_OF_MISSING);
+        drawing
+    };
+    let has_note = drawing.notes.iter().any(|note| note == NOTE_OF_MISSING);
+    let drawing = &if has_note { Cow::Owned(without(drawing)) } else { Cow::Borrowed(drawing) };
     let words = measured(drawing, look.page)?;
     let points = POINTS * look.page.scale;
     let mut writer = Writer { paths: Paths::default(), styles: Styles::new(points, look.greyscale), points };
