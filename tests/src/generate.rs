@@ -8,6 +8,16 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::oracle::Row;
 
+/// One generated case in this many is tried: all of them where `ALL_CASES` is set, as continuous integration does.
+pub fn one_in() -> usize {
+    if std::env::var_os("ALL_CASES").is_some() { 1 } else { 8 }
+}
+
+/// Returns how many of so many cases are tried, or how often so many hits among all of them are expected.
+pub fn share(all: usize) -> usize {
+    all.div_ceil(one_in())
+}
+
 /// A generator that gives the same numbers for the same seed.
 pub fn seeded(seed: u64) -> ChaCha8Rng {
     ChaCha8Rng::seed_from_u64(seed)

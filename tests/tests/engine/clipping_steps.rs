@@ -7,7 +7,7 @@ use boundfit_geometry::clipping::{Step, StepRedundancy, steps};
 use boundfit_geometry::{
     Inequality, Multiplier, Point, Polyhedron, Region, RegionKind, Support, System, envelope,
 };
-use boundfit_tests::generate::{rational_system, seeded, shuffled, system};
+use boundfit_tests::generate::{rational_system, seeded, share, shuffled, system};
 use boundfit_tests::shape::{Tally, active_sets, combined, shape, subsystem};
 use rand::RngExt;
 
@@ -15,7 +15,7 @@ use rand::RngExt;
 fn in_the_given_order_every_step_ends_at_the_region_of_the_prefix() {
     let mut rng = seeded(101);
     let mut tally = Tally::default();
-    for _ in 0..10_000 {
+    for _ in 0..share(10_000) {
         let system = rational_system(&mut rng);
         let order: Vec<usize> = (0..system.len()).collect();
         let steps = steps(&system, &order);
@@ -33,7 +33,7 @@ fn in_the_given_order_every_step_ends_at_the_region_of_the_prefix() {
 fn in_any_order_the_region_is_that_of_the_inequalities_so_far() {
     let mut rng = seeded(102);
     let mut tally = Tally::default();
-    for case in 0..10_000 {
+    for case in 0..share(10_000) {
         let system = rational_system(&mut rng);
         let mut order = shuffled(&mut rng, system.len());
         // Every other time some come again, or are left out.

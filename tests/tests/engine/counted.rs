@@ -14,7 +14,7 @@ use boundfit_questions::{
     Agreement, Calibration, CalibrationColumns, CalibrationResponse, Linearity, LinearityOptions,
     OutlierLimits, Outliers, SideSet, XBounds, XErrorProblem,
 };
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
@@ -277,7 +277,7 @@ fn plain_table(rng: &mut ChaCha8Rng, round: usize) -> String {
 fn the_readings_that_decide_linearity_tell_it_of_all() {
     let mut rng = seeded(4_105);
     let mut decided = 0;
-    for round in 0..400 {
+    for round in 0..share(400) {
         let text = plain_table(&mut rng, round);
         let columns = CalibrationColumns { x: named("x"), response: CalibrationResponse::One(named("y")) };
         let options = ScanOptions { chunk_bytes: [300, 1 << 18][round % 2], ..ScanOptions::default() };
@@ -291,7 +291,7 @@ fn the_readings_that_decide_linearity_tell_it_of_all() {
         let [one, other] = [&few, &each].map(|own| told(&own.linearity(&asked).unwrap()));
         assert_eq!(one, other, "{round}: {text}");
     }
-    assert!(decided > 200, "{decided}");
+    assert!(decided > share(200), "{decided}");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use boundfit_estimation::{
 };
 use boundfit_exact::{Limits, Rational, Reading, Sign};
 use boundfit_formats::{ColumnSelector, InputError, ScanOptions, Source};
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 use boundfit_tests::tables::TableKind;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -204,7 +204,7 @@ fn a_reduction_with_one_number_changed_is_refused_or_says_what_it_now_says() {
     let kinds =
         [TableKind::Ties, TableKind::Noise, TableKind::Extreme, TableKind::Collinear, TableKind::Vertical];
     let (mut refused, mut accepted, mut known) = (0, 0, 0);
-    for case in 0..1500 {
+    for case in 0..share(1500) {
         let kind = kinds[rng.random_range(0..kinds.len())];
         let count = rng.random_range(1..=14);
         let rows = kind.rows(&mut rng, count);
@@ -234,5 +234,8 @@ fn a_reduction_with_one_number_changed_is_refused_or_says_what_it_now_says() {
         // Where every reading is known, nothing else can be true.
         assert!(!is_known || said == now, "{case}: from\n{text}to\n{other}");
     }
-    assert!(refused > 500 && accepted > 100 && known > 100, "{refused} {accepted} {known}");
+    assert!(
+        refused > share(500) && accepted > share(100) && known > share(100),
+        "{refused} {accepted} {known}"
+    );
 }

@@ -6,7 +6,7 @@ use boundfit_estimation::{ErrorBound, Fit, Measurement, Minimax, Model, fit};
 use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::definitions::{contains, least_bound};
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{one_in, seeded, share};
 use boundfit_tests::readings::{problem, rebuilt, with_error_bound, with_rows, y_and_epsilon};
 use rand::RngExt;
 use rand::seq::SliceRandom;
@@ -34,7 +34,7 @@ fn outcome(fit: &Fit) -> Outcome {
 fn every_proof_verifies_and_the_known_facts_hold() {
     let mut rng = seeded(1);
     let mut kinds: BTreeMap<RegionKind, usize> = BTreeMap::new();
-    for case in 0..CASES {
+    for case in 0..share(CASES) {
         let mut problem = problem(&mut rng);
         // At its least error bound a set has no interior: the hardest cases.
         if case % 3 == 0
@@ -70,7 +70,10 @@ fn every_proof_verifies_and_the_known_facts_hold() {
     for kind in
         [RegionKind::Empty, RegionKind::Point, RegionKind::Segment, RegionKind::Polygon, RegionKind::Strip]
     {
-        assert!(kinds.get(&kind).is_some_and(|count| *count >= 20), "{kind:?} was hit too seldom: {kinds:?}");
+        assert!(
+            kinds.get(&kind).is_some_and(|count| *count >= 20 / one_in()),
+            "{kind:?} was hit too seldom: {kinds:?}"
+        );
     }
 }
 
@@ -78,7 +81,7 @@ fn every_proof_verifies_and_the_known_facts_hold() {
 fn the_least_error_bound_leaves_something_and_no_smaller_one_does() {
     let mut rng = seeded(2);
     let (mut by_hulls, mut positive, mut never) = (0, 0, 0);
-    for case in 0..CASES {
+    for case in 0..share(CASES) {
         let problem = problem(&mut rng);
         let (measurements, conditions) = (&problem.measurements, &problem.conditions);
         let chosen = Minimax::new(measurements, conditions);
@@ -106,13 +109,16 @@ fn the_least_error_bound_leaves_something_and_no_smaller_one_does() {
             assert!(!minimax.proof.verify(measurements, conditions, &wrong), "case {case}");
         }
     }
-    assert!(by_hulls > 500 && positive > 500 && never > 20, "{by_hulls} {positive} {never}");
+    assert!(
+        by_hulls > share(500) && positive > share(500) && never > 20 / one_in(),
+        "{by_hulls} {positive} {never}"
+    );
 }
 
 #[test]
 fn the_order_of_rows_and_repeated_rows_change_no_set() {
     let mut rng = seeded(3);
-    for case in 0..CASES {
+    for case in 0..share(CASES) {
         let problem = problem(&mut rng);
         let expected = fit(&problem);
         let mut rows = problem.measurements.kept().to_vec();
@@ -138,7 +144,7 @@ fn the_order_of_rows_and_repeated_rows_change_no_set() {
 #[test]
 fn units_can_be_changed() {
     let mut rng = seeded(4);
-    for case in 0..CASES {
+    for case in 0..share(CASES) {
         let mut problem = problem(&mut rng);
         problem.conditions.clear();
         let expected = fit(&problem);
@@ -180,7 +186,7 @@ fn units_can_be_changed() {
 fn the_inverse_line_covers_every_feasible_line() {
     let mut rng = seeded(5);
     let mut with_both_signs = 0;
-    for case in 0..CASES {
+    for case in 0..share(CASES) {
         let problem = problem(&mut rng);
         let fit = fit(&problem);
         let Some(inverse) = fit.inverse(problem.measurements.model()) else { continue };
@@ -201,14 +207,14 @@ fn the_inverse_line_covers_every_feasible_line() {
         // The gain depends on θ1 alone, so the box loses nothing.
         assert_eq!(inverse.gain.exact_range, inverse.gain.box_range, "case {case}");
     }
-    assert!(with_both_signs > 100, "{with_both_signs}");
+    assert!(with_both_signs > share(100), "{with_both_signs}");
 }
 
 #[test]
 fn binary64_readings_are_the_nearest_doubles_taken_exactly() {
     use boundfit_exact::{Limits, Reading};
     let mut rng = seeded(6);
-    for case in 0..CASES {
+    for case in 0..share(CASES) {
         let problem = problem(&mut rng);
         let tenth = Rational::ratio(1, 10);
         let decimal = |value: &Rational| (value * &tenth).to_string();
@@ -239,7 +245,7 @@ fn binary64_readings_are_the_nearest_doubles_taken_exactly() {
 #[test]
 fn guaranteed_errors_are_attained() {
     let mut rng = seeded(7);
-    for case in 0..CASES {
+    for case in 0..share(CASES) {
         let problem = problem(&mut rng);
         let fit = fit(&problem);
         let largest = |estimate: &[Rational; 2], axis: usize| {

@@ -2,7 +2,7 @@
 
 use boundfit_geometry::constructions::foot;
 use boundfit_geometry::{Direction, Generator, Point, Polyhedron, Region, RegionKind};
-use boundfit_tests::generate::{rational_system, seeded};
+use boundfit_tests::generate::{rational_system, seeded, share};
 use boundfit_tests::representations::{GeneratorRow, generates, generator_rows, generators, generators_of};
 use boundfit_tests::shape::{Shape, Tally, active_sets, recession, shape};
 
@@ -40,7 +40,7 @@ fn landmarks(region: &Region) -> Vec<[i128; 3]> {
 fn for_each_case(seed: u64, check: impl Fn(&[GeneratorRow], &Polyhedron)) {
     let mut rng = seeded(seed);
     let mut tally = Tally::default();
-    for _ in 0..CASES {
+    for _ in 0..share(CASES) {
         let rows = generator_rows(&mut rng);
         let polyhedron = generators(&rows).polyhedron();
         tally.count(polyhedron.region().kind().name());
@@ -144,7 +144,7 @@ fn both_ways(polyhedron: &Polyhedron) -> (Shape, Shape) {
 fn from_half_planes_to_generators_and_back() {
     let mut rng = seeded(605);
     let mut tally = Tally::default();
-    for _ in 0..CASES {
+    for _ in 0..share(CASES) {
         let polyhedron = Polyhedron::intersect(rational_system(&mut rng));
         let (again, expected) = both_ways(&polyhedron);
         assert_eq!(again, expected, "{:?}", polyhedron.system().inequalities());

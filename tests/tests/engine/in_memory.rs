@@ -5,7 +5,7 @@ use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{
     ColumnSelector, MemoryNumbers, MemoryTable, RowRange, ScanOptions, Source, TableOptions, read_table,
 };
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 use rand::RngExt;
 
 use crate::reducing::{reduced, reduced_source, try_reduced};
@@ -61,7 +61,7 @@ fn ways(text: &str, reading: Reading, is_written_asked: bool) -> Vec<MemoryTable
 #[test]
 fn columns_in_memory_are_fitted_and_reduced_like_their_text() {
     let mut rng = seeded(1717);
-    for count in 0..2000 {
+    for count in 0..share(2000) {
         let mut case = Case::random(&mut rng, 1..=30);
         case.reading = if count % 2 == 0 { Reading::Decimal } else { Reading::Binary64 };
         let scanned = |source: Source, most_rows: usize| -> (Problem, Fit) {

@@ -10,7 +10,7 @@ use boundfit_estimation::{
 };
 use boundfit_exact::{Endpoint, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, ScanOptions, Source, TableOptions};
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 use boundfit_tests::oracle::{Row, solve};
 use boundfit_tests::readings::parse_condition;
 use boundfit_tests::shape::{Tally, shape};
@@ -387,7 +387,7 @@ fn check(case: &Case, rng: &mut ChaCha8Rng, tally: &mut Tally) {
 fn intervals_and_rows_with_one_bound_agree_with_the_oracle() {
     let mut rng = seeded(61);
     let mut tally = Tally::default();
-    for _ in 0..2500 {
+    for _ in 0..share(2500) {
         check(&intervals(&mut rng), &mut rng, &mut tally);
     }
     tally.assert_each_kind(3);
@@ -400,7 +400,7 @@ fn intervals_and_rows_with_one_bound_agree_with_the_oracle() {
 fn laws_agree_with_the_oracle() {
     let mut rng = seeded(62);
     let mut tally = Tally::default();
-    for _ in 0..1500 {
+    for _ in 0..share(1500) {
         check(&law(&mut rng), &mut rng, &mut tally);
     }
     tally.assert_each(20, &["empty", "polygon", "strip", "EUI", "factor", "positive factor"]);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use boundfit_exact::Integer;
 use boundfit_geometry::{Region, RegionKind, System, clipping, envelope};
-use boundfit_tests::generate::{half_planes, seeded, system};
+use boundfit_tests::generate::{half_planes, seeded, share, system};
 use boundfit_tests::oracle::{Answer, Row, solve};
 
 const CASES: usize = 100_000;
@@ -40,7 +40,7 @@ fn check(intersect: impl Fn(&System) -> Region, rows: &[Row]) -> Region {
 fn both_algorithms_agree_with_the_oracle() {
     let mut rng = seeded(20_240_501);
     let mut counts: BTreeMap<RegionKind, usize> = BTreeMap::new();
-    for _ in 0..CASES {
+    for _ in 0..share(CASES) {
         let rows = half_planes(&mut rng);
         let clipped = check(clipping::intersect, &rows);
         let fast = check(envelope::intersect, &rows);
@@ -50,7 +50,7 @@ fn both_algorithms_agree_with_the_oracle() {
     println!("{counts:?}");
     for kind in RegionKind::ALL {
         assert!(
-            counts.get(&kind).is_some_and(|count| *count >= 100),
+            counts.get(&kind).is_some_and(|count| *count >= share(100)),
             "{kind:?} was hit too seldom: {counts:?}"
         );
     }

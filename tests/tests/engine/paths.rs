@@ -8,7 +8,7 @@ use boundfit_estimation::{
 use boundfit_exact::{Interval, Limits, Rational, Reading};
 use boundfit_geometry::{Direction, HalfPlane, Multiplier, Point, RegionKind};
 use boundfit_tests::definitions::{answer, answer_in_general, box_of, inverse_ranges, least_bound};
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 use boundfit_tests::readings::{line, naive_least_squares, parse_condition, problem, with_error_bound};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -220,7 +220,7 @@ fn edges_of_machine_integers() {
     ];
     sizes.extend(texts.into_iter().map(number));
     let mut rng = seeded(22);
-    for case in 0..CASES {
+    for case in 0..share(CASES) {
         let mut size = || {
             let size = &sizes[rng.random_range(0..sizes.len())];
             match rng.random_range(0..3) {

@@ -1,7 +1,7 @@
 //! Linear ranges against all runs, each judged by the oracle.
 
 use boundfit_questions::{LinearRange, Order};
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 use boundfit_tests::readings::with_rows;
 use boundfit_tests::runs::readings;
 
@@ -22,7 +22,7 @@ fn fewest(runs: &[[usize; 2]], count: usize) -> usize {
 fn runs_are_those_of_all_runs_that_no_other_one_contains() {
     let mut rng = seeded(165);
     let (mut several, mut alone, mut whole) = (0, 0, 0);
-    for case in 0..2_500 {
+    for case in 0..share(2_500) {
         let readings = readings(&mut rng, 8);
         let problem = readings.problem();
         for order in [Order::X, Order::Row] {
@@ -81,5 +81,8 @@ fn runs_are_those_of_all_runs_that_no_other_one_contains() {
             whole += usize::from(runs == [[0, expected.len() - 1]]);
         }
     }
-    assert!(several > 1_000 && alone > 100 && whole > 500, "{several}, {alone}, {whole}");
+    assert!(
+        several > share(1_000) && alone > share(100) && whole > share(500),
+        "{several}, {alone}, {whole}"
+    );
 }

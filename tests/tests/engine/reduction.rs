@@ -12,7 +12,7 @@ use boundfit_estimation::{
 use boundfit_exact::{Column, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Progress, ScanOptions, Source, TableOptions};
 use boundfit_geometry::RegionKind;
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{one_in, seeded, share};
 use boundfit_tests::readings::{parse_condition, y_and_epsilon};
 use boundfit_tests::tables::TableKind;
 use rand::RngExt;
@@ -197,7 +197,7 @@ fn a_scan_gives_the_fit_of_all_readings_for_any_parts_and_threads() {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("table.csv");
     let mut kinds = Vec::new();
-    for case_number in 0..600 {
+    for case_number in 0..share(600) {
         let mut case = Case::random(&mut rng);
         fs::write(&path, text(&case.rows)).unwrap();
         let mut whole = case.whole();
@@ -231,7 +231,7 @@ fn a_scan_gives_the_fit_of_all_readings_for_any_parts_and_threads() {
     for kind in
         [RegionKind::Empty, RegionKind::Point, RegionKind::Polygon, RegionKind::Strip, RegionKind::Line]
     {
-        assert!(kinds.iter().filter(|own| **own == kind).count() >= 3, "{kind:?} is too rare");
+        assert!(kinds.iter().filter(|own| **own == kind).count() >= 3 / one_in(), "{kind:?} is too rare");
     }
 }
 
@@ -343,7 +343,7 @@ fn reductions_of_parts_put_together_and_reduced_are_the_reduction_of_the_whole()
     let mut rng = seeded(52);
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("table.csv");
-    for case_number in 0..600 {
+    for case_number in 0..share(600) {
         let case = Case::random(&mut rng);
         fs::write(&path, text(&case.rows)).unwrap();
         let whole = case.whole();

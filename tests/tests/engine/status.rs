@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use boundfit_estimation::{BoundName, ErrorBound, Measurement, Measurements, Model, Problem, fit};
 use boundfit_exact::Rational;
 use boundfit_questions::{NoRepair, Repair, Standing, Statuses};
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 use boundfit_tests::oracle::Row;
 use boundfit_tests::readings::parse_condition;
 use boundfit_tests::statuses::{Reading, least_total, statuses};
@@ -93,7 +93,7 @@ fn named(standing: Option<Standing>) -> Option<Named> {
 fn every_reading_stands_as_the_definitions_say() {
     let mut rng = seeded(16);
     let mut seen: BTreeMap<(bool, &str), usize> = BTreeMap::new();
-    for number in 0..CASES {
+    for number in 0..share(CASES) {
         let case = case(&mut rng);
         let statuses_of = Statuses::of(&case.problem, &fit(&case.problem)).expect("all in memory");
         let expected = statuses(&case.readings, &case.conditions);
@@ -113,7 +113,7 @@ fn every_reading_stands_as_the_definitions_say() {
         }
     }
     for status in ["inner", "boundary", "outer", "strictly outer", "outlier", "nothing"] {
-        assert!(seen.get(&(true, status)).is_some_and(|count| *count > 100), "{seen:?}");
+        assert!(seen.get(&(true, status)).is_some_and(|count| *count > share(100)), "{seen:?}");
     }
     for status in ["outer", "strictly outer", "outlier"] {
         assert!(!seen.contains_key(&(false, status)), "{seen:?}");

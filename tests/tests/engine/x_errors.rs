@@ -11,7 +11,7 @@ use boundfit_questions::{
     Agreement, LeastFactor, NoLeastFactor, NoXErrors, Side, XBounds, XErrorFit, XErrorProblem,
 };
 use boundfit_tests::boxes::{BoxReading, Boxes, Q, Theta};
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 use boundfit_tests::readings::parse_condition;
 use num_traits::Zero;
 use rand::RngExt;
@@ -258,7 +258,7 @@ fn sets_and_factors_are_those_of_the_definition() {
     let mut rng = seeded(20_261_122);
     let mut seen = std::collections::BTreeMap::new();
     let mut count = |what: &'static str| *seen.entry(what).or_insert(0) += 1;
-    for _ in 0..2000 {
+    for _ in 0..share(2000) {
         let problem = generated(&mut rng);
         let answer = problem.fit();
         let boxes = boxes(&problem);
@@ -276,7 +276,7 @@ fn sets_and_factors_are_those_of_the_definition() {
         }
     }
     let least = seen.values().min().copied().unwrap_or_default();
-    assert!(seen.len() == 11 && least >= 10, "{seen:?}");
+    assert!(seen.len() == 11 && least >= share(10), "{seen:?}");
 }
 
 #[test]

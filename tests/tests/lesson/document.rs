@@ -7,7 +7,7 @@ use boundfit_exact::{Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, Source, TableOptions};
 use boundfit_geometry::{Direction, HalfPlane, Inequality, Point, RegionKind, System};
 use boundfit_lesson::{Language, LessonOptions, lesson_data, said};
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 use boundfit_tests::lp_cases::hard_cases;
 use boundfit_tests::program::root;
 use boundfit_tests::readings::{
@@ -172,7 +172,7 @@ pub fn generated(seed: u64, count: usize) -> Vec<Lesson> {
             if number.is_multiple_of(2) { random_problem(&mut rng) } else { sparse_problem(&mut rng) };
         Lesson::of(&format!("seed {seed}, {number}"), problem)
     };
-    (0..count).map(lesson).collect()
+    (0..share(count)).map(lesson).collect()
 }
 
 /// One to three readings, often of one x, of regressors zero or with error bound zero, under up to two conditions: sets

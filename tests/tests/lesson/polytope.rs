@@ -2,7 +2,7 @@
 
 use boundfit_lesson::{PolytopeOptions, polytope};
 use boundfit_tests::cli::schema::check_schema;
-use boundfit_tests::generate::{half_planes, seeded};
+use boundfit_tests::generate::{half_planes, seeded, share};
 use boundfit_tests::oracle::{Answer, Row, solve};
 use boundfit_tests::shape::Tally;
 use num_bigint::BigInt;
@@ -90,7 +90,7 @@ fn text_of(rows: &[Row]) -> String {
 fn every_answer_agrees_with_the_definitions() {
     let mut rng = seeded(1808);
     let mut tally = Tally::default();
-    for case in 0..2_500 {
+    for case in 0..share(2_500) {
         let rows = half_planes(&mut rng);
         let form = match rng.random_range(0..6) {
             0 => [0, 0],

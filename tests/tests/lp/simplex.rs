@@ -9,7 +9,7 @@ use boundfit_lp::{
     ExactOutcome, FloatProgram, Multiplier, Outcome, Program, PuiEnd, Row, exact_simplex, solve_guarded,
     solver_named, solvers, spread_objectives,
 };
-use boundfit_tests::generate::{form, seeded};
+use boundfit_tests::generate::{form, seeded, share};
 use boundfit_tests::lp_cases::{fine, line_problem, long_problem, rows, system_of, ten_to, whole_rows};
 use boundfit_tests::readings::problem;
 use boundfit_tests::shape::Tally;
@@ -65,7 +65,7 @@ fn status(outcome: &ExactOutcome) -> &'static str {
 fn the_exact_simplex_and_the_polygon_engine_agree() {
     let mut rng = seeded(41);
     let mut tally = Tally::default();
-    for _ in 0..CASES {
+    for _ in 0..share(CASES) {
         let rows = rows(&mut rng);
         let polyhedron = Polyhedron::intersect(system_of(&rows));
         let mut objectives = PuiEnd::ALL.map(PuiEnd::objective).to_vec();
@@ -271,8 +271,8 @@ fn small_and_degenerate_programs() {
 
 #[test]
 fn every_back_end_gives_an_answer_on_many_rows() {
-    let rows = ProgramRows::new(&long_problem(100_000)).plain();
-    assert_eq!(rows.len(), 200_000);
+    let rows = ProgramRows::new(&long_problem(share(100_000))).plain();
+    assert_eq!(rows.len(), 2 * share(100_000));
     let polyhedron = Polyhedron::intersect(system_of(&rows));
     for objective in PuiEnd::ALL.map(PuiEnd::objective) {
         assert!(matches!(agreed(&polyhedron, &rows, &objective), ExactOutcome::Optimal { .. }));

@@ -9,6 +9,7 @@ use boundfit_exact::{Interval, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Source, TableOptions};
 use boundfit_report::{InverseLine, Origin, Style, brief_document, fit_csv, fit_json, full_fit_document};
 use boundfit_tests::cli::numbers::{check_enclosed, check_numbers};
+use boundfit_tests::generate::{one_in, share};
 use boundfit_tests::program::root;
 
 /// A number as printed, in plain text, Markdown or LaTeX.
@@ -148,10 +149,10 @@ fn tables() -> Vec<(PathBuf, [&'static str; 2])> {
 #[test]
 fn estimates_with_their_error_bounds_enclose_what_they_guarantee() {
     let mut seen = 0;
-    for (path, columns) in tables() {
+    for (path, columns) in tables().into_iter().step_by(one_in()) {
         for epsilon in ["1e9", "20", "1/3", "0.0101", "1e-3"] {
             seen += usize::from(check(&path, columns, epsilon));
         }
     }
-    assert!(seen >= 20, "{seen} sets");
+    assert!(seen >= share(20), "{seen} sets");
 }

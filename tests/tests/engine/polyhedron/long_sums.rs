@@ -2,7 +2,7 @@
 
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::{Inequality, Measure, Region, RegionKind, System, Vertex, envelope};
-use boundfit_tests::generate::{rational_system, seeded, system, tangents};
+use boundfit_tests::generate::{rational_system, seeded, share, system, tangents};
 use boundfit_tests::shape::Tally;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -64,7 +64,7 @@ fn any_polygon(rng: &mut ChaCha8Rng) -> Region {
 fn sums_over_vertices_are_the_naive_ones_and_round_like_them() {
     let mut rng = seeded(71);
     let mut tally = Tally::default();
-    for _ in 0..3_000 {
+    for _ in 0..share(3_000) {
         let region = any_polygon(&mut rng);
         let (area, centroid) = naive(&region);
         let measures = region.measures();

@@ -1,7 +1,7 @@
 //! The rows and the messages of the reference.
 
 use boundfit_formats::{ColumnSelector, ScanOptions, TableOptions};
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 
 use super::both::{POOLS, by_reference, by_scan, pools};
 use super::tables::{Case, case};
@@ -13,7 +13,7 @@ const CHUNKS: [usize; 4] = [1, 7, 64, 4096];
 fn generated_tables() {
     let mut rng = seeded(0x5ca0);
     let (mut found, mut refused) = (0, 0);
-    for number in 0..6000 {
+    for number in 0..share(6000) {
         let Case { bytes, columns, options } = case(&mut rng);
         let expected = by_reference(&bytes, &columns, &options);
         for (pool, threads) in pools(number) {
@@ -32,7 +32,7 @@ fn generated_tables() {
         assert_eq!(by_scan(&bytes, &columns, &options), expected, "case {number}");
         *(if expected.is_ok() { &mut found } else { &mut refused }) += 1;
     }
-    assert!(found > 1500 && refused > 1500, "{found} were read, {refused} refused");
+    assert!(found > share(1500) && refused > share(1500), "{found} were read, {refused} refused");
 }
 
 /// A chunk may end after any byte of a file: what is wrong in its last line is found in every one.

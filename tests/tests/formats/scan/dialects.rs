@@ -4,7 +4,7 @@ use boundfit_exact::{DecimalMark, Thousands};
 use boundfit_formats::{
     AskedBlock, AskedDialect, BLANKS, ColumnSelector, CommentMark, Missing, ScanOptions, TableOptions,
 };
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 use rand::RngExt;
 use rand::seq::IndexedRandom;
 use rand_chacha::ChaCha8Rng;
@@ -197,7 +197,7 @@ fn a_table_has_the_same_rows_in_every_dialect() {
         },
         ..ScanOptions::default()
     };
-    for number in 0..5000 {
+    for number in 0..share(5000) {
         let plain = Plain::new(&mut rng);
         let expected = by_scan(plain.text().as_bytes(), &columns, &options(AskedDialect::default())).unwrap();
         let Written { bytes, asked } = written(&plain, &mut rng);

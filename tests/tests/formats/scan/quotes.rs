@@ -2,7 +2,7 @@
 
 use boundfit_exact::Reading;
 use boundfit_formats::{ColumnSelector, RowRange, ScanOptions, TableOptions};
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 use rand::RngExt;
 use rand::seq::IndexedRandom;
 use rand_chacha::ChaCha8Rng;
@@ -84,7 +84,7 @@ fn table(rng: &mut ChaCha8Rng) -> String {
 fn tables_with_quotes_are_read_by_the_rules_of_csv() {
     let mut rng = seeded(0x9007ed);
     let (mut found, mut refused) = (0, 0);
-    for case in 0..3000 {
+    for case in 0..share(3000) {
         let text = table(&mut rng);
         let wanted = *[&["x", "y"][..], &["y"], &["y", "x"], &["x", "t", "y"]].choose(&mut rng).unwrap();
         let columns: Vec<_> = wanted.iter().map(|name| ColumnSelector::name_or_number(name)).collect();
@@ -102,5 +102,5 @@ fn tables_with_quotes_are_read_by_the_rules_of_csv() {
         }
         *(if expected.is_ok() { &mut found } else { &mut refused }) += 1;
     }
-    assert!(found > 1500 && refused > 300, "{found} were read, {refused} refused");
+    assert!(found > share(1500) && refused > share(300), "{found} were read, {refused} refused");
 }

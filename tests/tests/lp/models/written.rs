@@ -4,6 +4,7 @@ use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_lp::{
     Bounds, ExchangeFormat, Model, ModelColumn, ModelLimits, ModelRow, ObjectiveSense, read_model,
 };
+use boundfit_tests::generate::share;
 use boundfit_tests::lp_cases::number;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -120,7 +121,7 @@ fn generated_programs_are_read_back_in_every_format() {
         read_model(text, format, &ModelLimits::default()).unwrap_or_else(|error| panic!("{error}\n{text}"))
     };
     let (mut in_fixed, mut ranged) = (0, 0);
-    for _ in 0..20_000 {
+    for _ in 0..share(20_000) {
         let model = model(&mut rng);
         let mps = model.text(ExchangeFormat::Mps);
         assert_eq!(read(&mps, ExchangeFormat::Mps), model, "{mps}");
@@ -139,7 +140,7 @@ fn generated_programs_are_read_back_in_every_format() {
         }
         ranged += usize::from(mps.contains("RANGES"));
     }
-    assert!(in_fixed > 5_000 && ranged > 5_000, "{in_fixed} {ranged}");
+    assert!(in_fixed > share(5_000) && ranged > share(5_000), "{in_fixed} {ranged}");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use boundfit_exact::Rational;
 use boundfit_figures::{
     Encoding, Figure, Picture, PictureFormat, PlotOptions, draw, draw_sweep, draw_sweep_of_corridors,
 };
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 use boundfit_tests::readings::{in_intervals, problem};
 use roxmltree::Document;
 
@@ -37,7 +37,7 @@ fn check_figures(problem: &Problem, what: &str) {
 fn every_figure_of_generated_readings_is_drawn() {
     let mut kinds = BTreeSet::new();
     let mut rng = seeded(2026);
-    for index in 0..50 {
+    for index in 0..share(50) {
         let around = problem(&mut rng);
         let between = in_intervals(&around, &mut rng);
         for (problem, bounds) in [(around, "around y"), (between, "intervals")] {
@@ -45,5 +45,5 @@ fn every_figure_of_generated_readings_is_drawn() {
             check_figures(&problem, &format!("problem {index}, {bounds}"));
         }
     }
-    assert!(kinds.len() > 8, "{kinds:?}");
+    assert!(kinds.len() > share(8), "{kinds:?}");
 }
