@@ -13,7 +13,7 @@ pub fn one_in() -> usize {
     if std::env::var_os("ALL_CASES").is_some() { 1 } else { 8 }
 }
 
-/// Returns how many of so many cases are tried, or how often so many hits among all of them are expected.
+/// Returns the part of a number of cases that is tried. The number of hits that a test expects shrinks by the same factor.
 pub fn share(all: usize) -> usize {
     all.div_ceil(one_in())
 }

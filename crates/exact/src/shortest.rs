@@ -439,7 +439,7 @@ mod tests {
     #[test]
     fn shortest_decimals_are_those_that_the_standard_library_writes() {
         let mut random = Random(1);
-        for _ in 0..60_000 {
+        for _ in 0..300_000 {
             check(f64::from_bits(random.next()));
             check_single(f32::from_bits(random.next() as u32));
             // The next numbers have usual sizes.
