@@ -41,11 +41,12 @@ cargo fmt --manifest-path wasm/Cargo.toml --all --check",
         name: "lints",
         holds: "clippy finds nothing in the workspace",
         changes: "every change of Rust",
-        // Targets that `cargo test` leaves out, and what only features bring, are named.
+        // The features of both commands are the same, so that the second checks no more than targets that `cargo test` leaves out.
+        // `core` has the crates without these features.
         script: "\
-cargo clippy --workspace --all-targets --locked -- -D warnings
-cargo clippy --workspace --test external --test kernel --benches --features tests/arrow,tests/benches \\
-  --locked -- -D warnings",
+features=tests/arrow,tests/benches
+cargo clippy --workspace --all-targets --features \"$features\" --locked -- -D warnings
+cargo clippy --workspace --test external --test kernel --features \"$features\" --locked -- -D warnings",
         ..PLAIN
     },
     Step {
@@ -121,9 +122,11 @@ diff <(eval \"$first\" | grep -v '^LP solver') <(eval \"$built/release/boundfit 
         name: "examples",
         holds: "the examples of the library run",
         changes: "crate boundfit and what it shows",
+        // As in `differential`: `cargo run --example` would build all crates with other features.
         script: "\
+cargo test --workspace --locked --no-run --quiet
 for example in fit polygon judge teach; do
-  cargo run --quiet --locked --package boundfit --features judge,lesson --example $example
+  \"$built/debug/examples/$example\"
 done",
         ..PLAIN
     },
