@@ -34,13 +34,6 @@ pub enum Regressors {
     Two([String; 2]),
 }
 
-impl Regressors {
-    /// Returns whether there are two.
-    pub fn are_two(&self) -> bool {
-        matches!(self, Regressors::Two(_))
-    }
-}
-
 keys::keys! {
     /// The readings that are asked about: columns, bounds on the errors and what else is known, in the words of people. Columns are
     /// header names or numbers from 1, and numbers are texts.
