@@ -264,13 +264,15 @@ fi",
         changes: "python, and every crate that it shows",
         needs: &[PYTHON, VENV],
         beside: true,
+        // In cargo's folder of the workspace there are many of the wheel's dependencies already.
         script: "\
 python3 -m venv --clear target/python
 target/python/bin/pip install --quiet 'maturin>=1.9,<2' -r python/tests/requirements.txt
 rm -rf target/wheels
-VIRTUAL_ENV=$PWD/target/python target/python/bin/maturin build --release --locked --out target/wheels
+export VIRTUAL_ENV=$PWD/target/python CARGO_TARGET_DIR=$built
+target/python/bin/maturin build --release --locked --out target/wheels
 target/python/bin/pip install --quiet target/wheels/*.whl
-CARGO_TARGET_DIR=python/target cargo clippy --manifest-path python/Cargo.toml --locked -- -D warnings
+cargo clippy --manifest-path python/Cargo.toml --locked -- -D warnings
 cargo build --release --locked
 export BOUNDFIT_PROGRAM=$built/release/boundfit
 target/python/bin/python -m pytest --quiet python/tests
