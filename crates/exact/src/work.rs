@@ -124,10 +124,16 @@ impl Work {
         self.longest = self.longest.max(other.longest);
     }
 
+    /// Returns whether numbers whose [bits](Rational::bits) add up to so many take no work.
+    #[inline]
+    pub fn is_short(bits: u64) -> bool {
+        bits <= SHORT_WORDS * u64::from(u64::BITS)
+    }
+
     /// As [`add`](Self::add), of numbers whose [bits](Rational::bits) add up to so many.
     #[inline]
     pub fn add_bits(&mut self, row: usize, bits: u64) {
-        if bits > SHORT_WORDS * u64::from(u64::BITS) {
+        if !Work::is_short(bits) {
             self.add_long(row, bits);
         }
     }

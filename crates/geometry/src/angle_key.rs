@@ -20,7 +20,8 @@ pub(crate) fn sort(half_planes: &mut Vec<Facet>) {
     match keyed {
         None => half_planes.sort_unstable_by(compare),
         Some(mut keyed) => {
-            keyed.sort_unstable_by(|(k, f), (l, g)| k.cmp(l).then_with(|| compare(f, g)));
+            // Readings sorted by x come as few runs, which a stable sort merges.
+            keyed.sort_by(|(k, f), (l, g)| k.cmp(l).then_with(|| compare(f, g)));
             half_planes.clear();
             half_planes.extend(keyed.into_iter().map(|(_, facet)| facet));
         }

@@ -83,11 +83,25 @@ impl<'a> Envelope<'a> {
         theta1_of_meeting(self.pieces[piece].1, next)
     }
 
-    /// The piece in force just right of `left`.
+    /// The piece in force just right of `left`. Cost: logarithmic.
     fn first_after(&self, left: Option<&Fraction>) -> usize {
-        let over =
-            |piece: &usize| left.is_some_and(|left| self.end_of(*piece).is_some_and(|end| end <= *left));
-        (0..self.pieces.len()).find(|piece| !over(piece)).unwrap_or(0)
+        let Some(left) = left else { return 0 };
+        self.first_not(0, |end| end <= left)
+    }
+
+    /// The first piece from this one on whose end fails a test; the last piece where none does. The ends of later pieces must fail
+    /// it too. Cost: logarithmic.
+    fn first_not(&self, from: usize, passes: impl Fn(&Fraction) -> bool) -> usize {
+        let (mut first, mut after) = (from, self.pieces.len().max(1) - 1);
+        while first < after {
+            let middle = first + (after - first) / 2;
+            if self.end_of(middle).is_some_and(|end| passes(&end)) {
+                first = middle + 1;
+            } else {
+                after = middle;
+            }
+        }
+        first
     }
 
     /// The pieces in force between two abscissas; empty for an empty envelope.
@@ -160,11 +174,16 @@ impl<'a> Bounds<'a> {
         Some(self.right.into_iter().chain(upper.into_iter().rev()).chain(self.left).chain(lower).collect())
     }
 
-    /// Walks along both envelopes: first to where the gap opens, then to where it closes.
+    /// Walks along both envelopes: first to where the gap opens, then to where it closes. The gap is concave, so that a binary
+    /// search finds the pieces which the walk would pass.
     fn overlap(&self, left: Option<Fraction>, right: Option<&Fraction>) -> Option<Overlap> {
         let mut walk = Walk::new(self, left.as_ref(), right);
-        let mut start = left;
-        let mut reaches_left = start.is_some();
+        let mut reaches_left = left.is_some();
+        let opens_later =
+            |gap: Gap, here: &Fraction| gap.slope.is_positive() && gap.sign_at(here) == Sign::Negative;
+        let skipped = walk.skip(&opens_later);
+        reaches_left &= skipped.is_none();
+        let mut start = skipped.or(left);
         loop {
             let gap = walk.gap();
             let sign = start.as_ref().map_or_else(|| gap.sign_far_left(), |start| gap.sign_at(start));
@@ -182,6 +201,7 @@ impl<'a> Bounds<'a> {
             start = Some(walk.advance()?);
         }
         let (first_upper, first_lower) = (walk.upper.piece, walk.lower.piece);
+        walk.skip(&|gap: Gap, here: &Fraction| gap.sign_at(here) != Sign::Negative);
         let reaches_right = loop {
             let Some(end) = walk.end() else {
                 break false;
@@ -240,6 +260,33 @@ impl<'b, 'a> Walk<'b, 'a> {
             self.lower.envelope.pieces[self.lower.piece].1,
             self.upper.envelope.pieces[self.upper.piece].1,
         )
+    }
+
+    /// Goes on to behind the last end of a piece at which a test holds, and tells where that is. The test must hold at the ends
+    /// before it, too. Cost: O(log² n), none of few pieces.
+    fn skip(&mut self, holds: &impl Fn(Gap, &Fraction) -> bool) -> Option<Fraction> {
+        /// The number of pieces that are walked along sooner than left out.
+        const FEW: usize = 64;
+        let [upper, lower] = [&self.upper, &self.lower].map(|own| own.envelope);
+        if upper.pieces.len() + lower.pieces.len() <= FEW {
+            return None;
+        }
+        let goes_on = |here: &Fraction| {
+            let [of_upper, of_lower] = [upper, lower].map(|own| own.first_after(Some(here)));
+            let gap = Gap::between(lower.pieces[of_lower].1, upper.pieces[of_upper].1);
+            self.right.is_none_or(|right| here < right) && holds(gap, here)
+        };
+        let last = |own: &Piece| {
+            let first = own.envelope.first_not(own.piece, goes_on);
+            first.checked_sub(1).filter(|last| *last >= own.piece).and_then(|last| own.envelope.end_of(last))
+        };
+        let here = [&self.upper, &self.lower].into_iter().filter_map(last).max()?;
+        *self = Walk {
+            upper: Piece::new(upper, upper.first_after(Some(&here))),
+            lower: Piece::new(lower, lower.first_after(Some(&here))),
+            right: self.right,
+        };
+        Some(here)
     }
 
     /// Returns where the next piece begins or θ1 ends, whichever comes first.

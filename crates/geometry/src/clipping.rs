@@ -273,7 +273,7 @@ impl<'a> Clipper<'a> {
     }
 
     fn redundancy(&self, index: usize, region: &Region) -> Option<StepRedundancy> {
-        let inequality = &self.system.inequalities()[index];
+        let inequality = self.system.inequality(index);
         match (&self.state, &self.system.constraints()[index]) {
             (State::Empty(_), _) => Some(StepRedundancy::AlreadyEmpty),
             (_, Constraint::Always) => Some(StepRedundancy::Always),
@@ -309,7 +309,7 @@ impl<'a> Clipper<'a> {
             match node {
                 Node::Ideal(direction) => ideal.push(direction),
                 Node::Finite { point, active } => match self.line_through(active) {
-                    None => vertices.push(Vertex { point: point.clone(), active: active.clone() }),
+                    None => vertices.push(Vertex { point: point.clone(), active: active.clone().into() }),
                     Some(line) => lines.push(line),
                 },
             }

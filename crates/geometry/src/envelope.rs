@@ -5,6 +5,7 @@
 
 use boundfit_exact::Rational;
 
+use crate::active::Active;
 use crate::angle_key;
 use crate::bounds::{Bounds, Facet};
 use crate::constructions::meet;
@@ -136,13 +137,13 @@ impl SortedHalfPlanes<'_> {
     /// The distinct corners in the order of the boundary, and for each facet which of them follows it.
     fn chain(&self, facets: &[Facet<'_>], start: usize, closed: bool) -> (Vec<Vertex>, Vec<Option<usize>>) {
         let count = facets.len();
-        let mut vertices: Vec<Vertex> = Vec::new();
-        let mut vertex_after = vec![None; count];
         let corners = if closed { count } else { count - 1 };
+        let mut vertices: Vec<Vertex> = Vec::with_capacity(corners);
+        let mut vertex_after = vec![None; count];
         for position in (0..corners).map(|step| (start + step) % count) {
             let Some(point) = meet(facets[position].1, facets[(position + 1) % count].1) else { continue };
             if vertices.last().is_none_or(|last| last.point != point) {
-                vertices.push(Vertex { point, active: Vec::with_capacity(2) });
+                vertices.push(Vertex { point, active: Active::none() });
             }
             vertex_after[position] = Some(vertices.len() - 1);
         }
@@ -186,8 +187,7 @@ impl SortedHalfPlanes<'_> {
             }
         }
         for vertex in vertices {
-            vertex.active.sort_unstable();
-            vertex.active.dedup();
+            vertex.active.settle();
         }
     }
 

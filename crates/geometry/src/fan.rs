@@ -102,8 +102,9 @@ impl NormalFan {
         let (f, g) = (normal_of(system, before), normal_of(system, after));
         let turn_in = turn_between(normal(f), form.vector());
         if turn_in == Turn::None {
-            let multiplier = form.multiple(&system.inequalities()[before], f);
-            let value = &system.inequalities()[before].b * &multiplier;
+            let inequality = system.inequality(before);
+            let multiplier = form.multiple(&inequality, f);
+            let value = &inequality.b * &multiplier;
             let multipliers = vec![Multiplier { index: before, value: multiplier }];
             return FanSupport::Bounded { value, multipliers };
         }
@@ -113,7 +114,8 @@ impl NormalFan {
         if !within {
             return FanSupport::Unbounded;
         }
-        let (value, [s, t]) = form.combination([before, after].map(|i| &system.inequalities()[i]), [f, g]);
+        let inequalities = [before, after].map(|index| system.inequality(index));
+        let (value, [s, t]) = form.combination(inequalities.each_ref().map(AsRef::as_ref), [f, g]);
         let mut multipliers =
             vec![Multiplier { index: before, value: s }, Multiplier { index: after, value: t }];
         multipliers.sort_by_key(|multiplier| multiplier.index);
@@ -123,7 +125,8 @@ impl NormalFan {
     /// The proof that nothing of this fan's region satisfies one more inequality. The region must not be empty and
     /// the inequality must exclude all of it.
     pub(crate) fn contradiction(&self, system: &System, index: usize) -> Farkas {
-        let [a1, a2] = &system.inequalities()[index].a;
+        let inequality = system.inequality(index);
+        let [a1, a2] = &inequality.a;
         let mut multipliers = match self.support(system, &[-a1, -a2]) {
             FanSupport::Bounded { multipliers, .. } => multipliers,
             FanSupport::Unbounded => Vec::new(),

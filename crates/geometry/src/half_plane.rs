@@ -19,6 +19,12 @@ impl Inequality {
         Inequality { a: [a1, a2], b }
     }
 
+    /// The inequality of a half-plane that has 1 or -1 for `a2`. Exact.
+    pub(crate) fn of_line(HalfPlane { a1, a2, b }: &HalfPlane) -> Self {
+        let over = |number: &Integer| Rational::new(number.clone(), a2.abs()).unwrap_or_default();
+        Inequality { a: [over(a1), over(a2)], b: over(b) }
+    }
+
     /// The half-plane that the inequality describes; a zero normal leaves `0 ≤ b`, which holds always or never.
     pub fn constraint(&self) -> Constraint {
         let [a1, a2] = &self.a;

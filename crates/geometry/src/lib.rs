@@ -24,6 +24,7 @@
 //! assert_eq!(proof.verify(triangle.system()), Ok(()));
 //! ```
 
+mod active;
 mod angle_key;
 mod bounds;
 pub mod clipping;

@@ -216,7 +216,7 @@ impl Polyhedron {
         if self.region.is_empty() {
             return Redundancy::EmptyWithout;
         }
-        let inequality = &self.system.inequalities()[index];
+        let inequality = self.system.inequality(index);
         let FanSupport::Bounded { value, multipliers } = self.fan.support(&self.system, &inequality.a) else {
             // Not reached: the region satisfies the inequality, so its form is bounded there.
             return Redundancy::Dominated { by: Vec::new(), slack: Rational::zero() };
@@ -233,7 +233,7 @@ impl Polyhedron {
     pub fn membership(&self, theta: &[Rational; 2]) -> Membership {
         let (theta, common) = Rational::over_common_denominator([&theta[0], &theta[1]]);
         let slacks =
-            self.system.inequalities().iter().map(|inequality| inequality.slack_over(&theta, &common));
+            (0..self.system.len()).map(|index| self.system.inequality(index).slack_over(&theta, &common));
         let tightest = slacks.enumerate().reduce(|best, next| if next.1 < best.1 { next } else { best });
         let (tightest, slack) = tightest.unzip();
         let slack = slack.flatten().and_then(|slack| Rational::from(slack).checked_div(&common.into()));

@@ -1,5 +1,6 @@
 //! The result of an intersection: one of ten kinds of closed convex set.
 
+use crate::active::Active;
 use crate::constructions::{between_parallels, foot, mean, translated};
 use crate::half_plane::HalfPlane;
 use crate::point::{Direction, Point};
@@ -67,7 +68,7 @@ impl RegionKind {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Vertex {
     pub(crate) point: Point,
-    pub(crate) active: Vec<usize>,
+    pub(crate) active: Active,
 }
 
 impl Vertex {

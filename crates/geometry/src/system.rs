@@ -1,6 +1,8 @@
 //! A system of linear inequalities: the input of both intersection algorithms.
 
+use std::borrow::Cow;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use boundfit_exact::Work;
 
@@ -8,25 +10,51 @@ use crate::half_plane::{Constraint, HalfPlane, Inequality};
 
 /// Linear inequalities in a fixed order. Their indices, from 0, name them everywhere: in the active sets of
 /// vertices, in proofs and in reasons for redundancy.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default)]
 pub struct System {
-    inequalities: Vec<Inequality>,
     constraints: Vec<Constraint>,
+    /// The number of constraints, the first ones, whose inequalities follow from them: `a2` is 1 or -1 there.
+    lines: usize,
+    /// The inequalities of the others.
+    given: Vec<Inequality>,
+    /// All inequalities, once somebody has asked for them, where there are lines.
+    all: OnceLock<Vec<Inequality>>,
 }
+
+impl PartialEq for System {
+    fn eq(&self, other: &Self) -> bool {
+        self.constraints == other.constraints && self.inequalities() == other.inequalities()
+    }
+}
+
+impl Eq for System {}
 
 impl System {
     /// A system of the given inequalities.
     pub fn new(inequalities: impl IntoIterator<Item = Inequality>) -> Self {
-        let inequalities: Vec<Inequality> = inequalities.into_iter().collect();
-        let constraints = inequalities.iter().map(Inequality::constraint).collect();
-        System { inequalities, constraints }
+        let given: Vec<Inequality> = inequalities.into_iter().collect();
+        let constraints = given.iter().map(Inequality::constraint).collect();
+        System { constraints, given, ..System::default() }
+    }
+
+    /// A system of half-planes whose inequalities have 1 or -1 for `a2`, and of other inequalities behind them. The
+    /// former take memory only when somebody asks for all inequalities.
+    pub fn of_lines(
+        lines: impl IntoIterator<Item = HalfPlane>,
+        others: impl IntoIterator<Item = Inequality>,
+    ) -> Self {
+        let mut constraints: Vec<Constraint> = lines.into_iter().map(Constraint::HalfPlane).collect();
+        let (lines, given) = (constraints.len(), Vec::from_iter(others));
+        constraints.extend(given.iter().map(Inequality::constraint));
+        System { constraints, lines, given, all: OnceLock::new() }
     }
 
     /// Adds an inequality and returns its index.
     pub fn push(&mut self, inequality: Inequality) -> usize {
         self.constraints.push(inequality.constraint());
-        self.inequalities.push(inequality);
-        self.inequalities.len() - 1
+        self.given.push(inequality);
+        self.all.take();
+        self.len() - 1
     }
 
     /// The system without some that follow each other; those behind them move up.
@@ -34,16 +62,16 @@ impl System {
     /// # Panics
     /// When an index is out of range.
     pub fn without(&self, indices: Range<usize>) -> Self {
-        let mut rest = self.clone();
-        rest.inequalities.drain(indices.clone());
-        rest.constraints.drain(indices);
-        rest
+        let (mut given, mut constraints) = (self.inequalities().to_vec(), self.constraints.clone());
+        given.drain(indices.clone());
+        constraints.drain(indices);
+        System { constraints, given, ..System::default() }
     }
 
     /// The work that intersecting takes as far as numbers are long; rows are counted from 1. Cost: linear.
     pub fn work(&self) -> Work {
         let mut work = Work::default();
-        for (row, Inequality { a, b }) in (1..).zip(&self.inequalities) {
+        for (row, Inequality { a, b }) in (1..).zip(self.inequalities()) {
             work.add(row, a.iter().chain([b]));
         }
         work
@@ -51,17 +79,31 @@ impl System {
 
     /// Number of inequalities.
     pub fn len(&self) -> usize {
-        self.inequalities.len()
+        self.constraints.len()
     }
 
     /// Returns whether there is no inequality at all; the region is then the plane.
     pub fn is_empty(&self) -> bool {
-        self.inequalities.is_empty()
+        self.constraints.is_empty()
     }
 
-    /// The inequalities as given.
+    /// The inequalities as given. Cost: linear where they are made now.
     pub fn inequalities(&self) -> &[Inequality] {
-        &self.inequalities
+        if self.lines == 0 {
+            return &self.given;
+        }
+        self.all.get_or_init(|| (0..self.len()).map(|index| self.inequality(index).into_owned()).collect())
+    }
+
+    /// One of the inequalities as given.
+    ///
+    /// # Panics
+    /// When the index is out of range.
+    pub fn inequality(&self, index: usize) -> Cow<'_, Inequality> {
+        match (index.checked_sub(self.lines), &self.constraints[index]) {
+            (None, Constraint::HalfPlane(half_plane)) => Cow::Owned(Inequality::of_line(half_plane)),
+            (place, _) => Cow::Borrowed(&self.given[place.unwrap_or_default()]),
+        }
     }
 
     /// Returns the meaning of each inequality for the plane.
@@ -97,6 +139,8 @@ impl FromIterator<Inequality> for System {
 
 #[cfg(test)]
 mod tests {
+    use boundfit_exact::Rational;
+
     use super::*;
 
     #[test]
@@ -110,5 +154,37 @@ mod tests {
         }
         let kept = [&system.inequalities()[..1], &system.inequalities()[3..]].concat();
         assert_eq!(system.without(1..3), System::new(kept));
+    }
+
+    #[test]
+    fn lines_are_the_inequalities_that_they_came_from() {
+        let line = |x: Rational, side: i64, b: Rational| Inequality::new(x, side.into(), b);
+        let ratio = Rational::ratio;
+        let mut given = vec![
+            line(ratio(1, 10), 1, ratio(-7, 30)),
+            line(ratio(0, 1), -1, ratio(0, 1)),
+            line(ratio(-25, 4), 1, ratio(1 << 40, 3)),
+        ];
+        let half_planes = given.iter().filter_map(|own| match own.constraint() {
+            Constraint::HalfPlane(half_plane) => Some(half_plane),
+            Constraint::Always | Constraint::Never => None,
+        });
+        let others = [line(ratio(2, 3), 0, ratio(5, 1)), line(ratio(0, 1), 0, ratio(-1, 1))];
+        let mut system = System::of_lines(half_planes, others.clone());
+        given.extend(others);
+        for more in 0..3 {
+            let expected = System::new(given.iter().cloned());
+            assert_eq!((system.inequalities(), system.constraints()), (&given[..], expected.constraints()));
+            for (index, own) in given.iter().enumerate() {
+                assert_eq!(*system.inequality(index), *own);
+            }
+            assert_eq!(
+                (&system, system.len(), system.without(1..3)),
+                (&expected, given.len(), expected.without(1..3))
+            );
+            let another = line(ratio(3, 7), 2, ratio(more, 1));
+            assert_eq!(system.push(another.clone()), given.len());
+            given.push(another);
+        }
     }
 }

@@ -65,3 +65,37 @@ fn the_order_of_thousands_of_half_planes_changes_only_their_indices() {
     assert_eq!(vertices(&region, &number), vertices(&in_order, &|index| index));
     assert_eq!(region.vertices().len(), COUNT);
 }
+
+#[test]
+fn both_algorithms_agree_wherever_two_long_envelopes_meet() {
+    let mut rng = seeded(72);
+    let mut tally = Tally::default();
+    for case in 0..300 {
+        // Tangents of two parabolas that open towards each other's outside, some left out, and walls on their breakpoints or between.
+        let mut rows = Vec::new();
+        let (centre, height) = (rng.random_range(-9..=9), rng.random_range(-3..=90));
+        for t in -40_i64..=40 {
+            if rng.random_range(0..8) > 0 {
+                rows.push([2 * t, 1, t * t + 2 * t * centre + height]);
+            }
+            if rng.random_range(0..8) > 0 {
+                rows.push([2 * t, -1, t * t]);
+            }
+        }
+        for side in [-2, 2] {
+            if rng.random_range(0..3) == 0 {
+                rows.push([side, 0, rng.random_range(-25..=60)]);
+            }
+        }
+        let half_plane = |[a1, a2, b]: [i64; 3]| Inequality::new(a1.into(), a2.into(), b.into());
+        let system: System = rows.iter().copied().map(half_plane).collect();
+        let fast = envelope::intersect(&system);
+        assert_eq!(clipping::intersect(&system), fast, "case {case}: {rows:?}");
+        assert_eq!(fast.check_invariants(&system), Ok(()), "case {case}");
+        tally.count(fast.kind().name());
+        if fast.vertices().len() >= 10 {
+            tally.count("at least 10 vertices");
+        }
+    }
+    tally.assert_each(5, &["empty", "polygon", "at least 10 vertices"]);
+}
