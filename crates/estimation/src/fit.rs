@@ -56,9 +56,13 @@ pub struct Fit {
 /// ```
 pub fn fit(problem: &Problem) -> Fit {
     let Problem { measurements, conditions } = problem;
-    let grid = Grid::new(measurements);
+    let deciding = measurements.on_grid();
+    let grid = if deciding.is_some() { None } else { Grid::new(measurements) };
     let least_squares = LeastSquares::with_grid(measurements, grid.as_ref());
-    let extremes = measurements.has_hulls().then(|| Extremes::new(measurements.kept(), grid.as_ref()));
+    let extremes = measurements.has_hulls().then(|| match deciding {
+        Some(own) => Extremes::of_deciding(own),
+        None => Extremes::new(measurements.kept(), grid.as_ref()),
+    });
     let fps = Fps::with_extremes(measurements, conditions, extremes.as_ref());
     let pui = parameter_intervals(fps.polyhedron());
     let central = pui.as_ref().and_then(central);

@@ -8,7 +8,8 @@ use boundfit_geometry::{Inequality, Polyhedron, System, Tally, envelope, touchin
 
 use crate::bound_name::BoundName;
 use crate::condition::Condition;
-use crate::hulls::Extremes;
+use crate::deciding::OnGrid;
+use crate::hulls::{Extremes, Touching};
 use crate::least_growth::GrowingInequality;
 use crate::measurement::Measurement;
 use crate::measurements::Measurements;
@@ -63,6 +64,9 @@ impl Fps {
     }
 
     fn of_extremes(measurements: &Measurements, conditions: &[Condition], extremes: &Extremes) -> Self {
+        if let Some(grid) = measurements.on_grid() {
+            return Fps::on_grid(measurements, grid, conditions, extremes);
+        }
         let count = 2 * (extremes.touching.len() + conditions.len());
         let (mut names, mut inequalities) = (Vec::with_capacity(count), Vec::with_capacity(count));
         let mut add = |(name, inequality): (BoundName, Inequality)| {
@@ -89,6 +93,39 @@ impl Fps {
             polyhedron: Polyhedron::intersect(System::new(inequalities)),
             names,
             ties,
+            has_hulls: true,
+            has_tightest: true,
+        }
+    }
+
+    /// The same of readings that are integers: their half-planes come from these, and each reading stands for what it is known to
+    /// stand for.
+    fn on_grid(
+        measurements: &Measurements,
+        grid: &OnGrid,
+        conditions: &[Condition],
+        extremes: &Extremes,
+    ) -> Self {
+        let count = extremes.touching.len() + 2;
+        let (mut names, mut lines) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        for Touching { position, lower, upper, .. } in &extremes.touching {
+            let row = grid.places()[*position].row;
+            let above =
+                lower.then(|| grid.upper(*position)).flatten().map(|own| (BoundName::Upper(row), own));
+            let below =
+                upper.then(|| grid.lower(*position)).flatten().map(|own| (BoundName::Lower(row), own));
+            for (name, half_plane) in above.into_iter().chain(below) {
+                names.push(name);
+                lines.push(half_plane);
+            }
+        }
+        let (of_conditions, others): (Vec<BoundName>, Vec<Inequality>) =
+            conditions_by_name(conditions).unzip();
+        names.extend(of_conditions);
+        Fps {
+            polyhedron: Polyhedron::intersect(System::of_lines(lines, others)),
+            names,
+            ties: measurements.ties().cloned().unwrap_or_default(),
             has_hulls: true,
             has_tightest: true,
         }

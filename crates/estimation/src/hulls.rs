@@ -13,6 +13,7 @@ use boundfit_geometry::grid::{
 use boundfit_geometry::predicates::{by_theta1, lexicographic, orientation};
 use boundfit_geometry::{Hull, HullSide, Point, Site, Tally, Tied, touching_as_one, touching_each};
 
+use crate::deciding::OnGrid;
 use crate::grid::Grid;
 use crate::measurement::Measurement;
 use crate::measurements::Measurements;
@@ -57,12 +58,21 @@ pub(crate) struct Gap {
 impl Extremes {
     /// The extremes of readings; `None` unless they are of a line under a uniform error bound. Exact. Cost: O(N log N).
     pub(crate) fn of(measurements: &Measurements) -> Option<Self> {
-        measurements.has_hulls().then(|| Extremes::new(measurements.kept(), Grid::new(measurements).as_ref()))
+        measurements.has_hulls().then(|| match measurements.on_grid() {
+            Some(own) => Extremes::of_deciding(own),
+            None => Extremes::new(measurements.kept(), Grid::new(measurements).as_ref()),
+        })
     }
 
     /// The extremes of the readings of a line. Exact. Cost: O(N log N).
     pub(crate) fn new(rows: &[Measurement], grid: Option<&Grid>) -> Self {
         grid.map_or_else(|| Extremes::in_general(rows), Extremes::on_grid)
+    }
+
+    /// The extremes of readings of which each touches a hull: nothing is left to be discarded. Exact. Cost: O(N log N); linear where
+    /// rows are sorted by x.
+    pub(crate) fn of_deciding(readings: &OnGrid) -> Self {
+        Extremes::of_touching(readings.sorted_points())
     }
 
     /// Finds the extremes with machine integers: the coordinates of a grid are small enough for every decision.
@@ -107,7 +117,8 @@ impl Extremes {
         let lower: Vec<&P> = lower.corners().map(|place| &points[place]).collect();
         let upper: Vec<&P> = upper.corners().rev().map(|place| &points[place]).collect();
         let mut corners: Vec<usize> = lower.iter().chain(&upper).map(|corner| corner.position()).collect();
-        corners.sort_unstable();
+        // Few runs, where readings are sorted by x.
+        corners.sort();
         corners.dedup();
         Extremes { touching, widest: widest(&lower, &upper), corners }
     }
@@ -243,26 +254,34 @@ impl Place for ExactPlace {
 }
 
 /// Returns the widest gap between the hulls, whose corners are sorted by x. Among equal gaps it takes the first
-/// corner of the upper hull, or else of the lower one.
+/// corner of the upper hull, or else of the lower one. Cost: O(log² n), since the gap is a concave function of x.
 fn widest<P: Place>(lower: &[&P], upper: &[&P]) -> Option<Gap> {
-    let gaps_of = |corners: &[&P], hull: &[&P], corner_is_lower: bool| {
-        let mut widest: Option<(Fraction, Gap)> = None;
-        let mut left = 0;
-        for corner in corners {
-            // The edge above or below the corner; from the right end of the hull on, both ends are that corner.
-            while hull.get(left + 1).is_some_and(|next| next.by_x(corner).is_le()) {
-                left += 1;
-            }
-            let edge = [hull[left], hull.get(left + 1).unwrap_or(&hull[left])];
-            let distance = corner.distance(edge);
-            if widest.as_ref().is_none_or(|(most, _)| *most < distance) {
-                let edge = edge.map(P::position);
-                widest = Some((distance, Gap { corner: corner.position(), edge, corner_is_lower }));
+    let gap_of = |corners: &[&P], hull: &[&P], corner_is_lower: bool| {
+        // The edge above or below a corner; at the right end of the hull, both ends are that corner.
+        let edge = |corner: &P| {
+            let left = hull[1..].partition_point(|next| next.by_x(corner).is_le());
+            [hull[left], hull.get(left + 1).unwrap_or(&hull[left])]
+        };
+        let distance = |corner: &P| corner.distance(edge(corner));
+        // The first corner behind which no gap is wider.
+        let (mut first, mut last) = (0, corners.len() - 1);
+        while first < last {
+            let middle = first + (last - first) / 2;
+            let grows = distance(corners[middle]) < distance(corners[middle + 1]);
+            if grows {
+                first = middle + 1;
+            } else {
+                last = middle;
             }
         }
-        widest
+        let corner = corners[first];
+        let [left, right] = edge(corner).map(P::position);
+        (distance(corner), Gap { corner: corner.position(), edge: [left, right], corner_is_lower })
     };
-    let (above, below) = (gaps_of(upper, lower, false)?, gaps_of(lower, upper, true)?);
+    if lower.is_empty() {
+        return None;
+    }
+    let (above, below) = (gap_of(upper, lower, false), gap_of(lower, upper, true));
     Some(if above.0 < below.0 { below.1 } else { above.1 })
 }
 
@@ -279,13 +298,11 @@ pub(crate) struct HullMinimum {
 
 impl Gap {
     /// ε_min when no gap is wider: half of its height.
-    pub(crate) fn minimum(&self, rows: &[Measurement]) -> HullMinimum {
+    pub(crate) fn minimum(&self, measurements: &Measurements) -> HullMinimum {
         let Gap { corner, edge: [left, right], corner_is_lower } = *self;
-        let place = |position: usize| {
-            let row = &rows[position];
-            (&row.regressor[0], row.y_and_epsilon().0)
-        };
-        let ((x, y), (left_x, left_y), (right_x, right_y)) = (place(corner), place(left), place(right));
+        let three = [corner, left, right].map(|position| measurements.kept_at(position));
+        let [(x, y), (left_x, left_y), (right_x, right_y)] =
+            three.each_ref().map(|row| (&row.regressor[0], row.y_and_epsilon().0));
         let run = right_x - left_x;
         let along = x - left_x;
         let weight = along.checked_div(&run).unwrap_or_default();

@@ -36,6 +36,7 @@ mod bound_name;
 mod bounds;
 mod condition;
 mod corridor;
+mod deciding;
 mod family;
 mod feasibility;
 #[cfg(feature = "files")]
@@ -75,6 +76,7 @@ pub use bound_name::BoundName;
 pub use bounds::{Central, ParameterBound, ParameterInterval, central_of, parameter_intervals};
 pub use condition::{Condition, ParseConditionError, ParseConditionErrorKind};
 pub use corridor::{Corridor, CorridorEdge};
+pub use deciding::DecidingRows;
 pub use family::{
     AreaGrowth, Breakpoint, Family, Linear, MovingArea, MovingBoundary, MovingVertex, Piece, Section,
     SectionBoundary, SectionVertex,

@@ -8,6 +8,7 @@ use boundfit_exact::{Foreign, Rational};
 use boundfit_formats::{TableNotes, TextLayout};
 use boundfit_geometry::Tally;
 
+use crate::deciding::{DecidingRows, OnGrid};
 #[cfg(feature = "files")]
 use crate::files::InColumns;
 use crate::law::{Law, range_of_y};
@@ -32,7 +33,7 @@ pub enum Readings {
         /// of those that say the same, and the reading that the least-squares estimate misses most. For two
         /// regressors under a uniform error bound, one reading may stand for all that go through one vertex of an
         /// envelope.
-        rows: Vec<Measurement>,
+        rows: DecidingRows,
         /// The number of readings that each of these stands for.
         ties: Ties,
         /// The other facts about all readings.
@@ -180,12 +181,14 @@ impl Measurements {
     /// These readings under a multiple of the least error bound, in the place of theirs.
     pub(crate) fn within_multiple(mut self, multiple: MultipleOfLeast) -> Self {
         let epsilon = &multiple.factor * &multiple.least;
-        let rows = match &mut self.readings {
-            Readings::All(rows) | Readings::Supporting { rows, .. } | Readings::Counted { rows, .. } => rows,
+        let within = |rows: &mut Vec<Measurement>| {
+            rows.iter_mut().for_each(|row| *row = row.clone().within(epsilon.clone()));
         };
-        for row in rows.iter_mut().chain(&mut self.others) {
-            *row = row.clone().within(epsilon.clone());
+        match &mut self.readings {
+            Readings::All(rows) | Readings::Counted { rows, .. } => within(rows),
+            Readings::Supporting { rows, .. } => rows.set_bound(&epsilon),
         }
+        within(&mut self.others);
         self.meaning.error_bound = ErrorBound::Uniform(epsilon);
         self.meaning.multiple_of_least = Some(multiple);
         self
@@ -244,7 +247,8 @@ impl Measurements {
 
     /// Returns whether every reading in memory lies within an ε of its y.
     pub(crate) fn is_around_y(&self) -> bool {
-        self.kept().iter().all(|row| matches!(row.bounds, Bounds::Around { .. }))
+        let is_around = |row: &Measurement| matches!(row.bounds, Bounds::Around { .. });
+        self.on_grid().is_some() || self.kept().iter().all(is_around)
     }
 
     /// Returns whether the two hulls of the readings tell which of them can bound anything.
@@ -295,7 +299,7 @@ impl Measurements {
         if self.waiting().is_some() {
             return self.fitted();
         }
-        self.kept().len()
+        self.kept_count()
     }
 
     /// A reading that can be shown, by its position; positions ascend with rows. Exact.
@@ -429,7 +433,32 @@ impl Measurements {
     /// The readings in memory: all of them, or those that decide the feasible set.
     pub fn kept(&self) -> &[Measurement] {
         match &self.readings {
-            Readings::All(rows) | Readings::Supporting { rows, .. } | Readings::Counted { rows, .. } => rows,
+            Readings::All(rows) | Readings::Counted { rows, .. } => rows,
+            Readings::Supporting { rows, .. } => rows,
+        }
+    }
+
+    /// The number of readings in memory. Cost: constant.
+    pub fn kept_count(&self) -> usize {
+        match &self.readings {
+            Readings::All(rows) | Readings::Counted { rows, .. } => rows.len(),
+            Readings::Supporting { rows, .. } => rows.len(),
+        }
+    }
+
+    /// The readings in memory as integers, where they are on a grid and nobody need look at them as numbers.
+    pub(crate) fn on_grid(&self) -> Option<&OnGrid> {
+        match &self.readings {
+            Readings::All(_) | Readings::Counted { .. } => None,
+            Readings::Supporting { rows, .. } => rows.on_grid(),
+        }
+    }
+
+    /// The reading in memory at a position, whatever form it has there.
+    pub(crate) fn kept_at(&self, position: usize) -> Cow<'_, Measurement> {
+        match self.on_grid() {
+            Some(grid) => Cow::Owned(grid.reading(position)),
+            None => Cow::Borrowed(&self.kept()[position]),
         }
     }
 

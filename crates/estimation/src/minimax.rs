@@ -80,16 +80,16 @@ impl Minimax {
         conditions: &[Condition],
         extremes: Option<&Extremes>,
     ) -> Option<Self> {
-        let rows = measurements.kept();
         if !measurements.has_widths() {
             return None;
         }
         match extremes {
             Some(Extremes { widest: Some(widest), corners, .. }) if conditions.is_empty() => {
-                Some(Minimax::from_hulls(rows, widest, corners))
+                Some(Minimax::from_hulls(measurements, widest, corners))
             }
             // The reading that a line misses most is on a hull, and so are all that it misses as much.
             Some(extremes) => {
+                let rows = measurements.kept();
                 let touching = extremes.touching.iter().map(|touching| &rows[touching.position]);
                 Growing::of_rows(touching, true).with(conditions).minimax()
             }
@@ -109,10 +109,10 @@ impl Minimax {
         }
     }
 
-    fn from_hulls(rows: &[Measurement], widest: &Gap, corners: &[usize]) -> Self {
-        let HullMinimum { epsilon, proof, theta } = widest.minimum(rows);
+    fn from_hulls(measurements: &Measurements, widest: &Gap, corners: &[usize]) -> Self {
+        let HullMinimum { epsilon, proof, theta } = widest.minimum(measurements);
         let named = |(position, is_lower, multiplier): (usize, bool, Rational)| {
-            let row = rows[position].row;
+            let row = measurements.kept_at(position).row;
             (if is_lower { BoundName::Lower(row) } else { BoundName::Upper(row) }, multiplier)
         };
         let mut multipliers: Vec<_> = proof.into_iter().map(named).collect();
@@ -124,6 +124,7 @@ impl Minimax {
         match theta {
             Some(theta) => Minimax { least: epsilon, theta, unique: true, proof },
             None => {
+                let rows = measurements.kept();
                 let corners = corners.iter().map(|&position| &rows[position]);
                 Growing::of_rows(corners, true).minimisers(epsilon, proof)
             }

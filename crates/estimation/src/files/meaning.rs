@@ -2,6 +2,7 @@
 
 use boundfit_exact::Column;
 
+use crate::deciding::DecidingRows;
 use crate::law::range_of_y;
 use crate::meaning::{ErrorBound, Meaning};
 use crate::measurement::Measurement;
@@ -60,6 +61,18 @@ impl Meaning {
             ErrorBound::Interval { .. } => false,
             _ => count > 0,
         }
+    }
+
+    /// Counts the x of the deciding readings of a line from its origin and [settles](Meaning::settle) their bounds. A reading with the
+    /// largest or the smallest y of all is on a hull, and so among them.
+    pub(crate) fn settled(&mut self, rows: DecidingRows) -> DecidingRows {
+        if self.form.x_origin.is_zero() && self.uniform_law.is_none() {
+            return rows;
+        }
+        let mut rows = rows.into_numbers();
+        self.form.count_rows(&mut rows);
+        self.settle(&mut rows);
+        rows.into()
     }
 
     /// Adds to the bounds of readings what a law takes from all of them, when they are known: all, or of a uniform law those

@@ -124,7 +124,7 @@ impl ReducedTable {
             let (sums, kept, ties) = open.into_parts(&Rational::zero(), &rule.sieve);
             (
                 Stated { count: sums.count, has_widths: true, sums: Ok(sums), is_open: true, is_hull: true },
-                kept,
+                kept.into_numbers(),
                 ties,
             )
         } else {

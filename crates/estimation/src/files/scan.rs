@@ -108,7 +108,8 @@ fn readings_of_reductions(
     };
     let (mut rows, mut ties, minimax) = match meaning.error_bound.uniform() {
         Some(epsilon) if meaning.is_open() => {
-            let (_, mut rows, ties) = all.open.into_parts(epsilon, &look.sieve);
+            let (_, rows, ties) = all.open.into_parts(epsilon, &look.sieve);
+            let mut rows = rows.into_numbers();
             check(stated.is_hull.then(|| Outline::of(&rows)))?;
             columns.form.count_rows(&mut rows);
             (rows, ties, DecidingMinimax::Kept)
@@ -136,7 +137,7 @@ fn readings_of_reductions(
     let is_line = meaning.regressors() == 1;
     let sums = sums.map(|sums| if is_line { sums.counted_from(&columns.form.x_origin) } else { sums });
     let reduction = Reduction { count, sums, reach: Err(NoEui::Reduced), minimax, has_widths };
-    Ok(Readings::Supporting { rows, ties, reduction })
+    Ok(Readings::Supporting { rows: rows.into(), ties, reduction })
 }
 
 /// The readings that support a hull, of more readings of a line under a uniform error bound than are kept.
@@ -148,10 +149,8 @@ fn readings_of_line(
 ) -> Result<Readings, InputError> {
     let form = &look.columns.form;
     let epsilon = meaning.error_bound.uniform().cloned().unwrap_or_default();
-    let (sums, mut rows, ties) = all.open.into_parts(&epsilon, &look.sieve);
-    form.count_rows(&mut rows);
-    // A reading with the largest or the smallest y of all is on a hull.
-    meaning.settle(&mut rows);
+    let (sums, rows, ties) = all.open.into_parts(&epsilon, &look.sieve);
+    let rows = meaning.settled(rows);
     let totals = [sums.uv.clone()];
     let sums = sums.counted_from(&form.x_origin);
     // Only all columns together tell which rows lack a number.
@@ -208,7 +207,7 @@ fn readings_under_fixed_bounds(
         (reach, DecidingMinimax::Own(own))
     };
     let reduction = Reduction { count: all.rows, sums, reach, minimax, has_widths };
-    Ok(Readings::Supporting { rows, ties, reduction })
+    Ok(Readings::Supporting { rows: rows.into(), ties, reduction })
 }
 
 /// Keeps the reading that least squares misses most too, apart from the one that stands for it.

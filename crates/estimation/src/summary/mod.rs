@@ -20,7 +20,7 @@ pub(crate) use sieve::SharedSieve;
 pub(crate) use spread::Spread;
 pub(crate) use spread::Thresholds;
 
-use crate::measurement::Measurement;
+use crate::deciding::DecidingRows;
 use crate::moments::Sums;
 use crate::ties::{TiedReading, Ties};
 use support::SupportRows;
@@ -118,15 +118,18 @@ impl LineSummary {
     }
 
     /// The sums, and the readings that support a hull, by row, with this error bound and what they stand for.
-    pub(crate) fn into_parts(
-        self,
-        epsilon: &Rational,
-        sieve: &SharedSieve,
-    ) -> (Sums, Vec<Measurement>, Ties) {
-        let mut support = self.support.into_values().map(|own| own.into_rows(sieve.most_listed));
+    pub(crate) fn into_parts(self, epsilon: &Rational, sieve: &SharedSieve) -> (Sums, DecidingRows, Ties) {
+        let mut support: Vec<SupportRows> = self.support.into_values().collect();
+        if let [alone] = support.as_mut_slice()
+            && let Some((rows, ties)) = alone.take_grid(epsilon, sieve.most_listed)
+        {
+            return (self.sums.total(), rows, ties);
+        }
+        let mut support = support.into_iter().map(|own| own.into_rows(sieve.most_listed));
         let mut readings = support.next().unwrap_or_default();
         readings.extend(support.flatten());
         let (rows, ties) = TiedReading::by_row(readings);
-        (self.sums.total(), rows.into_iter().map(|reading| reading.within(epsilon.clone())).collect(), ties)
+        let rows = Vec::from_iter(rows.into_iter().map(|reading| reading.within(epsilon.clone())));
+        (self.sums.total(), rows.into(), ties)
     }
 }

@@ -7,8 +7,9 @@ use boundfit_geometry::grid::{
     touching_of_columns,
 };
 
+use crate::deciding::DecidingRows;
 use crate::hulls::touching_a_hull;
-use crate::ties::TiedReading;
+use crate::ties::{TiedReading, Ties};
 
 /// The number of new readings and row numbers that merging waits for, so that small parts do not each pay for the
 /// whole. Measured: from a few thousand on, merging costs next to nothing beside reading.
@@ -20,6 +21,8 @@ const LEAST_TO_MERGE: usize = 4096;
 #[derive(Debug, Clone, Default)]
 pub(super) struct SupportRows {
     merged: Vec<Rows>,
+    /// True if none of the merged readings is strictly between the hulls of these, or stands beside one that represents it.
+    is_settled: bool,
     pending: Vec<Rows>,
     pending_size: usize,
 }
@@ -70,7 +73,7 @@ impl SupportRows {
                 Rows::General(candidates).reduced(most)
             }
         };
-        SupportRows { merged: vec![rows], ..SupportRows::default() }
+        SupportRows { merged: vec![rows], is_settled: true, ..SupportRows::default() }
     }
 
     /// Returns the support among some positions of two columns, of which most support a hull.
@@ -95,9 +98,9 @@ impl SupportRows {
         SupportRows { merged: vec![rows], ..SupportRows::default() }
     }
 
-    /// Points on a grid with these units.
+    /// Points on a grid with these units that touch their hulls.
     pub(super) fn of_grid(units: [Unit; 2], points: Vec<GridPoint>) -> Self {
-        SupportRows { merged: vec![Rows::Grid { units, points }], ..SupportRows::default() }
+        SupportRows { merged: vec![Rows::Grid { units, points }], is_settled: true, ..SupportRows::default() }
     }
 
     /// The rounded coordinates of all points that may turn out to be extreme; `None` where binary64 has no such numbers.
@@ -149,14 +152,34 @@ impl SupportRows {
 
     /// Adds the readings of another part. Exact. Cost: amortised O(log n) per reading that is kept.
     pub(super) fn merge(&mut self, other: SupportRows, most: usize) {
+        /// The share of the readings that wait beside those that are merged: where every reading is extreme, each merging
+        /// looks at all of them for nothing.
+        const PATIENCE: usize = 3;
+        if self.merged.is_empty() && self.pending.is_empty() {
+            *self = other;
+            return;
+        }
         for part in other.merged.into_iter().chain(other.pending) {
             self.pending_size += part.size();
             self.pending.push(part);
         }
         let merged: usize = self.merged.iter().map(Rows::size).sum();
-        if self.pending_size >= merged.max(LEAST_TO_MERGE) {
+        if self.pending_size >= (PATIENCE * merged).max(LEAST_TO_MERGE) {
             self.settle(most);
         }
+    }
+
+    /// The readings within this error bound, and what they stand for, where they are on a grid of machine integers; the
+    /// others stay.
+    pub(super) fn take_grid(&mut self, epsilon: &Rational, most: usize) -> Option<(DecidingRows, Ties)> {
+        self.settle(most);
+        let [Rows::Grid { units, points }] = self.merged.as_slice() else { return None };
+        let rows = DecidingRows::of_points(*units, points, epsilon)?;
+        let mut ties = Ties::default();
+        for GridPoint { rows, .. } in points.iter().filter(|point| point.rows.count() > 1) {
+            ties.insert(rows.first() as usize, rows.clone());
+        }
+        Some((rows, ties))
     }
 
     /// The readings, in no order, with an error bound of 0.
@@ -170,10 +193,14 @@ impl SupportRows {
     }
 
     fn settle(&mut self, most: usize) {
+        if self.is_settled && self.pending.is_empty() {
+            return;
+        }
         let mut parts = std::mem::take(&mut self.merged);
         parts.append(&mut self.pending);
         self.pending_size = 0;
         self.merged = vec![united(parts).reduced(most)];
+        self.is_settled = true;
     }
 }
 

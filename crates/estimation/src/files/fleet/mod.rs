@@ -221,10 +221,9 @@ impl Fleet {
             summary.merge(own, &sieve);
         }
         let epsilon = meaning.error_bound.uniform().cloned().unwrap_or_default();
-        let (sums, mut rows, ties) = summary.into_parts(&epsilon, &sieve);
+        let (sums, rows, ties) = summary.into_parts(&epsilon, &sieve);
         let form = meaning.form.clone();
-        form.count_rows(&mut rows);
-        meaning.settle(&mut rows);
+        let rows = meaning.settled(rows);
         let sums = sums.counted_from(&form.x_origin);
         let thresholds = Thresholds::of_form(&form, &sums);
         let mut spread = Spread::default();
