@@ -8,21 +8,34 @@ use boundfit_geometry::{Constraint, Inequality, Polyhedron, Region};
 use crate::generators::{Generator, GeneratorKind, generators};
 
 /// A matrix under construction.
-#[derive(Default)]
 struct Matrix {
-    rows: Vec<[Rational; 3]>,
+    /// A line for each row.
+    lines: String,
+    rows: usize,
     /// The rows on the `linearity` line, from 1.
     linear: Vec<usize>,
+    /// True while every number is an integer.
+    is_whole: bool,
+}
+
+impl Default for Matrix {
+    fn default() -> Self {
+        Matrix { lines: String::new(), rows: 0, linear: Vec::new(), is_whole: true }
+    }
 }
 
 impl Matrix {
     fn push(&mut self, row: [Rational; 3]) {
-        self.rows.push(row);
+        let [first, second, third] = &row;
+        // Writing to a String never fails.
+        let _ = writeln!(self.lines, "{first} {second} {third}");
+        self.rows += 1;
+        self.is_whole &= row.iter().all(|number| number.denominator() == 1.into());
     }
 
     fn push_linear(&mut self, row: [Rational; 3]) {
-        self.rows.push(row);
-        self.linear.push(self.rows.len());
+        self.push(row);
+        self.linear.push(self.rows);
     }
 
     /// The file, with `integer` when every number is one.
@@ -33,14 +46,9 @@ impl Matrix {
             self.linear.iter().for_each(|row| text += &format!(" {row}"));
             text.push('\n');
         }
-        let whole = self.rows.iter().flatten().all(|number| number.denominator() == 1.into());
-        let kind = if whole { "integer" } else { "rational" };
-        text += &format!("begin\n{} 3 {kind}\n", self.rows.len());
-        for [first, second, third] in &self.rows {
-            // Writing to a String never fails.
-            let _ = writeln!(text, "{first} {second} {third}");
-        }
-        text + "end\n"
+        let kind = if self.is_whole { "integer" } else { "rational" };
+        text += &format!("begin\n{} 3 {kind}\n", self.rows);
+        text + &self.lines + "end\n"
     }
 }
 
@@ -51,7 +59,7 @@ impl Matrix {
 /// `1 0 0`, since lrs takes no matrix without rows; the empty set has the at most three inequalities that prove it empty.
 /// Cost: linear.
 pub fn h_representation(polyhedron: &Polyhedron) -> String {
-    let inequalities = polyhedron.system().inequalities();
+    let system = polyhedron.system();
     let row = |Inequality { a: [a1, a2], b }: &Inequality| [b.clone(), -a1, -a2];
     let mut matrix = Matrix::default();
     match polyhedron.region() {
@@ -65,7 +73,7 @@ pub fn h_representation(polyhedron: &Polyhedron) -> String {
         }
         region => {
             let irredundant = polyhedron.irredundant();
-            let constraints = polyhedron.system().constraints();
+            let constraints = system.constraints();
             let opposite = |index: usize| match constraints.get(index) {
                 Some(Constraint::HalfPlane(half_plane)) => {
                     let opposite = Constraint::HalfPlane(half_plane.opposite());
@@ -75,7 +83,7 @@ pub fn h_representation(polyhedron: &Polyhedron) -> String {
             };
             let is_flat = matches!(region, Region::Segment(_) | Region::Ray(_) | Region::Line(_));
             for &index in &irredundant {
-                let Some(inequality) = inequalities.get(index) else { continue };
+                let inequality = &system.inequality(index);
                 // Only a set within a line has few sides, so that each may be looked for among all.
                 match if is_flat { opposite(index) } else { None } {
                     Some(other) if other < index => {}

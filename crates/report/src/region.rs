@@ -2,9 +2,9 @@
 
 use boundfit_estimation::{ActiveBounds, BoundName};
 use boundfit_exact::english::{counted, list_of};
-use boundfit_geometry::{Direction, Measure, Region, RegionKind, Vertex};
+use boundfit_geometry::{Direction, Measure, Region, RegionKind};
 
-use crate::document::{Block, THETA, Table, Text};
+use crate::document::{Block, Column, LongTable, THETA, Table, Text};
 use crate::formula::pair;
 use crate::scale::Scale;
 
@@ -16,18 +16,22 @@ pub(crate) fn region_blocks(
     scales: &[Scale; 2],
     names: impl Fn(&[usize]) -> String,
 ) -> Vec<Block> {
-    let row = |(number, vertex): (usize, &Vertex)| {
-        let theta = vertex.point().coordinates();
-        let [theta1, theta2] = [0, 1].map(|axis| Text::new().number(scales[axis].value(&theta[axis])));
-        vec![Text::new().number(number), theta1, theta2, names(vertex.active()).into()]
-    };
-    let vertices = vertex_table((1..).zip(region.vertices()).map(row).collect());
+    let header = ["vertex".into(), Text::from(THETA[0]), Text::from(THETA[1]), "active".into()];
+    let kinds = [Column::Number, Column::Number, Column::Number, Column::Words];
+    let mut vertices = LongTable::new(header.into_iter().zip(kinds));
+    for (position, vertex) in region.vertices().iter().enumerate() {
+        let [theta1, theta2] = vertex.point().coordinates();
+        vertices.push(position + 1);
+        vertices.push(scales[0].value(&theta1));
+        vertices.push(scales[1].value(&theta2));
+        vertices.push(names(vertex.active()));
+    }
     let boundary = |active| Text::from(format!("bounded by {}", names(active)));
     let boundaries = region.boundaries().iter().map(|own| boundary(own.active()));
     let lines = endless(&region.rays(), &region.lines()).into_iter().chain(boundaries);
     let kind = kind_text(region.kind(), region.vertices().len());
     let title = Block::Title(format!("{label}: {kind}").into());
-    [title, vertices].into_iter().chain(lines.map(Block::Paragraph)).collect()
+    [title, Block::LongTable(vertices)].into_iter().chain(lines.map(Block::Paragraph)).collect()
 }
 
 /// Active bounds in a table: the first of them by name.

@@ -166,12 +166,21 @@ impl Text {
     pub(super) fn plain(&self) -> Cow<'_, str> {
         match self.0.as_slice() {
             [Inline::Number(number)] => Cow::Borrowed(number),
+            [Inline::Words(words)] => plain_words(words),
             _ => Cow::Owned(self.to_string()),
         }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
+    }
+}
+
+/// Words as plain text; no copy of what is plain to see.
+pub(super) fn plain_words(words: &str) -> Cow<'_, str> {
+    match words.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
+        true => Cow::Borrowed(words),
+        false => Cow::Owned(Foreign::of(words).to_string()),
     }
 }
 

@@ -25,8 +25,8 @@ pub(super) fn written(blocks: &[Block]) -> String {
         }
         Block::Facts(Facts { rows, .. }) => facts(rows),
         Block::Results(rows) => Some(title_of(&super::RESULTS.into()) + "\n" + &facts(rows)?),
-        Block::Table(table) if table.rows.is_empty() => None,
-        Block::Table(table) => Some(tabular(table)),
+        Block::Table(table) => tabular_unless_empty(table),
+        Block::LongTable(table) => tabular_unless_empty(&table.to_table()),
         Block::Space => None,
     });
     format!("% needs \\usepackage{{booktabs}}\n{}", blocks.collect::<Vec<_>>().join("\n"))
@@ -39,7 +39,11 @@ fn title_of(title: &Text) -> String {
 
 fn facts(rows: &[(Text, Text)]) -> Option<String> {
     let rows: Vec<Vec<Text>> = rows.iter().map(|(label, fact)| vec![label.clone(), fact.clone()]).collect();
-    (!rows.is_empty()).then(|| tabular(&Table { rows, ..Table::default() }))
+    tabular_unless_empty(&Table { rows, ..Table::default() })
+}
+
+fn tabular_unless_empty(table: &Table) -> Option<String> {
+    (!table.rows.is_empty()).then(|| tabular(table))
 }
 
 fn tabular(table: &Table) -> String {

@@ -9,7 +9,8 @@ pub(super) fn written(blocks: &[Block]) -> String {
         Block::Lead(text) | Block::Paragraph(text) => Some(format!("{}\n", line(text))),
         Block::Facts(Facts { rows, .. }) => facts(rows),
         Block::Results(rows) => Some(title_of(&super::RESULTS.into()) + "\n" + &facts(rows)?),
-        Block::Table(Table { header, rows }) => table(&cells(header), rows.iter().map(|row| cells(row))),
+        Block::Table(table) => of_table(table),
+        Block::LongTable(table) => of_table(&table.to_table()),
         Block::Space => None,
     });
     blocks.collect::<Vec<_>>().join("\n")
@@ -22,6 +23,10 @@ fn title_of(title: &Text) -> String {
 fn facts(rows: &[(Text, Text)]) -> Option<String> {
     let cells = rows.iter().map(|(label, fact)| vec![line(label), line(fact)]);
     table(&[String::new(), String::new()], cells)
+}
+
+fn of_table(Table { header, rows }: &Table) -> Option<String> {
+    table(&cells(header), rows.iter().map(|row| cells(row)))
 }
 
 fn cells(row: &[Text]) -> Vec<String> {

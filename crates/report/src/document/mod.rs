@@ -2,11 +2,13 @@
 
 mod inline;
 mod latex;
+mod long;
 mod markdown;
 mod plain;
 mod wrap;
 
 pub(crate) use inline::{Inline, Operator, Symbol, THETA, Text};
+pub(crate) use long::{Column, LongTable};
 
 /// The title of the remaining results, where they have one.
 const RESULTS: &str = "Further results";
@@ -27,6 +29,7 @@ pub(crate) enum Block {
     /// A line for each remaining result. Plain text sets them flush left, markup under a title.
     Results(Vec<(Text, Text)>),
     Table(Table),
+    LongTable(LongTable),
     /// A blank line in plain text, where something begins that has no title.
     Space,
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::wrap::{WIDTH, wrapped};
-use super::{Block, Facts, Table, Text};
+use super::{Block, Facts, LongTable, Table, Text};
 use crate::align::{columns, widths, write_line};
 
 /// The room for labels of results.
@@ -40,6 +40,7 @@ pub(super) fn written(blocks: &[Block]) -> String {
                 }
             }
             Block::Table(table) => write_table(table, &mut text),
+            Block::LongTable(table) => write_long_table(table, &mut text),
             Block::Space => {}
         }
     }
@@ -86,6 +87,27 @@ fn write_table<'a>(Table { header, rows }: &'a Table, text: &mut String) {
             let before = if column == 0 { INDENT } else { PART };
             write_behind("", before, &Text::from(format!("{label}{}", cell.trim_start())), text);
         }
+    }
+}
+
+/// A table of any length: without a list of its lines where each is a line as it is.
+fn write_long_table(table: &LongTable, text: &mut String) {
+    let mut natural = Vec::new();
+    for line in table.plain() {
+        natural.resize(line.len(), 0);
+        for (width, cell) in natural.iter_mut().zip(&line) {
+            *width = columns(cell).max(*width);
+        }
+    }
+    if natural.is_empty() {
+        return;
+    }
+    if natural != limits(&natural) {
+        return write_table(&table.to_table(), text);
+    }
+    for line in table.plain() {
+        text.push_str("  ");
+        write_line(&line, &natural, text);
     }
 }
 
