@@ -7,13 +7,14 @@ use std::io::Read;
 use boundfit_exact::Rational;
 
 use crate::about::{About, ascending};
-use crate::cells::{Model, Row};
+use crate::cells::Row;
 use crate::data::Data;
 use crate::failure::{DataLimits, Failure};
-use crate::falsehood::Falsehood;
+use crate::falsehood::{Falsehood, in_statement};
 use crate::half_planes::{End, HalfPlanes, Multiples};
 use crate::name::Name;
-use crate::plane::{HalfPlane, Point, Vector, dot};
+use crate::plane::{Vector, dot};
+use crate::probes::{Comparisons, Probes};
 use crate::scope::{ErrorScale, Part, Scope, Side, View};
 use crate::sides::Sides;
 use crate::statements::{Claim, ClaimKind, Contradictions, Kind, Statement};
@@ -27,6 +28,8 @@ pub(crate) fn check_statements<R: Read>(
     limits: &DataLimits,
 ) -> Result<Vec<Claim>, Failure> {
     let about = &data.about;
+    let comparisons = Comparisons::of(about)?;
+    comparisons.refuse_conditions(statements.len(), limits.work)?;
     let named: Vec<HalfPlanes> = (1..)
         .zip(statements)
         .map(|(number, own)| in_statement(number, own.scope.half_planes(&own.names(), rows, about)))
@@ -40,6 +43,7 @@ pub(crate) fn check_statements<R: Read>(
         in_statement(number, probes.add(number, own, half_planes, about))?;
     }
     if !probes.is_empty() {
+        comparisons.refuse_rows(&probes, limits.work)?;
         probes.check_conditions(about)?;
         let longest = bits_of_points(statements);
         data.look_again(open()?, limits, |about, rows| {
@@ -47,10 +51,6 @@ pub(crate) fn check_statements<R: Read>(
         })?;
     }
     Ok(claims)
-}
-
-fn in_statement<T>(number: usize, found: Result<T, Falsehood>) -> Result<T, Falsehood> {
-    found.map_err(|falsehood| Falsehood::InStatement { number, falsehood: Box::new(falsehood) })
 }
 
 /// The rows that statements name.
@@ -230,131 +230,4 @@ fn check_left_out(
         seen.insert(left_out);
     }
     Ok(())
-}
-
-/// The objects to be compared with each row: points, rays and sets of all statements.
-#[derive(Default)]
-struct Probes<'a> {
-    views: Vec<View>,
-    vectors: BTreeMap<Key, Probe<'a>>,
-    sets: Vec<SetProbe<'a>>,
-}
-
-/// The key of points and rays of statements that differ only in the rows that they leave out. It says whether it is a
-/// ray, its vector, how rows are seen (an index of `views`), and its part.
-type Key = (bool, Vector, usize, Part);
-
-struct Probe<'a> {
-    at: Point,
-    /// Rows that all of these statements leave out.
-    without: BTreeSet<u64>,
-    /// The numbers of the statements and the rows that each leaves out.
-    statements: Vec<(usize, &'a BTreeSet<u64>)>,
-}
-
-struct SetProbe<'a> {
-    number: usize,
-    view: usize,
-    part: Part,
-    without: &'a BTreeSet<u64>,
-    sides: Sides<'a>,
-}
-
-impl<'a> Probes<'a> {
-    fn is_empty(&self) -> bool {
-        self.vectors.is_empty() && self.sets.is_empty()
-    }
-
-    fn add(
-        &mut self,
-        number: usize,
-        statement: &'a Statement,
-        half_planes: &'a HalfPlanes,
-        about: &About,
-    ) -> Result<(), Falsehood> {
-        let (part, view) = statement.scope.parts(about)?;
-        let known = self.views.iter().position(|known| *known == view);
-        let view = known.unwrap_or_else(|| {
-            self.views.push(view);
-            self.views.len() - 1
-        });
-        let without = &statement.scope.without;
-        let [points, rays] = statement.points_and_rays().map(Vec::into_iter);
-        for (is_ray, vector) in points.map(|point| (false, point)).chain(rays.map(|ray| (true, ray))) {
-            let key = (is_ray, vector.clone(), view, part.clone());
-            let probe = self.vectors.entry(key).or_insert_with(|| Probe {
-                at: Point::new(vector),
-                without: without.clone(),
-                statements: Vec::new(),
-            });
-            probe.without.retain(|row| without.contains(row));
-            probe.statements.push((number, without));
-        }
-        if let Kind::Set { vertices, sides, .. } = &statement.kind {
-            let sides = Sides::of(vertices, sides, half_planes)?;
-            self.sets.push(SetProbe { number, view, part, without, sides });
-        }
-        Ok(())
-    }
-
-    /// Compares everything with the half-planes that are of no row.
-    fn check_conditions(&self, about: &About) -> Result<(), Falsehood> {
-        for ((is_ray, _, view, part), probe) in &self.vectors {
-            let Some(view) = self.views.get(*view) else { continue };
-            for (name, half_plane) in part.conditions(about, view) {
-                probe.check(*is_ray, name, &half_plane)?;
-            }
-        }
-        for set in &self.sets {
-            let Some(view) = self.views.get(set.view) else { continue };
-            for (name, half_plane) in set.part.conditions(about, view) {
-                set.check(name, &half_plane)?;
-            }
-        }
-        Ok(())
-    }
-
-    /// Compares everything with the half-planes of a row.
-    fn check_row(&self, row: u64, model: &Model) -> Result<(), Falsehood> {
-        let numbers = model.row();
-        let seen: Vec<_> = self.views.iter().map(|view| view.half_planes(row, &numbers)).collect();
-        let of_view = |view: usize| seen.get(view).into_iter().flatten();
-        for ((is_ray, _, view, part), probe) in &self.vectors {
-            if part.has_row(row) && !probe.without.contains(&row) {
-                of_view(*view).try_for_each(|(name, own)| probe.check(*is_ray, *name, own))?;
-            }
-        }
-        for set in &self.sets {
-            if set.part.has_row(row) && !set.without.contains(&row) {
-                of_view(set.view).try_for_each(|(name, own)| set.check(*name, own))?;
-            }
-        }
-        Ok(())
-    }
-}
-
-impl Probe<'_> {
-    fn check(&self, is_ray: bool, name: Name, half_plane: &HalfPlane) -> Result<(), Falsehood> {
-        let (is_within, falsehood) = if is_ray {
-            (half_plane.compare_along(&self.at).is_le(), Falsehood::Leaves(name))
-        } else {
-            (half_plane.compare_at(&self.at).is_le(), Falsehood::Outside(name))
-        };
-        if is_within {
-            return Ok(());
-        }
-        // The first that does not leave this row out.
-        let is_about =
-            |(_, without): &&(usize, &BTreeSet<u64>)| name.row().is_none_or(|row| !without.contains(&row));
-        let number = self.statements.iter().find(is_about).map_or(0, |(number, _)| *number);
-        in_statement(number, Err(falsehood))
-    }
-}
-
-impl SetProbe<'_> {
-    fn check(&self, name: Name, half_plane: &HalfPlane) -> Result<(), Falsehood> {
-        let is_around = self.sides.support(half_plane).is_some_and(|support| support.against_b.is_le());
-        let found = if is_around { Ok(()) } else { Err(Falsehood::CutsOff(name)) };
-        in_statement(self.number, found)
-    }
 }

@@ -28,11 +28,10 @@ pub enum Failure {
 impl Failure {
     /// Returns whether the data can be read no further.
     pub(crate) fn ends_reading(&self) -> bool {
-        use Refusal::{Number, RowTooLong, TooManyColumns, Work};
+        use Refusal::{Comparisons, Number, RowTooLong, TooManyColumns, Work};
         match self {
-            Failure::Unreadable(_) | Failure::Refused(RowTooLong { .. } | TooManyColumns(_) | Work(_)) => {
-                true
-            }
+            Failure::Unreadable(_)
+            | Failure::Refused(RowTooLong { .. } | TooManyColumns(_) | Comparisons { .. } | Work(_)) => true,
             Failure::Refused(Number { .. }) | Failure::Changed | Failure::False(_) => false,
         }
     }
@@ -68,6 +67,21 @@ pub enum Refusal {
         /// The limit.
         error: ParseNumberError,
     },
+    /// More comparisons than are done: points and sets of statements with each row and condition.
+    #[error(
+        "refused: {parts} points, rays and sets compared with each of {half_planes} rows and conditions take about {products:.1e} \
+         products of machine words, more than {limit} (the limit)"
+    )]
+    Comparisons {
+        /// The number of points, rays and sets.
+        parts: usize,
+        /// The number of rows and conditions.
+        half_planes: u64,
+        /// The estimate.
+        products: u64,
+        /// The most that is done.
+        limit: u64,
+    },
     /// Long numbers, of the data or of the vertices that they are compared with.
     #[error("{0}")]
     Work(#[from] TooMuchWork),
@@ -80,7 +94,7 @@ impl Refusal {
             Refusal::RowTooLong { .. } => Some(Limit::Line),
             Refusal::TooManyColumns(_) => Some(Limit::Columns),
             Refusal::Number { error, .. } => Limit::of_number(&error.kind),
-            Refusal::Work(_) => Some(Limit::Work),
+            Refusal::Work(_) | Refusal::Comparisons { .. } => Some(Limit::Work),
         }
     }
 }
@@ -94,7 +108,7 @@ pub struct DataLimits {
     pub row: usize,
     /// Cells of one row.
     pub columns: usize,
-    /// Products of machine words that long numbers may take ([`boundfit_exact::Work`]).
+    /// Products of machine words that long numbers ([`boundfit_exact::Work`]), or comparisons with every row, may take.
     pub work: u64,
 }
 

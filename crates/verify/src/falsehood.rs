@@ -205,3 +205,8 @@ fn listed(rows: &[u64]) -> String {
 }
 
 impl std::error::Error for Falsehood {}
+
+/// Adds the number of the statement to what is false in it.
+pub(crate) fn in_statement<T>(number: usize, found: Result<T, Falsehood>) -> Result<T, Falsehood> {
+    found.map_err(|falsehood| Falsehood::InStatement { number, falsehood: Box::new(falsehood) })
+}

@@ -12,6 +12,7 @@ mod found;
 mod half_planes;
 mod name;
 mod plane;
+mod probes;
 mod proof;
 mod rows;
 mod scope;

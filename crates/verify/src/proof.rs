@@ -38,6 +38,12 @@ impl Proof {
         if text.trim_ascii_start().starts_with(b"(*") {
             return Proof::of_theorem(text, most_digits);
         }
+        if Theorem::is_without_head(text) {
+            return Err(NotAProof::new(
+                "a theorem without its head: it does not begin with the comment in which boundfit writes how the rows were read from \
+                 data (expected the file as boundfit wrote it)",
+            ));
+        }
         let mut shape = Shape::read(text, most_digits)?;
         let body = match shape.schema.raw() {
             "boundfit/proof/1" => Body::Whole(WholeSet::read(&mut shape)?),
@@ -46,13 +52,13 @@ impl Proof {
                 if statements.is_empty() {
                     return Err(NotAProof::new("it states nothing"));
                 }
-                Body::Statements(statements.into_iter().map(Statement::read).collect::<Result<_, _>>()?)
+                let read =
+                    |(number, own)| Statement::read(own).map_err(|problem| problem.in_statement(number));
+                Body::Statements((1..).zip(statements).map(read).collect::<Result<_, _>>()?)
             }
-            _ => return Err(NotAProof::new("another schema")),
+            schema => return Err(NotAProof::unlike(format_args!("its schema is {schema:?}"))),
         };
-        if shape.has_more(matches!(body, Body::Statements(_))) {
-            return Err(NotAProof::new("a field of another version"));
-        }
+        shape.refuse_others(matches!(body, Body::Statements(_)))?;
         let sha256 = shape.sha256.raw().to_owned();
         Ok(Proof { data: Data { sha256, about: About::read(shape) }, body })
     }
@@ -62,9 +68,7 @@ impl Proof {
         check_digits(text, most_digits)?;
         let text = std::str::from_utf8(text).map_err(NotAProof::new)?;
         let (shape, theorem) = Theorem::read(text, most_digits)?;
-        if shape.has_more(false) {
-            return Err(NotAProof::new("a field of another version"));
-        }
+        shape.refuse_others(false)?;
         let sha256 = shape.sha256.raw().to_owned();
         Ok(Proof { data: Data { sha256, about: About::read(shape) }, body: Body::Theorem(theorem) })
     }

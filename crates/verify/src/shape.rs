@@ -85,18 +85,20 @@ pub(crate) struct StatementShape {
 }
 
 impl StatementShape {
-    /// Returns whether there are fields of another kind, those of its own having been taken.
-    pub(crate) fn has_more(&self) -> bool {
-        self.form.is_some()
-            || self.lower.is_some()
-            || self.upper.is_some()
-            || self.point.is_some()
-            || self.multipliers.is_some()
-            || self.vertices.is_some()
-            || self.sides.is_some()
-            || self.least.is_some()
-            || self.sets.is_some()
-            || self.contradictions.is_some()
+    /// Returns a field of another kind, those of its own having been taken.
+    pub(crate) fn other_field(&self) -> Option<&'static str> {
+        first_of([
+            ("form", self.form.is_some()),
+            ("lower", self.lower.is_some()),
+            ("upper", self.upper.is_some()),
+            ("point", self.point.is_some()),
+            ("multipliers", self.multipliers.is_some()),
+            ("vertices", self.vertices.is_some()),
+            ("sides", self.sides.is_some()),
+            ("least", self.least.is_some()),
+            ("sets", self.sets.is_some()),
+            ("contradictions", self.contradictions.is_some()),
+        ])
     }
 }
 
@@ -120,6 +122,18 @@ impl NotAProof {
         NotAProof { reason: Foreign::from(reason.to_string()), limit: None }
     }
 
+    /// The problem with a text that is neither kind of file, or has another schema: what a proof would have.
+    pub(crate) fn unlike(reason: impl fmt::Display) -> Self {
+        NotAProof::new(format_args!(
+            "{reason} (expected JSON of schema boundfit/proof/1 or boundfit/proof/2, or a theorem of boundfit for Coq)"
+        ))
+    }
+
+    /// The problem, with the number of the statement that has it.
+    pub(crate) fn in_statement(self, number: usize) -> Self {
+        NotAProof { reason: format!("statement {number}: {}", self.reason.raw()).into(), ..self }
+    }
+
     /// The limit that was passed, if that is the problem.
     pub fn limit(&self) -> Option<Limit> {
         self.limit
@@ -131,22 +145,54 @@ impl Shape {
     pub(crate) fn read(text: &[u8], most_digits: usize) -> Result<Self, NotAProof> {
         let is_object = text.trim_ascii_start().starts_with(b"{");
         if !is_object {
-            return Err(NotAProof::new("it does not begin with {"));
+            let (line, start) = first_line(text);
+            return Err(NotAProof::unlike(format_args!("line {line} begins with {start:?}, not with {{")));
         }
         check_digits(text, most_digits)?;
-        serde_json::from_slice(text).map_err(NotAProof::new)
+        serde_json::from_slice(text).map_err(NotAProof::unlike)
     }
 
-    /// Returns whether there are fields of another version, those of this one having been taken.
-    pub(crate) fn has_more(&self, is_of_statements: bool) -> bool {
-        let has_set = self.vertices.is_some()
-            || self.active.is_some()
-            || self.sides.is_some()
-            || self.farkas.is_some()
-            || self.bounds.is_some();
-        let has_new = self.x_error.is_some() || self.response.is_some();
-        has_set || self.statements.is_some() || !is_of_statements && has_new
+    /// Returns a field of another version, those of this one having been taken.
+    pub(crate) fn other_field(&self, is_of_statements: bool) -> Option<&'static str> {
+        first_of([
+            ("vertices", self.vertices.is_some()),
+            ("active", self.active.is_some()),
+            ("sides", self.sides.is_some()),
+            ("farkas", self.farkas.is_some()),
+            ("bounds", self.bounds.is_some()),
+            ("statements", self.statements.is_some()),
+            ("x_error", self.x_error.is_some() && !is_of_statements),
+            ("response", self.response.is_some() && !is_of_statements),
+        ])
     }
+
+    /// Refuses a field of another version.
+    pub(crate) fn refuse_others(&self, is_of_statements: bool) -> Result<(), NotAProof> {
+        self.other_field(is_of_statements).map_or(Ok(()), |field| {
+            Err(NotAProof::new(format_args!(
+                "the schema {} has no field {field:?}",
+                self.schema.borrowed().quoted()
+            )))
+        })
+    }
+}
+
+fn first_of<const N: usize>(fields: [(&'static str, bool); N]) -> Option<&'static str> {
+    fields.into_iter().find(|(_, is_there)| *is_there).map(|(field, _)| field)
+}
+
+/// Returns the number of the first line that is not blank, and its beginning.
+fn first_line(text: &[u8]) -> (usize, String) {
+    let text = String::from_utf8_lossy(text);
+    let line = (1..).zip(text.lines()).find(|(_, line)| !line.trim().is_empty());
+    let (number, line) = line.unwrap_or((1, ""));
+    (number, beginning(line))
+}
+
+/// Returns the beginning of a line.
+pub(crate) fn beginning(line: &str) -> String {
+    const MOST: usize = 40;
+    line.chars().take(MOST).collect()
 }
 
 /// Refuses a number of more digits than this.

@@ -108,12 +108,19 @@ impl Statement {
                     .map(|(rows, terms)| (rows.into_iter().collect(), multiples(terms)))
                     .collect(),
             },
-            _ => return Err(NotAProof::new("another kind of statement")),
+            kind => {
+                return Err(NotAProof::new(format_args!(
+                    "no kind of statement: {kind:?} (expected \"form\", \"point\", \"empty\", \"least\", \"set\" or \"left out\")"
+                )));
+            }
         };
-        if fields.has_more() {
-            return Err(NotAProof::new("a field of another kind of statement"));
+        match fields.other_field() {
+            Some(field) => {
+                let kind = fields.kind.borrowed().quoted();
+                Err(NotAProof::new(format_args!("a statement of the kind {kind} has no field {field:?}")))
+            }
+            None => Ok(Statement { scope, kind }),
         }
-        Ok(Statement { scope, kind })
     }
 
     /// The half-planes that it names.
@@ -151,7 +158,7 @@ fn scope(shape: &mut StatementShape) -> Result<Scope, NotAProof> {
         (None, None) => ErrorScale::AsStated,
         (Some(Number(factor)), None) => ErrorScale::Times(factor),
         (None, Some(Number(bound))) => ErrorScale::Within(bound),
-        (Some(_), Some(_)) => return Err(NotAProof::new("a factor and an epsilon")),
+        (Some(_), Some(_)) => return Err(NotAProof::new("\"factor\" and \"epsilon\" exclude each other")),
     };
     let side = match shape.side.take() {
         None => None,
@@ -159,7 +166,11 @@ fn scope(shape: &mut StatementShape) -> Result<Scope, NotAProof> {
             "+" => Side::Rising,
             "-" => Side::Falling,
             "strong" => Side::Strong,
-            _ => return Err(NotAProof::new("another side")),
+            side => {
+                return Err(NotAProof::new(format_args!(
+                    "no side: {side:?} (expected \"+\", \"-\" or \"strong\")"
+                )));
+            }
         }),
     };
     Ok(Scope {

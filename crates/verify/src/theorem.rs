@@ -41,11 +41,19 @@ enum Bounds {
 }
 
 impl Theorem {
+    /// Returns whether a text has rows of a theorem.
+    pub(crate) fn is_without_head(text: &[u8]) -> bool {
+        memchr::memmem::find(text, text::ROWS.as_bytes()).is_some()
+    }
+
     /// Reads the question in the head of a file, and the rows.
     pub(crate) fn read(text: &str, most_digits: usize) -> Result<(Shape, Self), NotAProof> {
         let shape = Shape::read(text::question(text)?.as_bytes(), most_digits)?;
         if shape.schema.raw() != "boundfit/theorem/1" {
-            return Err(NotAProof::new("another schema"));
+            let schema = shape.schema.borrowed().quoted();
+            return Err(NotAProof::new(format_args!(
+                "the question in its head has the schema {schema} (expected boundfit/theorem/1)"
+            )));
         }
         let hash = text::data(text)?.map(|data| hexadecimal(&Sha256::digest(data)));
         if hash.is_some_and(|hash| hash != *shape.sha256.raw()) {

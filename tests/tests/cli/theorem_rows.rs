@@ -160,23 +160,44 @@ fn what_agrees_and_where_it_does_not_is_said_in_a_line() {
         (
             "<= eps r",
             "<= 2 * eps r",
-            "what the rows say of this theorem are not written as boundfit writes them",
+            "(expected what the rows say of p, as boundfit writes it of columns like these)",
         ),
         (
             "   The question: ",
             "   A question: ",
-            "the head of this theorem does not say how its rows were read from data",
+            "the comment at the head of this theorem has no line \"The question: {...}\", which says how",
         ),
-        ("3,3.9\n", "3,3.9,1\n", "a row with other cells"),
+        ("3,3.9\n", "3,3.9,1\n", ": \"3,3.9,1\" (expected a row of the numbers x, y)\n"),
+        (
+            "1,0,,3\n",
+            "1,0,3\n",
+            "1,0,3\" (expected the numbers a and b, and two bounds that may be missing)\n",
+        ),
         (
             "Definition y (r : row) : Q := number 1 r.",
             "Definition y (r : row) : Q := number 0 r.",
             "what the rows say",
         ),
+        (
+            "Definition y (r : row) : Q := number 1 r.",
+            "Definition y (r : row) : Q := 7.",
+            "Q := 7.\" (expected \"Definition NAME (r : row) : Q := number N r.\")\n",
+        ),
+        ("*)", "", "the rows stand in a comment"),
     ] {
         let (status, said) = changed(from, to);
         assert!(status == 1 && said.contains(problem), "{from}: {said}");
     }
+    let line = 1 + text.lines().position(|line| line == "3,3.9").unwrap();
+    let (_, said) = changed("3,3.9\n", "3,3.9,1\n");
+    assert!(said.contains(&format!("not a proof: line {line}: ")), "{said}");
+    let (head, behind) = text.split_once("*)").unwrap();
+    let run = boundfit_with_input(directory.path(), "verify - a.csv", head.as_bytes());
+    assert!(run.status == 1 && run.stderr.contains("the comment at its head does not end\n"), "{run:?}");
+    let run = boundfit_with_input(directory.path(), "verify - a.csv", behind.as_bytes());
+    let problem =
+        "not a proof: a theorem without its head: it does not begin with the comment in which boundfit";
+    assert!(run.status == 1 && run.stderr.contains(problem), "{run:?}");
     let moved = DATA.replace("4,5,1,4,6,1\n", "4,5,1,4,6,1\n5,6,1,1,1,1\n");
     fs::write(directory.path().join("more.csv"), moved).unwrap();
     let run = boundfit(directory.path(), "verify a.v more.csv");
@@ -228,7 +249,7 @@ fn half_planes_of_a_table_are_compared() {
         ("judge best.lp", "best.lp"),
     ] {
         let (status, said) = verified(&theorem(line), data);
-        let problem = "the head of this theorem does not say how its rows were read from data";
+        let problem = "the comment at the head of this theorem has no line \"The question: {...}\"";
         assert!(status == 1 && said.contains(problem), "{line}: {said}");
     }
 }

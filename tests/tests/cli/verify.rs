@@ -419,3 +419,37 @@ fn a_proof_with_an_endless_number_is_none() {
         assert!(output.stdout.starts_with(b"not a proof: "), "{number}: {output:?}");
     }
 }
+
+#[test]
+fn what_is_no_proof_is_refused_with_its_line_and_text() {
+    let directory = proved("--x x --y y --eps 0.2");
+    let proof = std::fs::read_to_string(directory.path().join("p.json")).unwrap();
+    boundfit(directory.path(), "range a.csv --x x --y y --eps 0.2 --proof r.json");
+    let range = std::fs::read_to_string(directory.path().join("r.json")).unwrap();
+    let kinds =
+        "(expected JSON of schema boundfit/proof/1 or boundfit/proof/2, or a theorem of boundfit for Coq)";
+    for (text, problem) in [
+        ("\n\nx,y\n1,2\n".to_owned(), format!("line 3 begins with \"x,y\", not with {{ {kinds}")),
+        (
+            proof.replace("boundfit/proof/1", "boundfit/proof/3"),
+            format!("its schema is \"boundfit/proof/3\" {kinds}"),
+        ),
+        ("{}".to_owned(), format!("missing field `schema` at line 1 column 2 {kinds}")),
+        (
+            proof.replacen('{', "{\"statements\": [],", 1),
+            "the schema \"boundfit/proof/1\" has no field \"statements\"".to_owned(),
+        ),
+        (
+            range.replacen("\"kind\": \"", "\"kind\": \"no ", 1),
+            "(expected \"form\", \"point\", \"empty\", \"least\", \"set\" or \"left out\")".to_owned(),
+        ),
+        (
+            range.replacen("\"kind\": ", "\"lower\": [[], [\"0\", \"0\"], [\"0\", \"0\"]], \"kind\": ", 1),
+            "not a proof: statement 1: a statement of the kind ".to_owned(),
+        ),
+    ] {
+        let run = boundfit_with_input(directory.path(), "verify - a.csv", text.as_bytes());
+        assert!(run.status == 1 && run.stderr.starts_with("error: standard input: not a proof: "), "{run:?}");
+        assert!(run.stderr.contains(&problem), "{problem}: {run:?}");
+    }
+}

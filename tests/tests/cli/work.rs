@@ -4,8 +4,9 @@
 use std::fmt::Write;
 
 use boundfit_tests::cli::refusals::check_refusal;
-use boundfit_tests::cli::{boundfit, directory_with, printed};
+use boundfit_tests::cli::{boundfit, boundfit_with_input, directory_with, printed};
 use boundfit_tests::hostile::{LIMITS, run_limited};
+use boundfit_tests::program::Run;
 
 /// A table of powers of ten that are far apart: 14 characters and 20,000 digits a row.
 fn far_apart(rows: usize) -> String {
@@ -257,4 +258,44 @@ fn a_long_bound_on_errors_in_x_counts_for_each_short_row() {
     let run = boundfit(directory.path(), &format!("fit data.csv --x x --y y --eps 0 --x-eps {ends}"));
     assert!(run.status == 1 && run.stderr.contains("refused: exact arithmetic on 600 rows"), "{run:?}");
     printed(directory.path(), "fit data.csv --x x --y y --eps 5 --x-eps 1/7 --format json");
+}
+
+/// A short proof may ask for as many comparisons as it has points and the data rows.
+#[test]
+fn statements_compared_with_many_rows_are_refused_where_they_pass_the_limit() {
+    let rows: String = (0..20_000).map(|row| format!("{row},{row}\n")).collect();
+    let directory = directory_with(&[("data.csv", format!("x,y\n{rows}").as_bytes())]);
+    boundfit(directory.path(), "fit data.csv --x x --y y --eps 1 --proof p.json");
+    let proof = std::fs::read_to_string(directory.path().join("p.json")).unwrap();
+    let proof: serde_json::Value = serde_json::from_str(&proof).unwrap();
+    let of = |statement: &dyn Fn(usize) -> serde_json::Value, count: usize| {
+        let mut own = proof.clone();
+        let fields = own.as_object_mut().unwrap();
+        for name in ["vertices", "active", "sides", "farkas", "bounds"] {
+            fields.remove(name);
+        }
+        own["schema"] = "boundfit/proof/2".into();
+        own["statements"] = (0..count).map(statement).collect();
+        own.to_string()
+    };
+    let point = |index: usize| serde_json::json!({"kind": "point", "point": ["1", format!("{index}/10000")]});
+    let view = |index: usize| serde_json::json!({"kind": "point", "point": ["1", "0"], "factor": format!("{}/10000", index + 1)});
+    let verify = |proof: String, limit: &str| {
+        boundfit_with_input(directory.path(), &format!("verify - data.csv {limit}"), proof.as_bytes())
+    };
+    let refused = |run: &Run, parts: usize, limit: u64| {
+        let start = format!(
+            "error: data.csv: refused: {parts} points, rays and sets compared with each of 20000 rows and conditions take about "
+        );
+        let end =
+            format!(" products of machine words, more than {limit} (the limit); --limit work=N raises it\n");
+        assert!(run.status == 1 && run.stderr.starts_with(&start) && run.stderr.ends_with(&end), "{run:?}");
+    };
+    refused(&verify(of(&point, 3_000), ""), 3_000, 400_000_000);
+    refused(&verify(of(&view, 400), ""), 400, 400_000_000);
+    let few = of(&point, 70);
+    refused(&verify(few.clone(), "--limit work=1000"), 70, 1_000);
+    assert_eq!(verify(few, "--limit work=10000000").status, 0);
+    // A few take no longer than reading the rows.
+    assert_eq!(verify(of(&point, 50), "--limit work=0").status, 0);
 }

@@ -85,7 +85,7 @@ fn about(limit: Limit, defaults: &Defaults) -> (String, &'static str) {
         Limit::Workbook => (sizes.workbook, "bytes of an .xlsx or .ods workbook, packed or unpacked"),
         Limit::Work => (
             sizes.work,
-            "products of machine words for exact arithmetic on numbers of more than a thousand digits",
+            "products of machine words for exact arithmetic on numbers of more than a thousand digits, and for proofs with many statements",
         ),
         Limit::Text => (
             sizes.text,

@@ -4,87 +4,123 @@ use boundfit_exact::{Limits, Rational, Reading};
 
 use super::sentences::{code, refuse_new_meanings};
 use super::{Bounds, Stated, Theorem};
-use crate::shape::NotAProof;
+use crate::shape::{NotAProof, beginning};
 
 /// The line of the head that has the question.
 const QUESTION: &str = "   The question: ";
-const ROWS: &str = "Definition rows : list row := read ";
+pub(super) const ROWS: &str = "Definition rows : list row := read ";
+const DATA: &str = "\nDefinition data : list text := [\"";
 const CONDITIONS: &str = "(* Conditions: a, b, and the bounds of a*theta1 + b*theta2, as far as there are any. *)\n\
                           Definition conditions : list form := map form_of (read ";
 const SAYS: &str = "(* What the rows say of p = (theta1, theta2). *)\nDefinition feasible (p : Q * Q) :=\n  ";
 
 /// The question in the head, as JSON.
 pub(super) fn question(text: &str) -> Result<&str, NotAProof> {
-    let head = text.split_once("*)").map_or("", |(head, _)| head);
+    let (head, _) =
+        text.split_once("*)").ok_or_else(|| NotAProof::new("the comment at its head does not end"))?;
     head.lines().find_map(|line| line.strip_prefix(QUESTION)).ok_or_else(|| {
-        NotAProof::new("the head of this theorem does not say how its rows were read from data")
+        NotAProof::new(
+            "the comment at the head of this theorem has no line \"The question: {...}\", which says how its rows were read from \
+             delimited text (theorems about other data have none)",
+        )
     })
 }
 
 /// The bytes of the data, if the theorem holds them.
 pub(super) fn data(text: &str) -> Result<Option<String>, NotAProof> {
-    let mut parts = text.split("\nDefinition data : list text := [\"").skip(1);
+    let mut parts = text.split(DATA).skip(1);
     let (data, more) = (parts.next(), parts.next());
-    match data.map(|own| own.split_once("\"]%text.\n")) {
-        None => Ok(None),
-        Some(Some((data, _))) if more.is_none() => Ok(Some(data.replace("\";\n\"", ""))),
-        Some(_) => Err(other("the data")),
+    if let Some(more) = more {
+        return Err(unexpected(text, more, "the data once"));
+    }
+    let Some(own) = data else { return Ok(None) };
+    match own.split_once("\"]%text.\n") {
+        Some((data, _)) => Ok(Some(data.replace("\";\n\"", ""))),
+        None => Err(unexpected(text, own, "data that end with \"]%text.")),
     }
 }
 
 /// The rows, and what the theorem says of them.
 pub(super) fn theorem(text: &str) -> Result<Theorem, NotAProof> {
     for once in ["Definition rows ", "Definition feasible (p : Q * Q)"] {
-        if text.matches(once).count() != 1 {
-            return Err(NotAProof::new(format_args!("\"{once}\" is not there once")));
+        let count = text.matches(once).count();
+        if count != 1 {
+            return Err(NotAProof::new(format_args!("\"{once}\" is there {count} times (expected once)")));
         }
     }
-    let (before, rest) = text.split_once(ROWS).ok_or_else(|| other("the rows"))?;
+    let (before, rest) = text
+        .split_once(ROWS)
+        .ok_or_else(|| NotAProof::new(format_args!("no \"{ROWS}\", behind which the rows stand")))?;
     if code(before).is_none() {
         return Err(NotAProof::new("the rows stand in a comment"));
     }
     let from_rows = rest;
-    let (rows, rest) = lines(rest).ok_or_else(|| other("the rows"))?;
-    let rest = rest.strip_prefix(".\n").ok_or_else(|| other("the rows"))?;
-    let (definitions, mut rest) = rest.split_once("\n\n").ok_or_else(|| other("the columns"))?;
-    let columns: Option<Vec<Column>> = definitions.lines().map(Column::read).collect();
-    let columns = columns.ok_or_else(|| other("the columns"))?;
+    let (rows, rest) = lines(text, rest)?;
+    let rest = stripped(text, rest, ".\n")?;
+    let (definitions, mut rest) = rest
+        .split_once("\n\n")
+        .ok_or_else(|| unexpected(text, rest, "definitions of columns, and a blank line behind them"))?;
+    let columns = definitions.lines().map(|line| {
+        Column::read(line)
+            .ok_or_else(|| unexpected(text, line, "\"Definition NAME (r : row) : Q := number N r.\""))
+    });
+    let columns: Vec<Column> = columns.collect::<Result<_, _>>()?;
     let mut conditions = None;
     if let Some(own) = rest.strip_prefix(CONDITIONS) {
-        let (found, after) = lines(own).ok_or_else(|| other("the conditions"))?;
-        rest = after.strip_prefix(").\n\n").ok_or_else(|| other("the conditions"))?;
+        let (found, after) = lines(text, own)?;
+        rest = stripped(text, after, ").\n\n")?;
         conditions = Some(found);
     }
     let said = rest.strip_prefix(SAYS).and_then(|rest| rest.split_once(".\n"));
-    if let Some((_, behind)) = said {
-        let definitions = from_rows.strip_suffix(behind).unwrap_or(from_rows);
-        refuse_new_meanings(&[ROWS, definitions].concat(), behind)?;
-    }
-    let says = said.map(|(says, _)| says);
-    let shape = Shape::of(&columns, conditions.is_some(), says).ok_or_else(|| other("what the rows say"))?;
-    let rows = rows.iter().map(|row| shape.row(row).ok_or_else(|| NotAProof::new("a row with other cells")));
-    let condition = |row: &&str| cells(row)?.try_into().ok();
-    let conditions: Option<Vec<_>> = conditions.iter().flatten().map(condition).collect();
+    let (says, behind) =
+        said.ok_or_else(|| unexpected(text, rest, "what the rows say of p, as boundfit writes it"))?;
+    let definitions = from_rows.strip_suffix(behind).unwrap_or(from_rows);
+    refuse_new_meanings(&[ROWS, definitions].concat(), behind)?;
+    let shape = Shape::of(&columns, conditions.is_some(), says).ok_or_else(|| {
+        unexpected(text, says, "what the rows say of p, as boundfit writes it of columns like these")
+    })?;
+    let row = |row: &&str| {
+        let names = shape.names();
+        shape.row(row).ok_or_else(|| unexpected(text, row, &format!("a row of the numbers {names}")))
+    };
+    let condition = |row: &&str| {
+        let numbers: Option<[_; 4]> = cells(row).and_then(|own| own.try_into().ok());
+        numbers
+            .ok_or_else(|| unexpected(text, row, "the numbers a and b, and two bounds that may be missing"))
+    };
     Ok(Theorem {
-        rows: rows.collect::<Result<_, _>>()?,
-        conditions: conditions.ok_or_else(|| other("the conditions"))?,
+        rows: rows.iter().map(row).collect::<Result<_, _>>()?,
+        conditions: conditions.iter().flatten().map(condition).collect::<Result<_, _>>()?,
     })
 }
 
-fn other(what: &str) -> NotAProof {
-    NotAProof::new(format_args!("{what} of this theorem are not written as boundfit writes them"))
+/// The problem with a part of a text that is not what is expected there: its line, and how it begins.
+fn unexpected(text: &str, part: &str, expected: &str) -> NotAProof {
+    let place = part.as_ptr().addr().saturating_sub(text.as_ptr().addr());
+    let line = 1 + text.get(..place).unwrap_or_default().matches('\n').count();
+    let start = beginning(part.lines().next().unwrap_or_default());
+    NotAProof::new(format_args!("line {line}: {start:?} (expected {expected})"))
+}
+
+/// The rest of a text behind this.
+fn stripped<'a>(text: &str, rest: &'a str, expected: &str) -> Result<&'a str, NotAProof> {
+    rest.strip_prefix(expected).ok_or_else(|| unexpected(text, rest, &format!("{expected:?}")))
 }
 
 /// The lines of pieces of text, and what follows the pieces.
-fn lines(text: &str) -> Option<(Vec<&str>, &str)> {
-    let (pieces, rest) = text.strip_prefix("[\"")?.split_once("\"]%text")?;
+fn lines<'a>(text: &str, rest: &'a str) -> Result<(Vec<&'a str>, &'a str), NotAProof> {
+    let inside = stripped(text, rest, "[\"")?;
+    let (pieces, rest) = inside
+        .split_once("\"]%text")
+        .ok_or_else(|| unexpected(text, inside, "rows that end with \"]%text"))?;
     let mut lines = Vec::new();
-    for piece in pieces.split("\";\n\"") {
-        if !piece.is_empty() {
-            lines.extend(piece.strip_suffix('\n')?.split('\n'));
-        }
+    for piece in pieces.split("\";\n\"").filter(|piece| !piece.is_empty()) {
+        let whole = piece.strip_suffix('\n').ok_or_else(|| {
+            unexpected(text, piece.lines().last().unwrap_or_default(), "a row that ends with its line")
+        })?;
+        lines.extend(whole.split('\n'));
     }
-    Some((lines, rest))
+    Ok((lines, rest))
 }
 
 /// The cells of a line, of which some are empty.
@@ -157,7 +193,7 @@ const SHAPES: [(&[&str], &str); 7] = [
 ];
 
 impl Shape {
-    fn of(columns: &[Column], has_conditions: bool, says: Option<&str>) -> Option<Self> {
+    fn of(columns: &[Column], has_conditions: bool, says: &str) -> Option<Self> {
         let mut epsilon = None;
         let mut names = Vec::new();
         for (index, Column { name, from }) in columns.iter().enumerate() {
@@ -180,7 +216,13 @@ impl Shape {
             true => format!("({expected}) /\\ (forall c, In c conditions -> keeps c p)"),
             false => expected,
         };
-        (says? == expected).then_some(Shape { cells, epsilon })
+        (says == expected).then_some(Shape { cells, epsilon })
+    }
+
+    /// The names of the cells of a row.
+    fn names(&self) -> String {
+        let in_rows = self.cells.iter().filter(|name| !name.ends_with('='));
+        in_rows.map(|name| name.trim_end_matches('?')).collect::<Vec<_>>().join(", ")
     }
 
     fn row(&self, line: &str) -> Option<Stated> {

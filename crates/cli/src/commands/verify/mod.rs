@@ -143,10 +143,7 @@ pub(super) fn run(arguments: &VerifyArguments) -> CommandResult {
     let text = read_proof(proof_file, limits)?;
     let proof = Proof::read(text.as_bytes(), &limits.number()).map_err(|problem| {
         let raised = problem.limit().map(|limit| format!("; {}", raises(limit))).unwrap_or_default();
-        Failure::data(format_args!(
-            "{}: not a proof: {problem} (expected JSON of schema boundfit/proof/1 or boundfit/proof/2, or a theorem of boundfit for Coq){raised}",
-            Foreign::of(named(proof_file))
-        ))
+        Failure::data(format_args!("{}: not a proof: {problem}{raised}", Foreign::of(named(proof_file))))
     })?;
     let question = arguments.question(proof.about())?;
     let mut data = Data::new(data_file);
