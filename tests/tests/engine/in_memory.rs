@@ -1,6 +1,8 @@
 //! Columns in memory: fits, reductions and fleets of them are those of the same numbers as text.
 
-use boundfit_estimation::{Columns, EpsilonColumn, Fit, Fleet, Keep, LineForm, Measurements, Problem};
+use boundfit_estimation::{
+    Columns, EpsilonColumn, Fit, Fleet, Keep, LineForm, Measurements, Problem, Question,
+};
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{
     ColumnSelector, MemoryNumbers, MemoryTable, RowRange, ScanOptions, Source, TableOptions, read_table,
@@ -115,6 +117,48 @@ fn fleets_in_memory_are_those_of_their_text() {
             (0..fleet.len()).map(group).collect::<Vec<_>>()
         };
         assert_eq!(fleet(Source::of_table("memory", table)), fleet(text_of(&text)), "{text}");
+    }
+}
+
+#[test]
+fn groups_of_which_every_row_lacks_a_number_are_known_by_name() {
+    let text = "x,y,key\n1,2,a\n,3,b\n2,,c\n3,4,a\nNaN,1,b\n5,NaN,d\n6,7,d\n1,,e\n";
+    let lines: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    let column = |index: usize| lines.iter().map(|line| line[index].to_owned()).collect();
+    let mut texts = MemoryTable::default();
+    let mut numbers = MemoryTable::default();
+    for (index, name) in ["x", "y"].into_iter().enumerate() {
+        texts.push(name, MemoryNumbers::Texts(column(index)));
+        let number = |text: String| text.parse().unwrap_or(f64::NAN);
+        numbers.push(name, MemoryNumbers::Doubles(column(index).into_iter().map(number).collect()));
+    }
+    texts.push("key", MemoryNumbers::Texts(column(2)));
+    numbers.push("key", MemoryNumbers::Texts(column(2)));
+    let columns = Question::line(ColumnSelector::name("x"), Some(ColumnSelector::name("y"))).columns;
+    let with = |conditions: &[&str], source: Source| {
+        let condition = |text: &&str| {
+            boundfit_formats::RowCondition::parse(text, Reading::Decimal, &Limits::default()).unwrap()
+        };
+        let table = TableOptions {
+            missing: boundfit_formats::Missing::Skip,
+            conditions: conditions.iter().map(condition).collect(),
+            ..TableOptions::default()
+        };
+        let options = ScanOptions { table, ..ScanOptions::default() };
+        let fleet = Fleet::read(source, &columns, &ColumnSelector::name("key"), options).unwrap();
+        fleet.without_readings().map(|name| name.raw().to_owned()).collect::<Vec<_>>()
+    };
+    for (conditions, empty) in
+        [(&[][..], &["b", "c", "e"][..]), (&["x != 1"], &["b", "c"]), (&["x >= 5"], &["b"])]
+    {
+        let sources = [
+            text_of(text),
+            Source::of_table("texts", texts.clone()),
+            Source::of_table("numbers", numbers.clone()),
+        ];
+        for source in sources {
+            assert_eq!(with(conditions, source), empty, "{conditions:?}");
+        }
     }
 }
 

@@ -223,7 +223,8 @@ impl Rows<'_> {
         let filtered = filter_record_batch(batch, &is_wanted);
         let unreadable = |error| unreadable(BinaryFormat::ArrowFile, error);
         let filtered = filtered.map_err(|error| InputError::of_file(self.wanted.file, unreadable(error)))?;
-        let numbers = self.numbers(wanted, &filtered)?;
+        let keys_missing = self.keys_missing(*first_row, batch, [&satisfying, &wanted])?;
+        let numbers = Batch { keys_missing, ..self.numbers(wanted, &filtered)? };
         if !self.wanted.options.table.keep_others {
             return Ok((numbers, lacking));
         }
@@ -290,6 +291,22 @@ impl Rows<'_> {
         Ok([satisfying, wanted])
     }
 
+    /// The keys of the rows that satisfy all conditions and lack a number, one of equal neighbours.
+    fn keys_missing(
+        &self,
+        first_row: usize,
+        batch: &RecordBatch,
+        [satisfying, wanted]: [&RowNumbers; 2],
+    ) -> Result<Vec<String>, InputError> {
+        let Some(place) = &self.wanted.key else { return Ok(Vec::new()) };
+        let is_missing = |row: usize| satisfying.position(row).is_some() && wanted.position(row).is_none();
+        let keys = keys(&self.array(place, batch)?).map_err(|bad| self.error(place, None, bad))?;
+        let rows = (0..batch.num_rows()).filter(|index| is_missing(first_row + index));
+        let mut missing: Vec<String> = rows.map(|index| keys.get(index).to_owned()).collect();
+        missing.dedup();
+        Ok(missing)
+    }
+
     /// The numbers and keys of a batch that has these rows.
     fn numbers(&self, rows: RowNumbers, batch: &RecordBatch) -> Result<Batch, InputError> {
         let columns = self.wanted.places.iter().zip(self.wanted.selectors);
@@ -307,7 +324,8 @@ impl Rows<'_> {
         };
         let fractions = self.wanted.places.iter().map(|place| Ok(fractions(&self.array(place, batch)?)));
         let fractions = fractions.collect::<Result<_, InputError>>()?;
-        Ok(Batch { rows, columns, keys, lines, fractions, cells: Vec::new(), others: Vec::new() })
+        let (keys_missing, cells, others) = (Vec::new(), Vec::new(), Vec::new());
+        Ok(Batch { rows, columns, keys, keys_missing, lines, fractions, cells, others })
     }
 
     /// The numbers of one column of a batch that has these rows.

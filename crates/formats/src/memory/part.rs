@@ -100,6 +100,15 @@ impl<T: Cells<C>, C: Placed + Sync> Part<'_, T, C> {
                 return Err(InputError::of_file(self.wanted.file, InputErrorKind::Interrupted));
             }
         }
+        if let Some(key) = self.wanted.key.as_ref().filter(|_| satisfying != found) {
+            let end = self.before + rows + 1;
+            let is_satisfying = |row: &usize| satisfying.iter().any(|range| range.contains(row));
+            let left_out = between(found, self.before + 1, end).into_iter().flatten().filter(is_satisfying);
+            let text = |row| self.table.key(key, self.index(row), options.table.reading).into();
+            let mut keys_missing: Vec<String> = left_out.map(text).collect();
+            keys_missing.dedup();
+            take(work(Batch { keys_missing, ..self.batch(&[])? }));
+        }
         if options.table.keep_others && options.table.selects_rows() {
             let unwanted = between(satisfying, self.before + 1, self.before + rows + 1).into_iter();
             let others = unwanted.flat_map(|rows| readable_rows(rows, &|rows| self.batch(&[rows]))).collect();
@@ -195,6 +204,7 @@ impl<T: Cells<C>, C: Placed + Sync> Part<'_, T, C> {
             rows: ranges.iter().cloned().collect(),
             columns,
             keys,
+            keys_missing: Vec::new(),
             lines,
             fractions: Vec::new(),
             cells: Vec::new(),

@@ -78,7 +78,7 @@ impl Pieces<Vec<u8>> {
     }
 }
 
-/// Wanted data rows, in columns; at least one row, unless others are kept.
+/// Wanted data rows, in columns; at least one row, unless others are kept or keys of rows that are left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Batch {
     /// The numbers of these data rows in the file.
@@ -87,6 +87,8 @@ pub struct Batch {
     pub columns: Vec<Column>,
     /// The cells of [`ScanOptions::key`], without the spaces and tabs around them.
     pub keys: Option<Pieces<String>>,
+    /// The cells of [`ScanOptions::key`] in rows that are left out since they lack a number, one of equal neighbours.
+    pub keys_missing: Vec<String>,
     /// Each row as it stands in the file, without its line end; only with [`ScanOptions::keep_text`].
     pub lines: Option<Pieces<Vec<u8>>>,
     /// [`TableRow::cells`] of each row, only with [`TableOptions::keep_cells`] and for text.

@@ -13,6 +13,7 @@ pub(super) struct BatchBuilder {
     pub(super) columns: Vec<Column>,
     pub(super) fractions: Vec<Fractions>,
     pub(super) keys: Option<Pieces<String>>,
+    keys_missing: Vec<String>,
     lines: Option<Pieces<Vec<u8>>>,
     rows: RowNumbers,
     pub(super) cells: Vec<Vec<String>>,
@@ -25,6 +26,7 @@ impl BatchBuilder {
             columns: vec![Column::default(); columns],
             fractions: vec![Fractions::default(); columns],
             keys: keys.then(Pieces::default),
+            keys_missing: Vec::new(),
             lines: lines.then(Pieces::default),
             rows: RowNumbers::default(),
             cells: Vec::new(),
@@ -35,6 +37,13 @@ impl BatchBuilder {
     /// Makes room for the numbers of so many more rows.
     pub(super) fn reserve(&mut self, rows: usize) {
         self.columns.iter_mut().for_each(|column| column.reserve(rows));
+    }
+
+    /// Keeps the key of a row that is left out, unless the one before it has the same.
+    pub(super) fn leave_out(&mut self, key: &str) {
+        if self.keys_missing.last().is_none_or(|last| last != key) {
+            self.keys_missing.push(key.to_owned());
+        }
     }
 
     /// Completes a row, of which the numbers and the key have been added.
@@ -53,10 +62,11 @@ impl BatchBuilder {
 
     /// The batch, when it has rows, with so much added to their numbers.
     pub(super) fn finish(self, shift: usize) -> Option<Batch> {
-        let BatchBuilder { columns, fractions, keys, lines, mut rows, cells, mut others } = self;
+        let BatchBuilder { columns, fractions, keys, keys_missing, lines, mut rows, cells, mut others } =
+            self;
         others.iter_mut().for_each(|other| other.row += shift);
         rows.shift(shift);
-        let is_empty = rows.is_empty() && others.is_empty();
-        (!is_empty).then_some(Batch { rows, columns, fractions, keys, lines, cells, others })
+        let is_empty = rows.is_empty() && others.is_empty() && keys_missing.is_empty();
+        (!is_empty).then_some(Batch { rows, columns, fractions, keys, keys_missing, lines, cells, others })
     }
 }

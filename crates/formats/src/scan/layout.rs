@@ -416,24 +416,20 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Adds the key of a record to a batch: what stands in quotes as it is written.
-    pub(super) fn add_key_of(
+    /// The key of a record, if keys are asked for: what stands in quotes as it is written.
+    pub(super) fn key_of<'r>(
         &self,
-        record: &Record,
+        record: &'r Record,
         text: Option<&[u8]>,
         line: u64,
-        batch: &mut BatchBuilder,
-    ) -> Result<(), InputError> {
-        if let (Some(place), Some(keys)) = (&self.key, &mut batch.keys) {
-            let cell = record.cell(place.position - 1);
-            let fail = |problem| place.error(self.file, line, cell, problem);
-            let key = decode(cell).map_err(fail)?;
-            let has_blanks = key.len() != unquoted_key(key).len();
-            let is_as_written = has_blanks
-                && text.is_some_and(|text| is_quoted(text, self.syntax.delimiter, place.position - 1));
-            keys.push(if is_as_written { key } else { unquoted_key(key) });
-        }
-        Ok(())
+    ) -> Result<Option<&'r str>, InputError> {
+        let Some(place) = &self.key else { return Ok(None) };
+        let cell = record.cell(place.position - 1);
+        let key = decode(cell).map_err(|problem| place.error(self.file, line, cell, problem))?;
+        let has_blanks = key.len() != unquoted_key(key).len();
+        let is_as_written =
+            has_blanks && text.is_some_and(|text| is_quoted(text, self.syntax.delimiter, place.position - 1));
+        Ok(Some(if is_as_written { key } else { unquoted_key(key) }))
     }
 
     /// Adds the text in a cell to the keys, what stood in quotes as it is written.

@@ -41,6 +41,7 @@ mod tests {
                     rows: [rows].into_iter().collect(),
                     columns: Vec::new(),
                     keys: None,
+                    keys_missing: Vec::new(),
                     lines: None,
                     cells: Vec::new(),
                     fractions: Vec::new(),

@@ -143,7 +143,8 @@ impl<'a> RowReader<'a> {
         if is_wanted {
             match layout.row(record, line, self.total, true, &mut self.mark, &mut self.notes)? {
                 Row::Values(values) => {
-                    layout.add_key_of(record, self.records.text(), line, batch)?;
+                    let key = layout.key_of(record, self.records.text(), line)?;
+                    key.zip(batch.keys.as_mut()).into_iter().for_each(|(key, keys)| keys.push(key));
                     let columns = values.into_iter().zip(&mut batch.columns);
                     columns.for_each(|(value, column)| value.push_to(column));
                     let cells = layout.places.iter().map(|place| record.cell(place.position - 1));
@@ -156,6 +157,10 @@ impl<'a> RowReader<'a> {
                     return Ok(());
                 }
                 Row::Lacks(place) => {
+                    layout
+                        .key_of(record, self.records.text(), line)?
+                        .into_iter()
+                        .for_each(|key| batch.leave_out(key));
                     self.notes.lacks(place);
                     return Ok(());
                 }

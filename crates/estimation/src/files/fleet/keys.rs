@@ -42,6 +42,12 @@ impl Keys {
         &self.text[start..self.ends[number]]
     }
 
+    /// Returns whether a text is among them.
+    pub(super) fn has(&self, key: &str) -> bool {
+        let hash = self.hasher.hash_one(key);
+        self.entries.find(hash, |entry| entry.of(&self.text) == key).is_some()
+    }
+
     /// The number of a text, a new one for a new text; `None` when there are no numbers left.
     pub(super) fn number_of(&mut self, key: &str) -> Option<u32> {
         let Keys { text, ends, entries, hasher } = self;

@@ -52,6 +52,8 @@ pub struct Fleet {
     counted: CountedRows,
     counted_groups: Groups,
     rows_missing: usize,
+    /// The keys of rows that were left out which no other row has.
+    empty: Vec<String>,
     table: Option<TableNotes>,
 }
 
@@ -75,9 +77,16 @@ impl Fleet {
         let held = HeldRows::limiting(&mut options);
         let mut store = Store { columns: vec![Series::default(); selectors.len()], ..Store::default() };
         let mut unbounded = None;
-        let part = |batch: Batch| (columns.first_unbounded(&batch), Part::of(batch));
-        let scanned = scan(source, &selectors, &options, part, |(row, part)| {
+        let mut lacking = Keys::default();
+        let part = |mut batch: Batch| {
+            let keys_missing = std::mem::take(&mut batch.keys_missing);
+            (columns.first_unbounded(&batch), keys_missing, Part::of(batch))
+        };
+        let scanned = scan(source, &selectors, &options, part, |(row, keys_missing, part)| {
             unbounded = unbounded.or(row);
+            for key in &keys_missing {
+                let _ = lacking.number_of(key);
+            }
             store.push(part, &held);
         });
         held.check(file.raw())?;
@@ -93,7 +102,20 @@ impl Fleet {
         let counted_groups = Groups::new(&store.counted_group_of, store.keys.len());
         let (rows_missing, table) = (scanned.rows_missing, scanned.table);
         let Store { keys, columns, rows, counted, .. } = store;
-        Ok(Fleet { meaning, keys, groups, columns, rows, counted, counted_groups, rows_missing, table })
+        let lacking = (0..lacking.len()).map(|number| lacking.get(number)).filter(|key| !keys.has(key));
+        let empty = lacking.map(str::to_owned).collect();
+        Ok(Fleet {
+            meaning,
+            keys,
+            groups,
+            columns,
+            rows,
+            counted,
+            counted_groups,
+            rows_missing,
+            empty,
+            table,
+        })
     }
 
     /// The number of groups there are.
@@ -114,6 +136,11 @@ impl Fleet {
     /// Returns how many rows that were asked for were left out since they lack a number.
     pub fn rows_missing(&self) -> usize {
         self.rows_missing
+    }
+
+    /// The texts that only rows have which were left out since they lack a number: no group.
+    pub fn without_readings(&self) -> impl ExactSizeIterator<Item = Foreign<&str>> {
+        self.empty.iter().map(|key| Foreign::of(key.as_str()))
     }
 
     /// Returns what the table was taken for; nothing unless it is text or a sheet.
@@ -411,7 +438,7 @@ impl Part {
             batch.keys.as_ref().is_some_and(|keys| row == 0 || keys.get(row) != keys.get(row - 1))
         };
         let starts: Vec<usize> = (0..batch.rows.len()).filter(begins).collect();
-        if !CountedBatch::are_few(&batch.columns, FEWEST_EQUAL) {
+        if starts.is_empty() || !CountedBatch::are_few(&batch.columns, FEWEST_EQUAL) {
             return Part::Each { batch, starts };
         }
         let (keys, number_of) = Part::keys(&batch, &starts);
