@@ -169,7 +169,9 @@ fn description(scene: &Scene, notes: &[String]) -> String {
     if let Some(reference) = &scene.reference {
         sentences.push(format!("Second panel: the residuals of the {}.", reference.name));
     }
-    let fitted = counted(problem.measurements.fitted(), "reading", "readings");
+    let measurements = &problem.measurements;
+    let drawn = if measurements.is_of_reductions() { measurements.shown() } else { measurements.fitted() };
+    let fitted = counted(drawn, "reading", "readings");
     sentences.push(match problem.measurements.others().len() {
         others if others > 0 && scene.figure != Figure::Corridor => {
             format!("Fitted, with error bars: {fitted}. Not fitted: {others}.")
@@ -226,6 +228,14 @@ fn notes(scene: &Scene, bands: &Bands) -> Vec<String> {
         notes.extend(labels::why_no_eui(scene.fit));
     }
     notes.extend(bands.notes());
+    let measurements = &scene.problem.measurements;
+    if measurements.is_of_reductions() {
+        let all = counted(measurements.fitted(), "reading", "readings");
+        notes.push(format!(
+            "Drawn are {} of {all}: the data are a reduction, which keeps no others.",
+            measurements.shown()
+        ));
+    }
     if scene.is_crowded() {
         let others = if scene.readings.iter().all(|shown| shown.fitted) {
             ""

@@ -3,6 +3,7 @@
 
 use boundfit_check::{AskedDirections, Directions};
 use boundfit_estimation::{Fit, Problem};
+use boundfit_exact::english::counted;
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::{Inequality, Polyhedron, Region, Support, System};
 
@@ -57,8 +58,13 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     let hull = found.inner.as_ref().map(|inner| inner.vertices.as_slice()).unwrap_or_default();
     let places: Vec<Place> = hull.iter().map(|theta| region::at(&main, theta)).collect();
     inner(&mut main, &places);
+    let outside = places.iter().filter(|place| !main.shows(**place)).count();
     let mut panels = vec![main];
     let mut notes = notes(&found);
+    if outside > 0 {
+        let optimisers = counted(places.len(), "optimiser", "optimisers");
+        notes.push(format!("Outside this view: {outside} of {optimisers}."));
+    }
     notes.push(match found.is_scaled {
         true => "The directions are spread evenly where the PUI box is a square.".to_owned(),
         false => "The directions are spread evenly in the plane of θ₁ and θ₂.".to_owned(),

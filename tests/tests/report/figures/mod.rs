@@ -1,5 +1,6 @@
 //! `boundfit plot`, started as a user would start it.
 
+mod counted;
 mod generated;
 mod geometry;
 mod golden;
