@@ -197,12 +197,15 @@ impl Asked {
     }
 }
 
-/// Lines below many answers: about the rows that are left out since they lack a number, and about the assumption that a multiple of
-/// ε_min makes, which is that of these readings.
-pub(crate) fn remarks(rows_missing: usize, multiple_of_least: Option<&Rational>, whose: &str) -> String {
-    let assumed = multiple_of_least.map(|factor| {
-        let times = if *factor == Rational::one() { String::new() } else { format!("{factor} times ") };
-        format!("Assumed: no error is larger than {times}eps_min of {whose}, a bound found from these very readings")
-    });
-    rows_left_out(rows_missing).into_iter().chain(assumed).map(|line| line + "\n").collect()
+/// Lines below many answers: about the rows that are left out since they lack a number, and others.
+pub(crate) fn remarks(rows_missing: usize, more: impl IntoIterator<Item = String>) -> String {
+    rows_left_out(rows_missing).into_iter().chain(more).map(|line| line + "\n").collect()
+}
+
+/// The assumption that a multiple of ε_min of these readings makes.
+pub(crate) fn assumed(factor: &Rational, whose: &str) -> String {
+    let times = if *factor == Rational::one() { String::new() } else { format!("{factor} times ") };
+    format!(
+        "Assumed: no error is larger than {times}eps_min of {whose}, a bound found from these very readings"
+    )
 }

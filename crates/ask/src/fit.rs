@@ -1,13 +1,15 @@
 //! The fit of all readings.
 
-use boundfit_estimation::{self as estimation, Bounds, Family, Keep, Measurement, Problem, fit};
+use boundfit_estimation::{
+    self as estimation, Bounds, Family, Keep, Measurement, MultipleOfLeast, Problem, fit,
+};
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{Guarantee, times};
 use boundfit_report::{
-    Document, InverseLine, NextStep, Theory, active_names, brief_document, fit_csv, fit_document, fit_json,
-    fit_script, full_fit_document, guarantee_document, h_representation, kernel_fit, next_document,
-    next_steps, proof_json, region_wkt, sweep_document, v_representation, vertices_csv,
+    Document, InverseLine, NextStep, Theory, active_names, bound_found, brief_document, fit_csv,
+    fit_document, fit_json, fit_script, full_fit_document, guarantee_document, h_representation, kernel_fit,
+    next_document, next_steps, proof_json, region_wkt, sweep_document, v_representation, vertices_csv,
 };
 use serde::Deserialize;
 
@@ -147,6 +149,9 @@ impl Fit {
         shows: Shows,
         lists_all: bool,
     ) -> Result<Fittable, Refusal> {
+        if self.inverse && asked.question.columns.second.is_some() {
+            return Err(Refusal::Misuse(Misuse::InverseOfTwoRegressors));
+        }
         let limits = &asked.options.table.limits;
         let sweep = self.sweep.as_deref().map(|text| Factors::parse(text, limits)).transpose()?;
         let confidence = self.confidence(limits)?;
@@ -220,6 +225,11 @@ impl Ask for Fit {
         asked.problem.measurements.rows_missing()
     }
 
+    fn multiple_of_least<'a>(&self, asked: &'a Fittable, form: Form) -> Option<&'a MultipleOfLeast> {
+        let has_place = !matches!(form, Form::Vertices | Form::Wkt);
+        asked.problem.measurements.multiple_of_least().filter(|_| !has_place)
+    }
+
     fn answer(&self, asked: &Fittable) -> Result<Fitted, Refusal> {
         let problem = &asked.problem;
         let family = |Factors { from, to }: &Factors| Family::new(problem, from.clone(), to.clone());
@@ -252,11 +262,10 @@ impl Ask for Fit {
             Form::Vertices => vertices_csv(polyhedron, &names, style),
             Form::Wkt => region_wkt(polyhedron, style).map_err(Refusal::Wkt)?,
             Form::M => fit_script(problem, fit, &names),
-            Form::Ine => h_representation(polyhedron),
-            Form::Ext => v_representation(polyhedron),
+            Form::Ine => commented(problem, h_representation(polyhedron)),
+            Form::Ext => commented(problem, v_representation(polyhedron)),
             Form::Proof => {
-                let is_reduction = problem.measurements.is_of_reductions();
-                let why = if is_reduction { NoProof::Reduction } else { NoProof::NoText };
+                let why = NoProof::about(&problem.measurements);
                 proof_json(problem, fit, origin.reading).ok_or(Refusal::NoProof(why))?
             }
             _ => document(form, || self.document(asked, answer, form, paper)).ok_or(Self::no_form(form))?,
@@ -279,4 +288,10 @@ impl Ask for Fit {
         let theorem = kernel_fit(&asked.problem, &answer.fit, reading, same, theory);
         theorem.ok_or(Refusal::NoProof(NoProof::Reduction))
     }
+}
+
+/// A representation below the comment with the bound on the errors, if that was found from the readings.
+fn commented(problem: &Problem, text: String) -> String {
+    let multiple = problem.measurements.multiple_of_least();
+    multiple.map_or_else(String::new, |multiple| format!("* {}\n", bound_found(multiple))) + &text
 }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use boundfit_estimation::{GroupFit, GroupLine, Question};
+use boundfit_exact::english::counted;
 use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{ColumnSelector, Source, TableNotes};
 use boundfit_questions::times;
@@ -12,7 +13,7 @@ use boundfit_report::{
 };
 use serde::Deserialize;
 
-use crate::asked::{Asked, remarks};
+use crate::asked::{Asked, assumed, remarks};
 use crate::form::{Form, Paper, Shows, Written};
 use crate::misuse::Misuse;
 use crate::question::{Ask, Out, put};
@@ -26,6 +27,9 @@ pub struct Fleet {
     /// The column whose equal texts make a group.
     pub by: String,
 }
+
+/// Groups without a reading that are named.
+const MOST_NAMED: usize = 10;
 
 /// Groups of readings, and what is asked of each.
 pub struct Groups {
@@ -72,8 +76,20 @@ impl Groups {
         Ok(work.check(times::FIT, most_work)?)
     }
 
+    /// Says which groups have no reading, since each of their rows lacks a number; nothing where each has one.
+    pub fn without_readings(&self) -> Option<String> {
+        let empty = self.fleet.without_readings();
+        let count = empty.len();
+        let names: Vec<String> = empty.take(MOST_NAMED).map(|name| name.quoted()).collect();
+        let more = count.saturating_sub(MOST_NAMED);
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let groups = counted(count, "group", "groups");
+        (count > 0).then(|| format!("{groups} without a reading: {}{more}", names.join(", ")))
+    }
+
     fn remarks(&self) -> String {
-        remarks(self.fleet.rows_missing(), self.question.multiple_of_least.as_ref(), "its own group")
+        let assumed = self.question.multiple_of_least.as_ref().map(|factor| assumed(factor, "its own group"));
+        remarks(self.fleet.rows_missing(), self.without_readings().into_iter().chain(assumed))
     }
 
     fn write_json(&self, style: &Style, out: &mut Out<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {

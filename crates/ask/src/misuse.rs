@@ -1,5 +1,9 @@
 //! Keys that exclude or need each other, and the reasons why there is no proof.
 
+use boundfit_estimation::Measurements;
+use boundfit_exact::DecimalMark;
+use boundfit_formats::{BLANKS, Dialect, Encoding};
+
 use crate::surface::Surface;
 
 macro_rules! misuses {
@@ -31,6 +35,8 @@ misuses! {
     /// Two regressors have no offset.
     OffsetOfTwoRegressors: "{through_origin} is about a line: with two regressors there is no offset, and the model passes \
                  through the origin as it is",
+    /// Two regressors have no inverse line.
+    InverseOfTwoRegressors: "{inverse} is about a line: with two regressors there is no single x for each y",
     /// Two regressors have no x to count from an origin.
     OriginOfTwoRegressors: "{x_origin} is about a line: with two regressors there is no x to count from an origin",
     /// One mark groups digits and comes before decimals.
@@ -58,6 +64,9 @@ misuses! {
     /// A multiple of the least bound is found without errors in x.
     LeastBesideXErrors: "{eps} asks for a multiple of eps_min, which is found as if every x were exact: beside {x_eps} it is a \
                  number, and the answer says by which factor all bounds may shrink or have to grow",
+    /// A multiple of the least bound is asked under conditions that contradict each other.
+    LeastOfNothing: "{eps} asks for a multiple of eps_min, and there is none: the conditions on theta1 and theta2 contradict each \
+                 other, so that no error bound, however large, is enough",
     /// A multiple of the least bound is asked of readings reduced under others.
     LeastOfFixed: "{eps} asks for a multiple of eps_min, which moves the error bounds, and the data are a reduction under \
                  bounds that are fixed: fit the table that it was made from",
@@ -101,8 +110,8 @@ misuses! {
 /// The reason why there is no proof.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoProof {
-    /// The readings are not those of plain delimited text.
-    NoText,
+    /// The readings are not those of plain delimited text: why.
+    NoText(&'static str),
     /// The readings are a reduction.
     Reduction,
     /// The data would have to be read once more.
@@ -127,10 +136,25 @@ impl Misuse {
 }
 
 impl NoProof {
+    /// The reason why there is no proof about readings that are not those of plain delimited text.
+    pub(crate) fn about(measurements: &Measurements) -> Self {
+        if measurements.is_of_reductions() {
+            return NoProof::Reduction;
+        }
+        let obstacle = match measurements.layout() {
+            Some(layout) => obstacle(&layout.dialect),
+            None => "they are another kind of file, or packed",
+        };
+        NoProof::NoText(obstacle)
+    }
+
     pub(crate) fn words(self, surface: &dyn Surface) -> String {
         let sentence = match self {
-            NoProof::NoText => {
-                "a proof is about the rows of plain delimited text, and the data are none that the checkers read: save them as CSV with points, a header in the first line and as many cells in each row"
+            NoProof::NoText(obstacle) => {
+                return format!(
+                    "a proof is about the rows of plain delimited text, and the data are none that the checkers read: {obstacle}; \
+                     save them as CSV with points, a header in the first line and as many cells in each row"
+                );
             }
             NoProof::Reduction => {
                 "a proof is about every reading, and this is a reduction: prove the answer about the table that it was made from"
@@ -145,6 +169,22 @@ impl NoProof {
         };
         in_words(sentence, surface)
     }
+}
+
+/// Returns the first part of a dialect that the checkers of proofs do not read ([`Dialect::is_plain`]).
+fn obstacle(dialect: &Dialect) -> &'static str {
+    let Dialect { delimiter, notation, comment, skip_lines, records_before, encoding, missing: _ } = dialect;
+    let obstacles = [
+        (*encoding != Encoding::Utf8, "their bytes are not UTF-8"),
+        (*delimiter == BLANKS, "blanks separate their cells (expected a comma, a semicolon, a tab or |)"),
+        (notation.decimal == DecimalMark::Comma, "a comma comes before decimals (expected a point)"),
+        (notation.thousands.is_some(), "a mark groups the digits of numbers (expected digits alone)"),
+        (*skip_lines > 0, "lines stand before the table"),
+        (comment.is_some(), "comments stand among the rows"),
+        (*records_before > 1, "a row of units stands behind the header"),
+    ];
+    let first = obstacles.into_iter().find(|(is_there, _)| *is_there);
+    first.map_or("their rows are not known by numbers", |(_, words)| words)
 }
 
 /// A sentence with the keys in braces as the surface names them.

@@ -1,7 +1,7 @@
 //! The place where the next reading certainly makes the set smaller, and the x of a range that leaves the least at
 //! worst.
 
-use boundfit_estimation::{Fit, Keep, Problem, fit};
+use boundfit_estimation::{Fit, Keep, MultipleOfLeast, Problem, fit};
 use boundfit_exact::{Limits, Rational};
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{FurtherError, Goal, NextReading, times};
@@ -103,6 +103,10 @@ impl Ask for Next {
 
     fn rows_missing(&self, asked: &NextProblem) -> usize {
         asked.problem.measurements.rows_missing()
+    }
+
+    fn multiple_of_least<'a>(&self, asked: &'a NextProblem, _form: Form) -> Option<&'a MultipleOfLeast> {
+        asked.problem.measurements.multiple_of_least()
     }
 
     fn answer(&self, asked: &NextProblem) -> Result<(Fit, Option<NextReading>), Refusal> {

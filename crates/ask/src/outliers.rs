@@ -1,6 +1,6 @@
 //! The fewest readings to leave out so that something is left.
 
-use boundfit_estimation::{Fit, Problem, fit};
+use boundfit_estimation::{Fit, MultipleOfLeast, Problem, fit};
 use boundfit_exact::Reading;
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{Growth, NoOutliers, OutlierLimits, times};
@@ -69,6 +69,10 @@ impl Ask for Outliers {
         problem.measurements.rows_missing()
     }
 
+    fn multiple_of_least<'a>(&self, problem: &'a Problem, _form: Form) -> Option<&'a MultipleOfLeast> {
+        problem.measurements.multiple_of_least()
+    }
+
     fn answer(&self, problem: &Problem) -> Result<Found, Refusal> {
         let limits = self.limits();
         let refused = |why| Refusal::Outliers { why, steps: Some(limits.steps) };
@@ -103,7 +107,7 @@ impl Ask for Outliers {
         let text = match form {
             Form::Json => outliers_json(&report, origin, style),
             Form::Csv => outliers_csv(outliers.as_ref().ok()),
-            Form::Proof => outliers_proof(&report, origin.reading).map_err(no_proof)?,
+            Form::Proof => outliers_proof(&report, origin.reading).map_err(|why| no_proof(why, problem))?,
             _ => document(form, || outliers_document(&report, origin, style)).ok_or(Self::no_form(form))?,
         };
         put(out, text)?;
@@ -121,13 +125,13 @@ impl Ask for Outliers {
         let Found { fit, outliers, growth } = answer;
         let report =
             OutliersReport { problem, fit, outliers: outliers.as_ref(), growth, shows_growth: false };
-        kernel_outliers(&report, reading, theory).map_err(no_proof)
+        kernel_outliers(&report, reading, theory).map_err(|why| no_proof(why, problem))
     }
 }
 
-fn no_proof(why: NoOutliersProof) -> Refusal {
+fn no_proof(why: NoOutliersProof, problem: &Problem) -> Refusal {
     Refusal::NoProof(match why {
-        NoOutliersProof::NoText => NoProof::NoText,
+        NoOutliersProof::NoText => NoProof::about(&problem.measurements),
         NoOutliersProof::NotInMemory => NoProof::Reduction,
         NoOutliersProof::TooMany(most) => NoProof::TooMany { most, of: "contradictions" },
     })

@@ -2,6 +2,7 @@
 
 use std::io::Write;
 
+use boundfit_estimation::MultipleOfLeast;
 use boundfit_exact::Reading;
 use boundfit_formats::{Source, TableNotes};
 use boundfit_report::{Document, Theory};
@@ -38,6 +39,11 @@ pub trait Ask {
 
     /// The number of rows that are left out since they lack a number; 0 where the answer itself says so in every form.
     fn rows_missing(&self, problem: &Self::Problem) -> usize;
+
+    /// The multiple of ε_min that bounds the errors, if it was asked for; nothing where the answer itself says so in this form.
+    fn multiple_of_least<'a>(&self, _problem: &'a Self::Problem, _form: Form) -> Option<&'a MultipleOfLeast> {
+        None
+    }
 
     /// Finds the answer. Exact.
     ///

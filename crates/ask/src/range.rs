@@ -1,6 +1,6 @@
 //! The runs of readings that some parameters agree with.
 
-use boundfit_estimation::{Fit, Problem, fit};
+use boundfit_estimation::{Fit, MultipleOfLeast, Problem, fit};
 use boundfit_exact::Reading;
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{LinearRange, Order, times};
@@ -92,6 +92,10 @@ impl Ask for Range {
         problem.measurements.rows_missing()
     }
 
+    fn multiple_of_least<'a>(&self, problem: &'a Problem, _form: Form) -> Option<&'a MultipleOfLeast> {
+        problem.measurements.multiple_of_least()
+    }
+
     fn answer(&self, problem: &Problem) -> Result<Runs, Refusal> {
         let order = self.order()?.unwrap_or_else(|| Order::natural(problem.measurements.model()));
         let (range, all) = (LinearRange::of(problem, order), fit(problem));
@@ -118,7 +122,8 @@ impl Ask for Range {
             Form::Csv => range_csv(&report),
             Form::Proof => {
                 answer.check_proof()?;
-                range_proof(&report, origin.reading).ok_or(Refusal::NoProof(NoProof::NoText))?
+                range_proof(&report, origin.reading)
+                    .ok_or(Refusal::NoProof(NoProof::about(&problem.measurements)))?
             }
             _ => document(form, || range_document(&report, origin, style)).ok_or(Self::no_form(form))?,
         };

@@ -6,7 +6,7 @@ use boundfit_questions::{Extent, Moving, Turn, times};
 use boundfit_report::{FleetTable, TableJson, WindowReport, WindowSummary, table_line, write_window_json};
 use serde::Deserialize;
 
-use crate::asked::{Asked, remarks};
+use crate::asked::{Asked, assumed, remarks};
 use crate::form::{Form, Paper, Shows, Written};
 use crate::given::Given;
 use crate::misuse::Misuse;
@@ -140,8 +140,11 @@ impl Ask for Window {
         put(out, ready)?;
         let moved = moved?;
         let measurements = &problem.measurements;
-        let factor = measurements.multiple_of_least().map(|multiple| &multiple.factor);
-        let remarks = remarks(measurements.rows_missing(), factor, "all readings");
+        let multiple = measurements.multiple_of_least();
+        let assumed = multiple.map(|multiple| assumed(&multiple.factor, "all readings"));
+        let bound = multiple.map(|multiple| format!(": {}", &multiple.factor * &multiple.least));
+        let remarks =
+            remarks(measurements.rows_missing(), assumed.zip(bound).map(|(assumed, bound)| assumed + &bound));
         let to_text = summary.to_text(moving, &moved, style) + &remarks;
         let is_empty = summary.has_empty();
         if form != Form::Text {

@@ -61,7 +61,8 @@ impl Ask for FitXErrors {
             Form::Csv => x_error_csv(answer, plain),
             Form::Wkt => x_error_wkt(answer, style).map_err(Refusal::Wkt)?,
             Form::Proof => {
-                x_error_proof(problem, answer, origin.reading).ok_or(Refusal::NoProof(NoProof::NoText))?
+                let why = NoProof::about(&problem.problem().measurements);
+                x_error_proof(problem, answer, origin.reading).ok_or(Refusal::NoProof(why))?
             }
             _ => document(form, || x_error_document(problem, answer, plain, origin, style))
                 .ok_or(Self::no_form(form))?,

@@ -108,6 +108,7 @@ impl Surface for Options {
             "grid" => "FROM..TO/N",
             "within" => "LO..HI",
             "goal" => "GOAL",
+            "reading" => "READING",
             _ => "NUM",
         };
         value(&format!("--{} <{placeholder}>", key.replace('_', "-")), text)

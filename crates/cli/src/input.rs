@@ -3,9 +3,10 @@
 use std::fs::File;
 use std::io::{self, Read, Write};
 
+use boundfit_estimation::MultipleOfLeast;
 use boundfit_exact::{Foreign, Limit};
 use boundfit_formats::{InputError, Source, TableNotes};
-use boundfit_report::rows_left_out;
+use boundfit_report::{bound_found, rows_left_out};
 
 use crate::exit::{Failure, raises};
 use crate::output;
@@ -29,6 +30,18 @@ pub(crate) fn say_table(file: Foreign<&str>, table: Option<&TableNotes>, rows_mi
     say(file, guessed.and_then(TableNotes::words), rows_missing);
 }
 
+/// Says on standard error which bound on the errors was found from the readings. The answer has no place for it.
+pub(crate) fn say_bound(file: Foreign<&str>, multiple: Option<&MultipleOfLeast>) {
+    say_note(file, multiple.map(bound_found));
+}
+
+/// Says something about a file on standard error. The answer is the same, whether or not somebody reads it.
+pub(crate) fn say_note(file: Foreign<&str>, note: Option<String>) {
+    if let Some(note) = note {
+        let _ = writeln!(io::stderr(), "note: {file}: {note}");
+    }
+}
+
 /// Says so of a table beside the data, with everything that is unusual about it.
 pub(crate) fn say_table_beside(file: Foreign<&str>, table: Option<&TableNotes>, rows_missing: usize) {
     say(file, table.and_then(TableNotes::words), rows_missing);
@@ -36,10 +49,7 @@ pub(crate) fn say_table_beside(file: Foreign<&str>, table: Option<&TableNotes>, 
 
 fn say(file: Foreign<&str>, table: Option<String>, rows_missing: usize) {
     let words: Vec<String> = table.into_iter().chain(rows_left_out(rows_missing)).collect();
-    if !words.is_empty() {
-        // The answer is the same, whether or not somebody reads the note.
-        let _ = writeln!(io::stderr(), "note: {file}: {}", words.join(", "));
-    }
+    say_note(file, (!words.is_empty()).then(|| words.join(", ")));
 }
 
 /// The text of a file, or of standard input for `-`, that has at most as many bytes as this option allows.

@@ -151,11 +151,10 @@ impl Parser<'_> {
         let relation = self.relation()?;
         let right = self.sum()?;
         if !self.scanner.rest().is_empty() {
-            let kind = match self.scanner.rest().starts_with(['<', '>', '=', '≤', '≥']) {
-                true => ParseConditionErrorKind::SecondRelation,
-                false => ParseConditionErrorKind::NoRelation,
-            };
-            return Err(self.scanner.error(kind));
+            return Err(match self.scanner.rest().starts_with(['<', '>', '=', '≤', '≥']) {
+                true => self.scanner.error(ParseConditionErrorKind::SecondRelation),
+                false => self.no_relation(),
+            });
         }
         let sign = if relation == Relation::AtLeast { -Rational::one() } else { Rational::one() };
         let [a1, a2, b] = [0, 1, 2].map(|i| (&left[i] - &right[i]) * &sign);
@@ -206,8 +205,17 @@ impl Parser<'_> {
             None if self.scanner.rest().starts_with(['<', '>']) => {
                 Err(self.scanner.error(ParseConditionErrorKind::WrongRelation))
             }
-            None => Err(self.scanner.error(ParseConditionErrorKind::NoRelation)),
+            None => Err(self.no_relation()),
         }
+    }
+
+    /// The error at what is neither a relation nor another term; a comma between digits is meant as a decimal one.
+    fn no_relation(&mut self) -> ParseConditionError {
+        let mut around = self.scanner.rest().chars();
+        let is_comma = around.next() == Some(',') && around.next().is_some_and(|next| next.is_ascii_digit());
+        let kind =
+            if is_comma { ParseNumberErrorKind::Comma.into() } else { ParseConditionErrorKind::NoRelation };
+        self.scanner.error(kind)
     }
 }
 

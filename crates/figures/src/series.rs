@@ -1,7 +1,7 @@
 //! Several fits in one picture: what each is called, and what it looks like.
 
-use boundfit_estimation::{Fit, Problem};
-use boundfit_exact::Foreign;
+use boundfit_estimation::{Fit, MultipleOfLeast, Problem};
+use boundfit_exact::{Foreign, Rounding};
 
 use crate::figure::PlotOptions;
 use crate::labels;
@@ -69,7 +69,13 @@ impl Series<'_> {
     /// The name, fit for a legend.
     pub(crate) fn name(&self) -> String {
         let name = one_line(&self.name, 60);
-        if name.is_empty() { "\"\"".to_owned() } else { name }
+        let name = if name.is_empty() { "\"\"".to_owned() } else { name };
+        // The number is not known where it is asked for.
+        let multiple = self.problem.measurements.multiple_of_least();
+        let bound = multiple.map_or_else(String::new, |MultipleOfLeast { factor, least }| {
+            format!(" (|e| ≤ {})", labels::number(&(factor * least), 5, Rounding::Up))
+        });
+        name + &bound
     }
 
     /// The sentence about who contradicts whom, as the end of another one.

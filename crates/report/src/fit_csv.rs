@@ -1,6 +1,6 @@
 //! The estimates and intervals of a fit as CSV.
 
-use boundfit_estimation::{Central, Fit, InverseParameter, Problem};
+use boundfit_estimation::{Central, Fit, InverseParameter, MultipleOfLeast, Problem};
 use boundfit_exact::{Endpoint, Interval, Rational};
 use csv::Writer;
 
@@ -9,8 +9,8 @@ const COLUMNS: [&str; 8] =
 
 /// Estimates and intervals as a table, one row for each quantity of each parameter.
 ///
-/// The first row, `set,kind`, has the kind of the set as its `value_exact`, so that an empty set says that it is. The
-/// quantities are `least_squares`, `eui`, `pui`, `central`, `guaranteed_error` and `minimax`, as far as they exist.
+/// The first row, `set,kind`, has the kind of the set as its `value_exact`, so that an empty set says that it is. A bound that
+/// is a multiple of ε_min follows as `error_bound`. The quantities are `least_squares`, `eui`, `pui`, `central`, `guaranteed_error` and `minimax`, as far as they exist.
 /// The parameters are `theta1` and `theta2`, and for a line with an inverse also `gain` and `offset`. For gain and
 /// offset, `pui` is the range over the box of both intervals, and `fps` the range over the feasible set. Each has
 /// several rows if it has several parts. The last row is `least_error_bound`, or `least_factor` where the readings
@@ -19,6 +19,10 @@ const COLUMNS: [&str; 8] =
 pub fn fit_csv(problem: &Problem, fit: &Fit) -> String {
     let mut table = Table::new();
     table.text("set", "kind", fit.fps.polyhedron().region().kind().name());
+    if let Some(MultipleOfLeast { factor, least }) = problem.measurements.multiple_of_least() {
+        let epsilon = factor * least;
+        table.value("error_bound", "", epsilon.ceil_to_f64(), &epsilon);
+    }
     if let Ok(estimate) = &fit.least_squares {
         table.values("least_squares", &estimate.theta);
     }

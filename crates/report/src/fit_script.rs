@@ -4,6 +4,7 @@ use boundfit_estimation::{Fit, InverseParameter, Problem};
 use boundfit_exact::{Endpoint, Interval, Rational};
 
 use crate::answer::parts::ProgramJson;
+use crate::fit::bound_found;
 use crate::fit_json::uniform_minimum;
 use crate::generators::ActiveNames;
 use crate::script::{assignment, literal, quoted, region_script};
@@ -20,6 +21,7 @@ use crate::style::{LONGEST_FRACTION, USUAL_DIGITS};
 ///   of `offset`. They describe the inverse line over the box of both intervals, over the set and over the box of the
 ///   EUI;
 /// - `area`, to nearest, `Inf` of a set without end;
+/// - `error_bound`, rounded up, where it is a multiple of ε_min;
 /// - `program`, the program and its version.
 ///
 /// Each has its exact numbers as text beside it, in a cell array of the same size: `pui_exact`. A quantity that a fit
@@ -31,6 +33,11 @@ pub fn fit_script(problem: &Problem, fit: &Fit, names: &ActiveNames<'_>) -> Stri
          % Estimates are 1-by-2, rounded to nearest; errors and least bounds are rounded up.\n",
     );
     text.push_str(&format!("program = {};\n", quoted(&ProgramJson::OWN.to_string())));
+    if let Some(multiple) = problem.measurements.multiple_of_least() {
+        let epsilon = &multiple.factor * &multiple.least;
+        text.push_str(&format!("% The error bound: {}.\n", bound_found(multiple)));
+        text.push_str(&scalar("error_bound", Some((epsilon.ceil_to_f64(), epsilon.to_string()))));
+    }
     text.push_str(&intervals("pui", fit.pui_intervals().as_ref().map_or(&[], |pui| pui)));
     text.push_str(&intervals("eui", fit.eui().map_or(&[], |eui| eui)));
     let central = fit.central.as_ref();

@@ -91,7 +91,8 @@ pub use check_json::check_json;
 pub use document::Document;
 pub use findings::{solutions_document, solutions_json, solutions_junit, solutions_sarif};
 pub use fit::{
-    InverseLine, NextStep, brief_document, fit_document, full_fit_document, next_document, next_steps,
+    InverseLine, NextStep, bound_found, brief_document, fit_document, full_fit_document, next_document,
+    next_steps,
 };
 pub use fit_csv::fit_csv;
 pub use fit_json::fit_json;

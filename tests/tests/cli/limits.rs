@@ -294,8 +294,7 @@ fn an_option_of_former_versions_is_refused_with_the_one_of_now() {
 fn counts_near_the_end_of_what_can_be_counted_overflow_nothing() {
     let most = usize::MAX;
     let directory = directory_with(&[("data.csv", b"x,y\n1,2\n2,3\n")]);
-    for rows in [format!("{most}..{most}"), format!("1..{most}"), "1..99999999999999999999999999".to_owned()]
-    {
+    for rows in [format!("{most}..{most}"), format!("1..{most}")] {
         for command in &COMMANDS[3..] {
             let run = boundfit(directory.path(), &format!("{command} --rows {rows}"));
             assert_eq!(run.status, 1, "{command} {rows}: {run:?}");

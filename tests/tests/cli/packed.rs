@@ -161,7 +161,7 @@ fn damage_and_bombs_are_refused() {
 fn a_proof_is_about_text_that_is_not_packed() {
     let directory = directory_with(&[("data.csv.gz", &gzip(b"x,y\n1,2\n2,3\n"))]);
     let run = boundfit(directory.path(), "fit data.csv.gz --x x --y y --eps 1 --proof p.json");
-    let words = "a proof is about the rows of plain delimited text, and the data are none that the checkers read: save them as CSV with points";
+    let words = "the data are none that the checkers read: they are another kind of file, or packed; save them as CSV with points";
     assert!(run.status == 2 && run.stderr.contains(words), "{}", run.stderr);
     assert!(!directory.path().join("p.json").exists());
 }

@@ -85,7 +85,18 @@ fn a_reading_that_never_fits_is_in_no_run() {
     let run =
         boundfit_with_input(&root(), "range - --x x --y y --eps 1 --where '0*theta1 >= 1'", b"x,y\n0,0\n");
     assert_eq!(run.status, 3);
-    assert!(run.stdout.contains("No reading fits, not even alone."), "{}", run.stdout);
+    assert!(run.stdout.contains("No reading fits, not even those of one x alone."), "{}", run.stdout);
+    let by_row = boundfit_with_input(
+        &root(),
+        "range - --x x,u --y y --eps 1 --where '0*theta1 >= 1'",
+        b"x,u,y\n0,0,0\n",
+    );
+    assert!(by_row.stdout.contains("No reading fits, not even alone."), "{}", by_row.stdout);
+    // Each of these readings fits alone, but a line has one value at an x.
+    let run = boundfit_with_input(&root(), "range - --x x --y y --eps 0.5", b"x,y\n1,1\n1,3\n");
+    assert!(run.stdout.contains("No reading fits, not even those of one x alone."), "{}", run.stdout);
+    let run = boundfit_with_input(&root(), "range - --x x --y y --eps 0.5", b"x,y\n1,1\n");
+    assert!(run.stdout.contains("The only reading fits: one run has it."), "{}", run.stdout);
 }
 
 #[test]

@@ -4,7 +4,7 @@ mod values;
 
 use std::io::{BufWriter, Write};
 
-use boundfit_estimation::{AskedBound, Fit, Keep, Law, Problem, fit};
+use boundfit_estimation::{AskedBound, Fit, Keep, Law, MultipleOfLeast, Problem, fit};
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{FurtherError, NoFurtherError, times};
@@ -173,6 +173,10 @@ impl Ask for Predict {
         asked.problem.measurements.rows_missing()
     }
 
+    fn multiple_of_least<'a>(&self, asked: &'a Predicted, _form: Form) -> Option<&'a MultipleOfLeast> {
+        asked.problem.measurements.multiple_of_least()
+    }
+
     fn answer(&self, asked: &Predicted) -> Result<Fit, Refusal> {
         Ok(fit(&asked.problem))
     }
@@ -202,8 +206,7 @@ impl Ask for Predict {
             }
             Form::Proof => {
                 asked.check_proof(MOST_PROVED)?;
-                let is_reduction = problem.measurements.is_of_reductions();
-                let why = if is_reduction { NoProof::Reduction } else { NoProof::NoText };
+                let why = NoProof::about(&problem.measurements);
                 put(out, prediction_proof(&prediction, origin.reading).ok_or(Refusal::NoProof(why))?)?;
             }
             _ => {

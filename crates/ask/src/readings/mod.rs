@@ -143,7 +143,10 @@ impl Words<'_> {
                 condition.map_err(|error| refused("where", given.text(), ValueProblem::Condition(error)))?,
             );
         }
-        Ok(question)
+        match question.multiple_of_least.is_some() && question.conditions_contradict() {
+            true => Err(Refusal::Misuse(Misuse::LeastOfNothing)),
+            false => Ok(question),
+        }
     }
 
     /// The bounds on the errors, of which there are to be those of one kind, and how many times the least bound is asked for.

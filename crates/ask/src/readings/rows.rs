@@ -54,7 +54,16 @@ impl Rows {
                 "rows are counted from 1, and the first comes before the last",
             ),
         };
-        ranges.ok_or_else(|| self.refused(key, expected))
+        ranges.ok_or_else(|| match self {
+            Rows::Text(text) if has_uncounted(text) => {
+                let problem = ValueProblem::Other(format!(
+                    "a row that cannot be counted (expected rows up to {})",
+                    usize::MAX
+                ));
+                Refusal::Value { key, text: text.clone(), problem }
+            }
+            _ => self.refused(key, expected),
+        })
     }
 
     pub(super) fn refused(&self, key: &'static str, problem: &'static str) -> Refusal {
@@ -86,11 +95,17 @@ impl OfRows {
     }
 }
 
+/// Returns whether a number in a text is too large to be counted.
+fn has_uncounted(text: &str) -> bool {
+    let mut numbers =
+        text.split(|character: char| !character.is_ascii_digit()).filter(|digits| !digits.is_empty());
+    numbers.any(|digits| digits.parse::<usize>().is_err())
+}
+
 fn parse(text: &str) -> Option<RowRange> {
-    // A row number too large to be counted is beyond the end of any file.
     let number = |text: &str| {
         let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-        digits.then(|| text.parse().unwrap_or(usize::MAX))
+        digits.then(|| text.parse().ok()).flatten()
     };
     let Some((first, last)) = text.split_once("..") else {
         let row = number(text)?;

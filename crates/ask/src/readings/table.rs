@@ -65,11 +65,19 @@ impl TableWords {
     /// Returns the reading of numbers: the one that is asked for, or that of doubles where the data store doubles.
     ///
     /// # Errors
-    /// When there is no such reading.
+    /// When there is no such reading, or the data store doubles and another one is asked for.
     pub fn reading(&self, is_stored: bool) -> Result<Reading, Refusal> {
         let names = Reading::ALL.map(|reading| (reading.name(), reading));
-        let asked = named("reading", self.reading.as_deref(), &names)?.unwrap_or_default();
-        Ok(if is_stored { Reading::Binary64 } else { asked })
+        let asked = named("reading", self.reading.as_deref(), &names)?;
+        match (asked, is_stored) {
+            (Some(Reading::Decimal), true) => {
+                let expected =
+                    "the data store doubles and no decimals: they are read as binary64, exactly as stored";
+                Err(refused("reading", Reading::Decimal.name(), expected))
+            }
+            (_, true) => Ok(Reading::Binary64),
+            (asked, false) => Ok(asked.unwrap_or_default()),
+        }
     }
 
     /// Returns how such a table is read, whose numbers are read like that, and which of its rows.

@@ -4,7 +4,7 @@ mod looks;
 
 use std::cell::OnceCell;
 
-use boundfit_estimation::{Fit, Keep, Measurement, Seen, fit};
+use boundfit_estimation::{Fit, Keep, Measurement, MultipleOfLeast, Seen, fit};
 use boundfit_exact::Reading;
 use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{Deciding, NoRepair, Others, Ranking, Repair, Standing, Statuses, times};
@@ -203,6 +203,10 @@ impl Ask for Status {
         asked.problem.measurements.rows_missing()
     }
 
+    fn multiple_of_least<'a>(&self, asked: &'a Judgeable, _form: Form) -> Option<&'a MultipleOfLeast> {
+        asked.problem.measurements.multiple_of_least()
+    }
+
     fn answer(&self, asked: &Judgeable) -> Result<Judgement, Refusal> {
         let problem = &asked.problem;
         let fit = fit(problem);
@@ -235,7 +239,7 @@ impl Ask for Status {
             Form::Proof => {
                 check_proof(statuses)?;
                 let proof = status_proof(problem, statuses, origin.reading);
-                put(out, proof.ok_or(Refusal::NoProof(NoProof::NoText))?)?;
+                put(out, proof.ok_or(Refusal::NoProof(NoProof::about(&problem.measurements)))?)?;
             }
             _ => {
                 let (new, repair) = (self.rank_new(asked, statuses)?, answer.repair.clone());

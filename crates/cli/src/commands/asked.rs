@@ -35,6 +35,7 @@ impl<'a> Job<'a> {
         proof: Option<&'a str>,
     ) -> Result<Self, Failure> {
         let form = output.format()?.into();
+        output.check_decimals(form)?;
         Ok(Self {
             data,
             form,
@@ -100,6 +101,7 @@ impl<'a> Job<'a> {
         let problem = question.read(&asked, source, shows).map_err(failed)?;
         if !form.has_input() {
             input::say_table(file, question.table(&problem), question.rows_missing(&problem));
+            input::say_bound(file, question.multiple_of_least(&problem, form));
         }
         let mut answer = while_working(Q::NAME, || question.answer(&problem)).map_err(failed)?;
         let beside = add(&problem, &mut answer, &paper.origin)?;

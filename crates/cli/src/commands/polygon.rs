@@ -1,6 +1,6 @@
 //! `boundfit polygon`.
 
-use boundfit_ask::RowWords;
+use boundfit_ask::{Form, RowWords};
 use boundfit_exact::{Foreign, Limit, Reading};
 use boundfit_figures::{PictureFormat, draw_region};
 use boundfit_formats::{HalfPlaneFile, TableOptions, read_half_planes};
@@ -93,6 +93,11 @@ pub(super) fn run(arguments: &PolygonArguments) -> CommandResult {
     let mut guard = arguments.output.file.replace.guard([arguments.file.as_str()]);
     guard.check(output)?;
     guard.check(arguments.plot.as_deref())?;
+    arguments.output.check_decimals(if format == ReportFormat::Csv {
+        Form::Vertices
+    } else {
+        format.into()
+    })?;
     guard.check(proof)?;
     let words = arguments.table.words();
     let options = words.reading(false).and_then(|reading| words.resolve(reading, &RowWords::default()));

@@ -1,7 +1,11 @@
 //! `boundfit predict`.
 
-use boundfit_ask::Predict;
-use clap::Args;
+use std::io::{self, Write};
+
+use boundfit_ask::{Ask, Predict};
+use boundfit_exact::DecimalMark;
+use boundfit_formats::TableNotes;
+use clap::{ArgGroup, Args};
 
 use super::asked::Job;
 use crate::exit::{CommandResult, Failure};
@@ -44,14 +48,14 @@ pub(super) const NOTES: Notes = Notes {
 /// other readings, or --new-eps. Conversely a reading may come from each x where the widened interval contains it: one
 /// interval or two, some unbounded.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string())]
+#[command(after_help = NOTES.to_string(),
+          group(ArgGroup::new("asked").required(true).multiple(true).args(["at", "from", "grid"])))]
 pub(crate) struct PredictArguments {
     #[command(flatten)]
     data: DataArguments,
     /// The x to ask about: numbers exactly as written, 3.7,9/2, or a column of a table, FILE:COL. With two regressors
     /// pairs, '1;2,3;4' or FILE:COL;COL2. Repeatable
-    #[arg(long, value_name = "X,...|FILE:COL", allow_hyphen_values = true,
-          required_unless_present_any = ["from", "grid"])]
+    #[arg(long, value_name = "X,...|FILE:COL", allow_hyphen_values = true)]
     at: Vec<String>,
     /// Readings whose x is wanted: numbers, or a column, FILE:COL. Repeatable
     #[arg(long, value_name = "Y,...|FILE:COL", allow_hyphen_values = true)]
@@ -94,7 +98,31 @@ pub(super) fn run(arguments: &PredictArguments) -> CommandResult {
     check_usage(arguments, arguments.output.format()?, &question, &files)?;
     let job = Job::proving(arguments.data.words(), &arguments.output, &arguments.proof)?;
     let mut guard = job.guard(&arguments.output.file.replace, &files)?;
-    job.run(&question, &mut guard)
+    job.run_with(&question, &mut guard, |asked, _, _| {
+        say_commas(&question, question.table(asked));
+        Ok(None)
+    })
+}
+
+/// Says on standard error that commas separate values, where the data have commas before decimals and the values may be meant so.
+fn say_commas(question: &Predict, table: Option<&TableNotes>) {
+    let has_comma = table.is_some_and(|table| table.dialect.notation.decimal == DecimalMark::Comma);
+    for (option, texts) in [("--at", &question.at), ("--from", &question.from)] {
+        let text = texts.iter().find(|text| has_comma && has_comma_of_digits(text));
+        if let Some(text) = text {
+            let _ = writeln!(
+                io::stderr(),
+                "note: '{option} {text}' has several values: a comma separates them, and a point comes before decimals, whatever \
+                 the data have: 1.5"
+            );
+        }
+    }
+}
+
+/// Returns whether a comma stands between two digits.
+fn has_comma_of_digits(text: &str) -> bool {
+    let bytes = text.as_bytes();
+    bytes.windows(3).any(|around| matches!(around, [before, b',', behind] if before.is_ascii_digit() && behind.is_ascii_digit()))
 }
 
 /// The files whose columns are values: no number has a colon.

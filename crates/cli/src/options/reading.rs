@@ -109,7 +109,7 @@ impl TableArguments {
     /// Says how the table is read.
     pub(crate) fn words(&self) -> TableWords {
         TableWords {
-            reading: Some(self.reading.clone()),
+            reading: self.reading.clone(),
             header: Some(self.header.clone()),
             encoding: Some(self.encoding.clone()),
             delimiter: Some(self.delimiter.clone()),

@@ -1,6 +1,6 @@
 //! The arguments of several commands.
 
-use boundfit_ask::Regressors;
+use boundfit_ask::{Form, Regressors};
 use boundfit_exact::{DecimalMark, Foreign, Reading};
 use boundfit_formats::{DELIMITERS, Header, Missing};
 use boundfit_report::EndRounding;
@@ -124,10 +124,9 @@ pub(crate) struct LabelArguments {
 /// The way the input is read.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct TableArguments {
-    /// Read numbers exactly as written, or as the nearest double, exactly [default for .mat files: binary64]
-    #[arg(long, default_value = Reading::Decimal.name(),
-          value_parser = PossibleValuesParser::new(Reading::ALL.map(Reading::name)))]
-    pub(super) reading: String,
+    /// Read numbers exactly as written, or as the nearest double, exactly [default: decimal, of .mat files binary64]
+    #[arg(long, value_parser = PossibleValuesParser::new(Reading::ALL.map(Reading::name)))]
+    pub(super) reading: Option<String>,
     /// Say whether the first row names the columns
     #[arg(long, default_value = Header::Auto.name(),
           value_parser = PossibleValuesParser::new(Header::ALL.map(Header::name)))]
@@ -202,6 +201,23 @@ impl<F: NamedFormat + ValueEnum + Send + Sync> OutputArguments<F> {
     /// The format that is asked for, or told by the name of the output file.
     pub(crate) fn format(&self) -> Result<F, Failure> {
         self.file.format(self.format)
+    }
+
+    /// Refuses options about decimals where an answer in this form has none.
+    pub(crate) fn check_decimals(&self, form: Form) -> Result<(), Failure> {
+        let has_decimals = matches!(form, Form::Text | Form::Latex | Form::Markdown | Form::Json);
+        let has_digits = has_decimals || matches!(form, Form::Vertices | Form::Wkt);
+        let asked = [
+            ("--digits", self.digits.is_some() && !has_digits),
+            ("--rounding", self.rounding != EndRounding::Outward && !has_decimals),
+            ("--exact", self.exact && !has_decimals),
+        ];
+        match asked.into_iter().find(|(_, is_refused)| *is_refused) {
+            Some((option, _)) => Err(Failure::Usage(format!(
+                "'{option}' is about decimals in text, latex, markdown and json; this format has doubles, exact numbers or both"
+            ))),
+            None => Ok(()),
+        }
     }
 }
 

@@ -86,9 +86,17 @@ where
         .ancestors()
         .take_while(|path| *path != Path::new("") && fs::symlink_metadata(path).is_err())
         .collect();
-    let written = fs::create_dir_all(folder)
-        .map_err(|error| Failure::data(format_args!("{}: cannot create: {error}", Foreign::of(folder))))
-        .and_then(|()| write_into(folder, files, guard));
+    let not_made = |error: io::Error| {
+        let name = Foreign::of(folder);
+        match Path::new(folder).is_file() {
+            true => Failure::data(format_args!(
+                "{name}: cannot create: a file is there, and several files need a folder"
+            )),
+            false => Failure::data(format_args!("{name}: cannot create: {error}")),
+        }
+    };
+    let written =
+        fs::create_dir_all(folder).map_err(not_made).and_then(|()| write_into(folder, files, guard));
     if written.is_err() {
         // Folders that hold files stay.
         made.iter().take_while(|path| fs::remove_dir(path).is_ok()).count();

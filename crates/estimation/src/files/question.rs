@@ -2,6 +2,7 @@
 
 use boundfit_exact::{Limits, Rational, Reading, TooMuchWork, Work};
 use boundfit_formats::{ColumnSelector, InputError, ScanOptions, Source};
+use boundfit_geometry::{Polyhedron, System};
 
 use super::{Columns, EpsilonColumn, Fleet, ReducedTable};
 use crate::asked_bound::AskedBound;
@@ -105,12 +106,24 @@ impl Question {
         options: &ScanOptions,
         keep: Keep,
     ) -> Result<Measurements, InputError> {
-        let no_intercept = self.columns.form.through_origin.then(Condition::no_intercept);
-        let conditions: Vec<Condition> = self.conditions.iter().cloned().chain(no_intercept).collect();
+        let conditions = self.every_condition();
         // Where the bounds are going to move, those that decide under these are not enough.
         let keeps_all = self.multiple_of_least.is_some() && !self.columns.are_open();
         let keep = if keeps_all { Keep { eui: keep.eui, ..Keep::EVERY } } else { keep };
         Measurements::scan(source, &self.columns, &conditions, options, keep)
+    }
+
+    /// The conditions, with that of a line through the origin.
+    fn every_condition(&self) -> Vec<Condition> {
+        let no_intercept = self.columns.form.through_origin.then(Condition::no_intercept);
+        self.conditions.iter().cloned().chain(no_intercept).collect()
+    }
+
+    /// Returns whether the conditions contradict each other, so that no error bound, however large, leaves any parameter. Exact.
+    pub fn conditions_contradict(&self) -> bool {
+        let conditions = self.every_condition();
+        let half_planes = conditions.iter().flat_map(Condition::inequalities);
+        Polyhedron::intersect(System::new(half_planes)).region().is_empty()
     }
 
     /// Returns whether a multiple of the least bound is asked of readings that were reduced under bounds that are fixed: there is none.

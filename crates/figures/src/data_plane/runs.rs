@@ -32,7 +32,10 @@ pub(crate) fn runs(problem: &Problem, options: &PlotOptions) -> Drawing {
     let range = LinearRange::of(problem, order);
     let Some(longest) = range.longest() else {
         let mut empty = drawing(problem, &fit(problem), Figure::Data, options);
-        empty.title = "No reading fits, not even alone".to_owned();
+        empty.title = match order {
+            Order::X => "No reading fits, not even those of one x alone".to_owned(),
+            Order::Row => "No reading fits, not even alone".to_owned(),
+        };
         return empty;
     };
     let own = range.problem_of(longest, problem, true);

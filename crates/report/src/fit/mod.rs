@@ -125,6 +125,15 @@ pub(crate) fn empty_blocks(problem: &Problem, fit: &Fit, style: &Style) -> Vec<B
     [title].into_iter().chain(report.emptiness().into_iter().map(Block::Paragraph)).collect()
 }
 
+/// The error bound that was found from the readings themselves, in a line beside answers that have no place for assumptions.
+pub fn bound_found(MultipleOfLeast { factor, least }: &MultipleOfLeast) -> String {
+    let epsilon = factor * least;
+    match *factor == Rational::one() {
+        true => format!("|e| <= {epsilon}, which is eps_min of these very readings"),
+        false => format!("|e| <= {epsilon}, {factor} times eps_min of these very readings"),
+    }
+}
+
 /// The assumption behind an error bound that was found from the readings themselves.
 pub(crate) fn assumption(MultipleOfLeast { factor, least }: &MultipleOfLeast, style: &Style) -> Text {
     let text = match *factor == Rational::one() {

@@ -138,15 +138,17 @@ pub fn range_document(report: &RangeReport<'_>, origin: &Origin, style: &Style) 
 fn summary(report: &RangeReport<'_>) -> String {
     let RangeReport { range, order, .. } = report;
     let count = range.order.len();
-    let (readings, order) = (
-        counted(count, "reading", "readings"),
-        match order {
-            Order::X => "of x",
-            Order::Row => "of rows",
-        },
-    );
+    let readings = counted(count, "reading", "readings");
+    let in_order = match order {
+        Order::X => "of x",
+        Order::Row => "of rows",
+    };
     match range.runs.as_slice() {
-        [] => "No reading fits, not even alone.".to_owned(),
+        [] => match order {
+            Order::X => "No reading fits, not even those of one x alone.".to_owned(),
+            Order::Row => "No reading fits, not even alone.".to_owned(),
+        },
+        [_] if count == 1 => "The only reading fits: one run has it.".to_owned(),
         [only] if only.len() == count => format!("All {readings} together fit: one run has them all."),
         runs => {
             let runs = match runs.len() {
@@ -154,7 +156,7 @@ fn summary(report: &RangeReport<'_>) -> String {
                 many => format!("{many} runs that fit and are as long as they can be"),
             };
             format!(
-                "The {readings} together do not fit. In order {order} there {verb} {runs}.",
+                "The {readings} together do not fit. In order {in_order} there {verb} {runs}.",
                 verb = if range.runs.len() == 1 { "is" } else { "are" }
             )
         }

@@ -57,7 +57,12 @@ fn legends_name_each_file_and_bound_and_say_which_sets_are_empty() {
         (
             "north.csv south.csv --x t --y 2 --eps 0.1 --eps min",
             3,
-            &["north, ε = 0.1: empty", "north, ε = min: ", "south, ε = 0.1: empty", "south, ε = min: "],
+            &[
+                "north, ε = 0.1: empty",
+                "north, ε = min (|e| ≤ 1): ",
+                "south, ε = 0.1: empty",
+                "south, ε = min (|e| ≤ 1): ",
+            ],
         ),
         (
             "north.csv south.csv far.csv --x t --y 2 --eps 2 --figure data",

@@ -117,7 +117,7 @@ pub(crate) struct FitArguments {
     /// doubles, and the answer of an LP solver
     #[arg(long, conflicts_with_all = ["by", "brief", "window", "window_x"])]
     full: bool,
-    /// With --full: do not ask an LP solver
+    /// With --full: do not ask an LP solver. Nothing else asks one
     #[arg(long)]
     no_lp: bool,
     /// Skip results that need a second pass over files of more than 10000 rows: the estimate uncertainty intervals (EUI), and
@@ -241,8 +241,13 @@ fn check_usage_of_parts(arguments: &FitArguments, format: ReportFormat) -> Resul
         "'--sweep' is about text, latex, markdown and json; other formats have no place for many sets"
     } else if arguments.confidence.is_some() && !is_document && format != ReportFormat::Json {
         "'--confidence' is about text, latex, markdown and json; other formats have no place for a guarantee"
+    } else if arguments.no_eui && arguments.by.is_some() {
+        "'--no-eui' is about one set: '--by' reads each group once, and no EUI needs another look"
     } else {
-        return Ok(());
+        // Lines of many sets are decimals in every format.
+        let has_one_set = arguments.by.is_none() && arguments.window().is_none();
+        let form = if arguments.vertices { Form::Vertices } else { format.into() };
+        return if has_one_set { arguments.output.check_decimals(form) } else { Ok(()) };
     };
     Err(Failure::Usage(problem.to_owned()))
 }

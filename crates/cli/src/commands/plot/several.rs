@@ -167,6 +167,7 @@ fn run_groups(job: &Job, what: Compared) -> CommandResult {
     let groups = groups.map_err(|refusal| Failure::of(&refusal, job.arguments.data.file_name()))?;
     let (asked, fleet) = (groups.question(), groups.fleet());
     input::say_table(job.arguments.data.file_name(), fleet.table(), fleet.rows_missing());
+    input::say_note(job.arguments.data.file_name(), groups.without_readings());
     let drawn = fleet.len().min(MOST_PANELS);
     let mut all = Vec::with_capacity(drawn);
     for group in 0..drawn {
