@@ -29,6 +29,15 @@ impl Data {
         }
     }
 
+    /// Returns whether they are fitted in less time than a thread is worth.
+    pub(crate) fn is_small(&self) -> bool {
+        const FEW: usize = 2_000;
+        match self {
+            Data::Columns(table) => table.columns().all(|(_, numbers)| numbers.len() <= FEW),
+            Data::Text(..) | Data::File(_) => false,
+        }
+    }
+
     /// The file, if they are one.
     pub(crate) fn path(&self) -> Option<&str> {
         match self {

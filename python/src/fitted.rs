@@ -13,6 +13,7 @@ use crate::data::IN_MEMORY;
 use crate::forms::named;
 use crate::numbers::{Given, Number, outward, pair, refuse};
 use crate::questions::in_words;
+use crate::waiting::waiting;
 
 /// A problem with its answer.
 #[pyclass(frozen, module = "boundfit._boundfit")]
@@ -271,29 +272,47 @@ impl Fitted {
     }
 
     /// Recomputes every proof of the answer from the readings.
-    fn verify(&self, py: Python<'_>) -> PyResult<()> {
-        py.detach(|| self.fit().verify(self.problem())).map_err(refuse)
+    fn verify(slf: &Bound<'_, Self>) -> PyResult<()> {
+        let held = slf.clone().unbind();
+        waiting(slf.py(), move |_| held.get().fit().verify(held.get().problem()))?.map_err(refuse)
     }
 
     /// The report of schema boundfit/fit/2.
-    fn json(&self, py: Python<'_>) -> PyResult<String> {
-        let question = ask::Fit::default();
-        let json = py.detach(|| self.written(&question, Form::Json, self.origin(), Style::default()));
-        json.map_err(|refusal| refuse(in_words(&refusal, self.file.is_some())))
+    fn json(slf: &Bound<'_, Self>) -> PyResult<String> {
+        let held = slf.clone().unbind();
+        let json = waiting(slf.py(), move |_| {
+            let own = held.get();
+            own.written(&ask::Fit::default(), Form::Json, own.origin(), Style::default())
+        })?;
+        json.map_err(|refusal| refuse(in_words(&refusal, slf.get().file.is_some())))
     }
 
     /// The answer in another format.
-    fn text(&self, format: &str, brief: bool, full: bool, digits: Option<usize>) -> PyResult<String> {
+    fn text(
+        slf: &Bound<'_, Self>,
+        format: &str,
+        brief: bool,
+        full: bool,
+        digits: Option<usize>,
+    ) -> PyResult<String> {
         let question = ask::Fit { brief, full, ..ask::Fit::default() };
         let style = Style { digits, ..Style::default() };
-        let text = self.written(&question, named(format)?, self.shown_origin(), style);
-        text.map_err(|refusal| refuse(in_words(&refusal, self.file.is_some())))
+        let (form, held) = (named(format)?, slf.clone().unbind());
+        let text = waiting(slf.py(), move |_| {
+            let own = held.get();
+            own.written(&question, form, own.shown_origin(), style)
+        })?;
+        text.map_err(|refusal| refuse(in_words(&refusal, slf.get().file.is_some())))
     }
 
     /// The proof, where the readings come from delimited text.
-    fn proof(&self, py: Python<'_>) -> Option<String> {
-        let question = ask::Fit::default();
-        py.detach(|| self.written(&question, Form::Proof, self.origin(), Style::default())).ok()
+    fn proof(slf: &Bound<'_, Self>) -> PyResult<Option<String>> {
+        let held = slf.clone().unbind();
+        let proof = waiting(slf.py(), move |_| {
+            let own = held.get();
+            own.written(&ask::Fit::default(), Form::Proof, own.origin(), Style::default())
+        })?;
+        Ok(proof.ok())
     }
 }
 

@@ -11,6 +11,7 @@ use crate::numbers::{outward, refuse};
 use crate::questions;
 use crate::readings::Readings;
 use crate::said::Keywords;
+use crate::waiting::waiting;
 use crate::words::in_words;
 
 /// A number of every group: what it is called, and which way its double is rounded.
@@ -147,8 +148,10 @@ pub(crate) fn fit_groups<'py>(
     let by = ColumnSelector::name(&key.0);
     let (table, reading) = table(&columns.into_iter().chain([key]).collect::<Vec<_>>(), &names, floats)?;
     asked.options.table.reading = reading;
-    let read =
-        py.detach(|| Groups::read(&asked, Source::of_table("readings", table), &by).map(|own| lines(&own)));
+    let read = waiting(py, move |stop| {
+        asked.options = stop.in_options(&asked.options);
+        Groups::read(&asked, Source::of_table("readings", table), &by).map(|own| lines(&own))
+    })?;
     let (lines, per_row) = read.map_err(|refusal| refuse(questions::in_words(&refusal, false)))?;
     let dict = PyDict::new(py);
     dict.set_item("group", lines.keys)?;
@@ -183,15 +186,18 @@ fn lines(groups: &Groups) -> (Lines, bool) {
 
 /// Reduces readings to those that decide, or the union of reductions.
 #[pyfunction]
-pub(crate) fn reduce<'py>(py: Python<'py>, readings: &Readings) -> PyResult<Bound<'py, PyBytes>> {
-    let text = py.detach(|| {
-        let table = readings.asked.question.reduce(readings.source()?, &readings.asked.options);
+pub(crate) fn reduce<'py>(readings: &Bound<'py, Readings>) -> PyResult<Bound<'py, PyBytes>> {
+    let (py, held) = (readings.py(), readings.clone().unbind());
+    let text = waiting(py, move |stop| {
+        let readings = held.get();
+        let options = stop.in_options(&readings.asked.options);
+        let table = readings.asked.question.reduce(readings.source()?, &options);
         let mut text = Vec::new();
         table
             .map_err(|error| in_words(&error, readings.has_limits()))?
             .write(&mut text)
             .map_err(|error| error.to_string())?;
         Ok(text)
-    });
+    })?;
     Ok(PyBytes::new(py, &text.map_err(|error: String| refuse(error))?))
 }

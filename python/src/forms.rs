@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 
 use crate::numbers::refuse;
 use crate::readings::Readings;
+use crate::waiting::{Stop, waiting};
 
 /// The form with this name.
 pub(crate) fn named(name: &str) -> PyResult<Form> {
@@ -18,17 +19,17 @@ pub(crate) fn named(name: &str) -> PyResult<Form> {
 
 /// Asks readings while the interpreter is free; for a proof they are the text that it is about.
 pub(crate) fn asked(
-    py: Python<'_>,
-    readings: &Readings,
+    readings: &Bound<'_, Readings>,
     form: &str,
     digits: Option<usize>,
-    ask: impl Fn(&Readings, Form, &Style) -> Result<String, String> + Send + Sync,
+    ask: impl Fn(&Readings, Form, &Style, &Stop) -> Result<String, String> + Send + 'static,
 ) -> PyResult<String> {
     let form = named(form)?;
     let style = Style { digits, ..Style::default() };
-    let answer = py.detach(|| match form {
-        Form::Proof => ask(&readings.written(), form, &style),
-        _ => ask(readings, form, &style),
-    });
+    let held = readings.clone().unbind();
+    let answer = waiting(readings.py(), move |stop| match form {
+        Form::Proof => ask(&held.get().written(), form, &style, stop),
+        _ => ask(held.get(), form, &style, stop),
+    })?;
     answer.map_err(refuse)
 }

@@ -16,6 +16,7 @@ mod proofs;
 mod questions;
 mod readings;
 mod said;
+mod waiting;
 mod words;
 
 use pyo3::prelude::*;

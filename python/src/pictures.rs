@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 
 use crate::fitted::Fitted;
 use crate::numbers::{decimal, refuse};
+use crate::waiting::waiting;
 
 /// What a figure says besides what follows from the readings, and how it looks.
 #[derive(FromPyObject)]
@@ -87,8 +88,7 @@ fn length(
 /// A figure as the bytes of a file of this format.
 #[pyfunction]
 pub(crate) fn figure(
-    py: Python<'_>,
-    fitted: &Fitted,
+    fitted: &Bound<'_, Fitted>,
     figure: &str,
     format: &str,
     labels: Labels,
@@ -106,16 +106,25 @@ pub(crate) fn figure(
         return Err(refuse("x_range, y_range: the axes of \"status\" are residuals and leverages"));
     }
     let options = labels.options()?;
-    py.detach(|| draw(fitted.problem(), fitted.fit(), asked, &options)?.encoded_as(format, &encoding))
-        .map_err(refuse)
+    let held = fitted.clone().unbind();
+    let picture = waiting(fitted.py(), move |_| {
+        let own = held.get();
+        draw(own.problem(), own.fit(), asked, &options)?.encoded_as(format, &encoding)
+    })?;
+    picture.map_err(refuse)
 }
 
 /// The web page about these readings.
 #[pyfunction]
 #[pyo3(signature = (fitted, title))]
-pub(crate) fn lesson(py: Python<'_>, fitted: &Fitted, title: Option<String>) -> PyResult<String> {
-    let file = fitted.file.clone().unwrap_or_else(|| "readings".to_owned());
+pub(crate) fn lesson(fitted: &Bound<'_, Fitted>, title: Option<String>) -> PyResult<String> {
+    let file = fitted.get().file.clone().unwrap_or_else(|| "readings".to_owned());
     let options =
         LessonOptions { file: file.into(), title: title.map(Foreign::from), ..LessonOptions::default() };
-    py.detach(|| page(fitted.problem(), fitted.fit(), fitted.reading, &options)).map_err(refuse)
+    let held = fitted.clone().unbind();
+    let page = waiting(fitted.py(), move |_| {
+        let own = held.get();
+        page(own.problem(), own.fit(), own.reading, &options)
+    })?;
+    page.map_err(refuse)
 }

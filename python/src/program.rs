@@ -9,6 +9,7 @@ use boundfit::judge::{
 use pyo3::prelude::*;
 
 use crate::numbers::{Number, exact, refuse};
+use crate::waiting::waiting;
 
 /// A row of a program: its coefficients and both bounds.
 type Row<'py> = (Vec<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
@@ -46,14 +47,12 @@ pub(crate) fn judge<'py>(
     let model = model(&costs, &rows, &bounds)?;
     let tolerances = Tolerances { relative: exact(tolerance, "tolerance")?, digits_as_printed: false };
     let solution = claimed.map(|claimed| claimed.solution()).transpose()?;
-    let (answer, findings) = py
-        .detach(|| {
-            let answer = Answer::of(&model)?;
-            let findings =
-                solution.map(|solution| Ground::new(&model, &answer).judge(&solution, &tolerances));
-            Ok::<_, boundfit::judge::SolveError>((answer, findings))
-        })
-        .map_err(refuse)?;
+    let judged = waiting(py, move |_| {
+        let answer = Answer::of(&model)?;
+        let findings = solution.map(|solution| Ground::new(&model, &answer).judge(&solution, &tolerances));
+        Ok::<_, boundfit::judge::SolveError>((answer, findings))
+    })?;
+    let (answer, findings) = judged.map_err(refuse)?;
     let number = |value: &Rational| Number(value).into_pyobject(py);
     let (status, value, points) = match &answer {
         Answer::Optimal { value, face, .. } => {

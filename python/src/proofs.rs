@@ -4,11 +4,12 @@ use boundfit::verify::{VerifyError, verify as checked};
 use pyo3::prelude::*;
 
 use crate::numbers::refuse;
+use crate::waiting::waiting;
 
 /// What is false of a proof about these bytes; nothing where every statement is true.
 #[pyfunction]
 pub(crate) fn verify(py: Python<'_>, proof: String, data: Vec<u8>) -> PyResult<Option<String>> {
-    match py.detach(|| checked(&proof, &data)) {
+    match waiting(py, move |_| checked(&proof, &data))? {
         Ok(_) => Ok(None),
         Err(VerifyError::False(falsehood)) => Ok(Some(falsehood.to_string())),
         Err(other) => Err(refuse(other)),

@@ -17,33 +17,34 @@ use crate::words::as_argument;
 #[pyfunction]
 #[pyo3(signature = (readings, request, form, digits, tables = None))]
 pub(crate) fn ask(
-    py: Python<'_>,
-    readings: &Readings,
+    readings: &Bound<'_, Readings>,
     request: &str,
     form: &str,
     digits: Option<usize>,
     tables: Option<Vec<(String, Vec<NamedColumn<'_>>)>>,
 ) -> PyResult<String> {
-    let has_limits = readings.has_limits();
+    let own = readings.get();
+    let has_limits = own.has_limits();
     let request = Request::parse(request).map_err(|refusal| refuse(in_words(&refusal, has_limits)))?;
     let mut held = Vec::new();
     for (name, columns) in tables.unwrap_or_default() {
         let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
         // Columns of readings, not of x that are asked about.
-        if names == readings.names {
-            refuse_unwritten(&columns, &names, &readings.asked.question)?;
+        if names == own.names {
+            refuse_unwritten(&columns, &names, &own.asked.question)?;
         }
-        let (table, reading) = table(&columns, &names, readings.floats)?;
+        let (table, reading) = table(&columns, &names, own.floats)?;
         let again = Source::of_table(name.as_str(), table).again();
         held.extend(again.map(|again| (name, again, reading)));
     }
-    asked(py, readings, form, digits, |readings, form, style| {
+    asked(readings, form, digits, move |readings, form, style, stop| {
         let is_document = matches!(form, Form::Text | Form::Latex | Form::Markdown);
         let origin = if is_document { readings.shown_origin() } else { readings.origin() };
         let shown = is_document.then_some(IN_MEMORY);
         let files = Files(readings.asked.options.clone());
         let tables: Arc<dyn Tables> = Arc::new(Held { tables: held.clone(), shown, files });
-        let own = Asked { tables: Some(tables), ..readings.asked.clone() };
+        let options = stop.in_options(&readings.asked.options);
+        let own = Asked { tables: Some(tables), options, ..readings.asked.clone() };
         let answer = request.answer(&own, readings.source()?, form, Some(origin), style);
         Ok(answer.map_err(|refusal| in_words(&refusal, has_limits))?.text)
     })

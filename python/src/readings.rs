@@ -15,6 +15,7 @@ use crate::fitted::{Answered, Fitted};
 use crate::numbers::{Given, refuse};
 use crate::questions;
 use crate::said::{Keywords, Texts};
+use crate::waiting::waiting;
 use crate::words::in_words;
 
 /// Readings, and what is asked of them.
@@ -68,24 +69,22 @@ pub(crate) fn readings_of_file(
 impl Readings {
     /// Fits them. The interpreter is free meanwhile.
     #[pyo3(signature = (eui, confidence))]
-    fn fit(&self, py: Python<'_>, eui: bool, confidence: Option<Given>) -> PyResult<Fitted> {
-        let reading = self.floats;
+    fn fit(slf: &Bound<'_, Self>, eui: bool, confidence: Option<Given>) -> PyResult<Fitted> {
+        let (py, own) = (slf.py(), slf.get());
+        let reading = own.floats;
         let confidence = confidence.map(|given| ask::Given::Exact { exact: given.text(reading) });
         let question = Fit { no_eui: !eui, confidence, ..Fit::default() };
-        py.detach(|| {
-            // A proof of it may be asked for later.
-            let asked = question.read_listing(&self.asked, self.source()?, Shows::Rows, false);
-            let deciding = asked.and_then(|asked| Answered::new(&question, asked));
-            Ok(Fitted {
-                deciding: deciding.map_err(|refusal| questions::in_words(&refusal, self.has_limits()))?,
-                whole: OnceLock::new(),
-                reading: self.reading,
-                floats: reading,
-                file: self.data.path().map(str::to_owned),
-                is_stored: self.is_stored,
-            })
-        })
-        .map_err(|error: String| refuse(error))
+        let fitted = if own.data.is_small() {
+            py.detach(|| own.fitted(&question, &own.asked))
+        } else {
+            let held = slf.clone().unbind();
+            waiting(py, move |stop| {
+                let own = held.get();
+                let options = stop.in_options(&own.asked.options);
+                own.fitted(&question, &Asked { options, ..own.asked.clone() })
+            })?
+        };
+        fitted.map_err(refuse)
     }
 
     /// How many regressors there are: one of a line, or two.
@@ -142,21 +141,37 @@ impl Readings {
     }
 
     /// The proof of their fit, where they are, or can be written as, delimited text.
-    fn proof(&self, py: Python<'_>) -> PyResult<Option<String>> {
-        py.detach(|| {
-            let (written, question) = (self.written(), Request::Fit(Fit { no_eui: true, ..Fit::default() }));
+    fn proof(slf: &Bound<'_, Self>) -> PyResult<Option<String>> {
+        let held = slf.clone().unbind();
+        let proof = waiting(slf.py(), move |_| {
+            let own = held.get();
+            let (written, question) = (own.written(), Request::Fit(Fit { no_eui: true, ..Fit::default() }));
             let origin = Some(written.origin());
             match question.answer(&written.asked, written.source()?, Form::Proof, origin, &Style::default()) {
                 Ok(proof) => Ok(Some(proof.text)),
                 Err(Refusal::NoProof(_)) => Ok(None),
-                Err(refusal) => Err(questions::in_words(&refusal, self.has_limits())),
+                Err(refusal) => Err(questions::in_words(&refusal, own.has_limits())),
             }
-        })
-        .map_err(|error: String| refuse(error))
+        })?;
+        proof.map_err(|error: String| refuse(error))
     }
 }
 
 impl Readings {
+    /// Fits them as they are asked about here, and keeps what a proof that is asked for later takes.
+    fn fitted(&self, question: &Fit, asked: &Asked) -> Result<Fitted, String> {
+        let fittable = question.read_listing(asked, self.source()?, Shows::Rows, false);
+        let deciding = fittable.and_then(|fittable| Answered::new(question, fittable));
+        Ok(Fitted {
+            deciding: deciding.map_err(|refusal| questions::in_words(&refusal, self.has_limits()))?,
+            whole: OnceLock::new(),
+            reading: self.reading,
+            floats: self.floats,
+            file: self.data.path().map(str::to_owned),
+            is_stored: self.is_stored,
+        })
+    }
+
     /// Returns whether the call that made them has an argument `limits`: that of a file.
     pub(crate) fn has_limits(&self) -> bool {
         self.data.path().is_some()
