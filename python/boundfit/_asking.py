@@ -95,7 +95,7 @@ def readings_of_file(
         "eps_column": eps_column,
         "lower": lower,
         "upper": upper,
-        "where": texts(where),
+        "where": texts(where, "where"),
         "through_origin": flag(through_origin, "through_origin"),
         "x_origin": x_origin,
         "reading": reading,

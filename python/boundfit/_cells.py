@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable, Mapping, Set
 from typing import Any
-
-#: How the format of a buffer begins whose numbers have the other order of bytes.
-_FOREIGN_ORDERS = (">", "!") if sys.byteorder == "little" else ("<",)
 
 
 def cells(values: Any, name: str, reading: str = "decimal") -> Any:
@@ -17,6 +13,9 @@ def cells(values: Any, name: str, reading: str = "decimal") -> Any:
     """
     if isinstance(values, list):
         return values
+    if hasattr(values, "toarray"):
+        # A sparse matrix.
+        values = values.toarray()
     match type(values).__module__.partition(".")[0]:
         case "numpy":
             return _of_numpy(values, name, reading)
@@ -28,14 +27,16 @@ def cells(values: Any, name: str, reading: str = "decimal") -> Any:
             return _of_pyarrow(values, name, reading)
         case "array":
             return values
+        case "astropy" | "pint":
+            _refuse_unit(values, name)
     if isinstance(values, (bytearray, memoryview)) or (hasattr(values, "__buffer__") and not isinstance(values, bytes)):
-        if memoryview(values).format[:1] not in _FOREIGN_ORDERS:
+        if memoryview(values).format[:1] not in "<>=!":
             return values
         # The compiled part knows the order of bytes of this machine, numpy knows any.
         import numpy
 
         return _of_numpy(numpy.asarray(values), name, reading)
-    if hasattr(values, "__array__"):
+    if hasattr(values, "__array__") and not isinstance(values, Mapping):
         # Arrays of other libraries, such as xarray's and h5py's.
         import numpy
 
@@ -44,6 +45,24 @@ def cells(values: Any, name: str, reading: str = "decimal") -> Any:
     if isinstance(values, (str, bytes, Set, Mapping)) or not isinstance(values, Iterable):
         raise _no_column(values, name)
     return list(values)
+
+
+def refuse_lazy(values: Any, name: str) -> None:
+    """Refuses a frame of polars that is not computed yet.
+
+    :raises ValueError: where it is one.
+    """
+    if type(values).__name__ == "LazyFrame":
+        raise ValueError(f"{name} is of type LazyFrame: expected an array or a list of numbers, such as those of its collect()")
+
+
+def _refuse_unit(values: Any, name: str) -> None:
+    """Numbers of different units would be taken for those of one."""
+    unit = str(next((own for own in (getattr(values, "unit", None), getattr(values, "units", None)) if own is not None), ""))
+    if unit not in ("", "dimensionless"):
+        raise ValueError(
+            f"{name} has the unit {unit}: expected numbers without one, such as those of to_value({unit!r}) of astropy, or m_as({unit!r}) of pint"
+        )
 
 
 def _no_column(values: Any, name: str) -> ValueError:
@@ -58,7 +77,8 @@ def _times(name: str, kind: Any) -> ValueError:
 
 def _of_numpy(values: Any, name: str, reading: str) -> Any:
     if values.ndim == 2 and 1 in values.shape:
-        values = values.reshape(-1)
+        # A matrix of numpy stays one until it is an array.
+        values = getattr(values, "A1", values).reshape(-1)
     if values.ndim != 1:
         raise ValueError(f"{name} has {values.ndim} dimensions: expected a column, which has one")
     kind = values.dtype.kind
@@ -72,16 +92,17 @@ def _of_numpy(values: Any, name: str, reading: str) -> Any:
     if kind == "f" and values.dtype.itemsize == 2:
         return values.astype("float64") if reading == "binary64" else list(values)
     if kind in "iuf" and values.dtype.itemsize <= 8:
-        return values if values.dtype.isnative else values.astype(values.dtype.newbyteorder("="))
+        # The fields of records need not be where such numbers are in memory otherwise.
+        return values if values.dtype.isnative and values.flags.aligned else values.astype(values.dtype.newbyteorder("="))
     return values.tolist()
 
 
 def _of_pandas(values: Any, name: str, reading: str) -> Any:
     if hasattr(values, "columns"):
         return cells(_only_column(values, name).iloc[:, 0], name, reading)
-    if not hasattr(values, "dtype"):
+    dtype: Any = getattr(values, "dtype", None)
+    if not hasattr(dtype, "kind"):
         raise _no_column(values, name)
-    dtype = values.dtype
     if hasattr(values, "cat") and dtype.categories.dtype.kind == "f":
         return cells(values.astype(dtype.categories.dtype), name, reading)
     if dtype.kind in "mM":
@@ -105,6 +126,7 @@ def _of_pandas(values: Any, name: str, reading: str) -> Any:
 def _of_polars(values: Any, name: str, reading: str) -> Any:
     if hasattr(values, "get_columns"):
         return cells(_only_column(values, name).to_series(), name, reading)
+    refuse_lazy(values, name)
     if not hasattr(values, "to_list"):
         raise _no_column(values, name)
     if values.dtype.is_temporal():

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from . import _boundfit
-from ._columns import Number
+from ._columns import Number, several
 from ._fit import Fit
 
 
@@ -35,9 +35,7 @@ def check(problem: Fit, claim: Iterable[Iterable[Number | None]] | None) -> list
     >>> [own.verdict for own in check(fit, [(0.6, 1.5), (-0.5, 0.7)])]
     ['unsafe', 'exact', 'exact', 'loose']
     """
-    if claim is None:
-        raise ValueError("claim=None: expected two ends of each parameter, such as [(0, 1), (0, 1)]")
-    ends = [end for interval in claim for end in interval]
-    if len(ends) != 4:
-        raise ValueError(f"the claim has {len(ends)} ends: expected two of each parameter")
+    expected = "two ends of each parameter, such as [(0, 1), (0, 1)]"
+    both = several(claim, "claim", 2, expected)
+    ends = [end for interval in both for end in several(interval, "claim", 2, expected)]
     return [Judgement(*own) for own in _boundfit.check(problem._core, ends)]

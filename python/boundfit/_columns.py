@@ -9,7 +9,7 @@ from operator import index
 from typing import Any, Literal, TypeAlias
 
 from . import _boundfit
-from ._cells import cells
+from ._cells import cells, refuse_lazy
 
 Number: TypeAlias = "int | float | str | Decimal | Fraction"
 #: A numpy array, a pandas or polars Series, a pyarrow array or a sequence of numbers.
@@ -123,10 +123,19 @@ def rows_of(matrix: Any, name: str) -> list[list[Any]]:
     return [numbers_of(row, f"row {number} of {name}") for number, row in enumerate(matrix, 1)]
 
 
+def _holds_lists(x: Any) -> bool:
+    return isinstance(x, (list, tuple)) and bool(x) and isinstance(x[0], (list, tuple))
+
+
 def regressors(x: Any) -> list[Any]:
     """The column of x, or both columns of two regressors: a tuple of two, an array of two columns, a frame of two."""
+    refuse_lazy(x, "x")
+    if isinstance(x, tuple) and len(x) == 2 and not is_number(x[0]):
+        return list(x)
+    if _holds_lists(x):
+        raise ValueError("x holds lists: expected one column of numbers, or two regressors as a tuple of two columns or an array of two")
     if isinstance(x, tuple):
-        return list(x) if len(x) == 2 and not is_number(x[0]) else [x]
+        return [x]
     if getattr(x, "ndim", 1) == 2 or hasattr(x, "columns") or hasattr(x, "column_names"):
         width = len(x.column_names) if hasattr(x, "column_names") else x.shape[1]
         if width not in (1, 2):
@@ -156,9 +165,15 @@ def quoted(name: str) -> str:
     return f'"{name}"'
 
 
-def texts(one_or_more: str | Sequence[str]) -> list[str]:
-    """One text, or several."""
-    return [one_or_more] if isinstance(one_or_more, str) else list(one_or_more)
+def texts(one_or_more: Any, name: str) -> list[str]:
+    """One text, or several.
+
+    :raises ValueError: where it is neither.
+    """
+    listed: list[Any] = [one_or_more] if isinstance(one_or_more, str) else list(one_or_more) if isinstance(one_or_more, Iterable) else [None]
+    if not all(isinstance(own, str) for own in listed):
+        raise ValueError(f"{name}={one_or_more!r}: expected a condition as a text, or several such texts")
+    return listed
 
 
 def in_memory(
@@ -199,7 +214,7 @@ def in_memory(
         "eps_column": eps_name,
         "lower": lower_name,
         "upper": upper_name,
-        "where": texts(where) or None,
+        "where": texts(where, "where") or None,
         "through_origin": flag(through_origin, "through_origin"),
         "x_origin": x_origin,
         "reading": reading,
@@ -239,7 +254,7 @@ def table(
     return {
         "rows": chosen,
         "without": _chosen(without, "without"),
-        "where_row": texts(where_row),
+        "where_row": texts(where_row, "where_row"),
         "header": _header(header),
         "delimiter": None if delimiter is None else DELIMITERS.get(delimiter, delimiter),
         "sheet": None if sheet is None else str(sheet),

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from . import _boundfit
-from ._answers import value
+from ._answers import counted, value
 from ._bounds import Interval, Intervals, LowerBound, Point, ProvedInterval, Term, UpperBound, lower_bound, nearest, upper_bound
 from ._columns import Number, Reading, count, flag, fraction, maybe_count, maybe_digits, several, text
 from ._plane import PlaneSet
@@ -359,13 +359,13 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
 
     def __repr__(self) -> str:
         if self.is_empty:
-            return f"<boundfit.Fit of {self.rows} readings: no parameters agree with all of them>"
+            return f"<boundfit.Fit of {counted(self.rows, 'reading')}: no parameters agree with all of them>"
         pui = self.pui
         assert pui is not None
         ends = []
         for name, interval in zip(pui._fields, pui, strict=True):
             ends.append(f"{name} in {interval:.6}")
-        return f"<boundfit.Fit of {self.rows} readings: {self.kind}, about {', '.join(ends)}>"
+        return f"<boundfit.Fit of {counted(self.rows, 'reading')}: {self.kind}, about {', '.join(ends)}>"
 
     def __str__(self) -> str:
         return self._core.text("text", False, False, None)

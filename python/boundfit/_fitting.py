@@ -10,6 +10,7 @@ from . import _boundfit
 from ._asking import How, Name, Table, ask, readings, readings_of_file
 from ._columns import Column, Missing, Number, Reading
 from ._fit import Fit
+from ._keywords import knows
 from ._x_errors import XErrorFit
 
 
@@ -47,6 +48,7 @@ def fit(
 ) -> XErrorFit: ...
 
 
+@knows()
 def fit(
     x: Column | tuple[Column, Column],
     y: Column | None = None,
@@ -174,6 +176,7 @@ def fit_file(
 ) -> XErrorFit: ...
 
 
+@knows(Table.__annotations__)
 def fit_file(
     path: str | os.PathLike[str],
     x: str | int | Sequence[str | int],

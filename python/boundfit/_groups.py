@@ -8,11 +8,13 @@ from typing import Any, TypeVar
 
 from ._cells import cells
 from ._columns import Missing, NamedColumns, Number, Reading
+from ._keywords import knows
 from ._reduction import NO_NUMBERS, Names, Readings, columns_of_groups, fitted_groups, in_halves, in_words, lacks_all, readings, unique
 
 Frame = TypeVar("Frame")
 
 
+@knows()
 def fit_groups(
     frame: Frame,
     by: Names,

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from . import _boundfit
 from ._columns import fraction, numbers_of, rows_of, several
+from ._keywords import knows
 
 
 class Finding(NamedTuple):
@@ -56,6 +57,7 @@ class JudgedProgram:
         return of_judged(self)
 
 
+@knows()
 def judge(
     c: Sequence[Any],
     A_ub: Iterable[Sequence[Any]] | None = None,

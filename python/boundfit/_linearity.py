@@ -14,6 +14,7 @@ from ._bounds import Point, decimal
 from ._asking import Name, Table, ask, exact
 from ._cells import cells
 from ._columns import Column, Missing, Number, Reading, named, quoted, several, table
+from ._keywords import knows
 
 if TYPE_CHECKING:
     from .documents import LinearityDocument
@@ -123,6 +124,7 @@ def _characteristic(own: Any) -> Characteristic:
     )
 
 
+@knows()
 def linearity(
     x: Column,
     y: Column | None = None,
@@ -157,6 +159,7 @@ def linearity(
     return _answer(readings, full_scale, through, {key: quoted(columns[key][0]) for key in _KEYS if key in columns})
 
 
+@knows(Table.__annotations__)
 def linearity_file(
     path: str | os.PathLike[str],
     x: Name,

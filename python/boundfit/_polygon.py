@@ -12,6 +12,7 @@ from . import _boundfit
 from ._bounds import Interval, Intervals, lower_bound, upper_bound
 from ._columns import Reading, fraction, numbers_of, rows_of, several, text
 from ._html import of_text
+from ._keywords import knows
 from ._plane import PlaneSet
 
 if TYPE_CHECKING:
@@ -98,6 +99,7 @@ def _of_file(path: str, reading: Reading) -> Polygon:
     return Polygon(_boundfit.polygon_of_file(path, reading), (_of_file, (path, reading)))
 
 
+@knows()
 def polygon(A: Iterable[Iterable[Any]], b: Iterable[Any], *, reading: Reading = "decimal") -> Polygon:
     """The set of all points with A·θ ≤ b, row by row. Numbers are read as those of :func:`boundfit.fit`.
 
@@ -112,6 +114,7 @@ def polygon(A: Iterable[Iterable[Any]], b: Iterable[Any], *, reading: Reading = 
     return _of_rows("H-representation", [[end, -a1, -a2] for (a1, a2), end in zip(rows, ends, strict=True)], reading)
 
 
+@knows()
 def generators(
     V: Iterable[Iterable[Any]],
     R: Iterable[Iterable[Any]] = (),
@@ -132,6 +135,7 @@ def generators(
     return _of_rows("V-representation", rows + both, reading, list(linear))
 
 
+@knows()
 def polygon_file(path: str | os.PathLike[str], *, reading: Reading = "decimal") -> Polygon:
     """The set of a file of half-planes (``.ine``, or a table of a1, a2, b) or of generators (``.ext``)."""
     return _of_file(os.fspath(path), reading)

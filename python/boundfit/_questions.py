@@ -11,6 +11,10 @@ from ._asking import How, ask, exact, readings
 from ._cells import cells
 from ._columns import Column, Number, count, flag, fraction, is_number, maybe_count, regressors, several, text
 from ._found import LinearRange, NextReading, Outliers, Prediction, Statuses, WindowFit
+from ._keywords import knows
+
+#: What only fits answer about.
+_OF_X_ERRORS = ("x_eps", "strong")
 
 
 class Asked:
@@ -21,6 +25,7 @@ class Asked:
     def __init__(self, readings: _boundfit.Readings) -> None:
         self._readings = readings
 
+    @knows()
     def status(self, *, repair: bool = False, new: Any = None) -> Statuses:
         """What every reading and the set of all, and that of the others, say of each other: which are outliers, which decide.
 
@@ -33,6 +38,7 @@ class Asked:
         asked = ask(self._readings, "status", tables=tables, new=name, repair=flag(repair, "repair"))
         return Statuses(asked, self._readings.reading)
 
+    @knows()
     def predict(
         self,
         at: Any = None,
@@ -56,11 +62,9 @@ class Asked:
             raise ValueError("nothing is to be predicted: expected at, grid or from_")
         reading = self._readings.reading
         # A column is asked for by its number: both of two regressors have one name.
-        given = {"values": at, "from_": from_}
+        given = {"at": at, "from_": from_}
         tables = [
-            (name, _values(own, "at" if name == "values" else name, count if name == "values" else 1, reading))
-            for name, own in given.items()
-            if own is not None
+            (name, _values(own, name, count if name == "at" else 1, reading)) for name, own in given.items() if own is not None
         ]
         columns = {name: [f"{name}:{';'.join(str(number + 1) for number in builtins.range(len(own)))}"] for name, own in tables}
         bound = exact(new_eps, reading)
@@ -68,7 +72,7 @@ class Asked:
             self._readings,
             "predict",
             tables=tables,
-            at=columns.get("values"),
+            at=columns.get("at"),
             grid=None if grid is None else _of_grid(grid, reading),
             new_eps=None if bound is None else bound["exact"],
             proofs=flag(proofs, "proofs"),
@@ -76,6 +80,7 @@ class Asked:
         )
         return Prediction(asked, reading)
 
+    @knows()
     def outliers(self, *, most: int | None = None, max_sets: int | None = None, max_steps: int | None = None) -> Outliers:
         """The fewest readings to leave out so that something agrees with all others, every such choice, and what is left then. With
         ``most`` how the set grows when up to so many may be missed. At most ``max_sets`` choices are listed, and ``max_steps``
@@ -92,10 +97,12 @@ class Asked:
         )
         return Outliers(asked, self._readings.reading)
 
+    @knows()
     def range(self, *, by: Literal["x", "row"] | None = None) -> LinearRange:
         """Every run of readings, in order of x or of rows, that some parameters agree with: where a sensor is linear."""
         return LinearRange(ask(self._readings, "range", by=by), self._readings.reading)
 
+    @knows()
     def next(
         self,
         within: tuple[Number, Number] | None = None,
@@ -113,12 +120,13 @@ class Asked:
         ends = None if within is None else [exact(end, reading) for end in several(within, "within", 2, "both ends, such as (0, 10)")]
         return NextReading(ask(self._readings, "next", within=ends, goal=goal, new_eps=exact(new_eps, reading)), reading)
 
+    @knows()
     def windows(self, window: int | None = None, *, window_x: Number | None = None, step: int = 1) -> list[WindowFit]:
         """The fits of the last ``window`` readings in order of rows, or of those whose x is at most ``window_x`` less than the
         newest's in order of x, again and again as the window moves on by ``step`` readings."""
         reading = self._readings.reading
-        counted = maybe_count(window, "window", 1)
-        asked = ask(self._readings, "window", window=counted, window_x=exact(window_x, reading), step=count(step, "step", 1))
+        counted, moved = maybe_count(window, "window", 1), count(step, "step", 1)
+        asked = ask(self._readings, "window", window=counted, window_x=exact(window_x, reading), step=None if moved == 1 else moved)
         lines = asked("json", None)
         return [_found.window(line, reading) for line in lines.splitlines()]
 
@@ -148,6 +156,8 @@ def _values(asked: Any, name: str, regressors_of_each: int, reading: str) -> lis
         expected = "numbers, or a column of them" if regressors_of_each == 1 else "pairs of numbers, or two columns"
         raise ValueError(f"{name}: expected {expected}")
     columns = [cells(column, name, reading) for column in columns]
+    if not len(columns[0]):
+        raise ValueError(f"{name}={asked!r}: expected at least one number")
     if len({len(column) for column in columns}) > 1:
         raise ValueError(f"{name} has columns of different lengths")
     return [(name, column) for column in columns]
@@ -164,12 +174,13 @@ def _of_grid(grid: tuple[Number, Number, int], reading: str) -> str:
 
 def _asked(x: Any, y: Any, eps: Any, how: Mapping[str, Any]) -> Asked:
     """Columns with a question that errors of x have no part in."""
-    for key in ("x_eps", "strong"):
+    for key in _OF_X_ERRORS:
         if how.get(key) is not None and how[key] is not False:
             raise ValueError(f"{key}: only fit and fit_file answer with errors in x: expected exact x")
-    return Asked(readings(x, y, eps, **{key: value for key, value in how.items() if key not in ("x_eps", "strong")}))
+    return Asked(readings(x, y, eps, **{key: value for key, value in how.items() if key not in _OF_X_ERRORS}))
 
 
+@knows(How.__annotations__, refuses=_OF_X_ERRORS)
 def status(
     x: Column | tuple[Column, Column],
     y: Column | None = None,
@@ -188,6 +199,7 @@ def status(
     return _asked(x, y, eps, how).status(repair=repair, new=new)
 
 
+@knows(How.__annotations__, refuses=_OF_X_ERRORS)
 def predict(
     x: Column | tuple[Column, Column],
     y: Column | None = None,
@@ -213,6 +225,7 @@ def predict(
     return asked.predict(at, from_=from_, grid=grid, new_eps=new_eps, proofs=proofs)
 
 
+@knows(How.__annotations__, refuses=_OF_X_ERRORS)
 def outliers(
     x: Column | tuple[Column, Column],
     y: Column | None = None,
@@ -232,6 +245,7 @@ def outliers(
     return _asked(x, y, eps, how).outliers(most=most, max_sets=max_sets, max_steps=max_steps)
 
 
+@knows(How.__annotations__, refuses=_OF_X_ERRORS)
 def windows(
     x: Column | tuple[Column, Column],
     y: Column | None = None,
@@ -251,6 +265,7 @@ def windows(
 
 
 # The last of this module, which take the names of builtins.
+@knows(How.__annotations__, refuses=_OF_X_ERRORS)
 def next(
     x: Column,
     y: Column | None = None,
@@ -273,6 +288,7 @@ def next(
     return _asked(x, y, eps, how).next(within, goal=goal, new_eps=new_eps)
 
 
+@knows(How.__annotations__, refuses=_OF_X_ERRORS)
 def range(
     x: Column | tuple[Column, Column],
     y: Column | None = None,

@@ -9,8 +9,10 @@ from typing import Unpack
 from . import _boundfit
 from ._asking import Name, Table, readings, readings_of_file
 from ._columns import Column, Missing, Number, Reading
+from ._keywords import knows
 
 
+@knows()
 def reduce(
     x: Column | tuple[Column, Column],
     y: Column | None = None,
@@ -34,6 +36,7 @@ def reduce(
     return _boundfit.reduce(readings(x, y, eps, lower=lower, upper=upper, reading=reading, missing=missing))
 
 
+@knows(Table.__annotations__)
 def reduce_file(
     path: str | os.PathLike[str],
     x: Name | Sequence[Name],

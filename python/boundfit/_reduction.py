@@ -110,6 +110,7 @@ def readings(
     regressors = _tuple(x)
     if len(regressors) not in (1, 2):
         raise ValueError(f"x names {len(regressors)} columns: expected one, or two of a model with two regressors")
+    _refuse_others({"y": y, "id": id, "eps_column": eps_column, "lower": lower, "upper": upper}, {"x": regressors, "by": _tuple(by)})
     return Readings(
         x=regressors,
         y=y,
@@ -125,6 +126,10 @@ def readings(
         by=_tuple(by),
         identity=id,
     )
+
+
+#: The keywords of a question about columns of a frame, for those who hand them on.
+QUESTION = tuple(name for name in readings.__annotations__ if name not in ("x", "y", "eps", "by", "return"))
 
 
 def to_reduce(x: Names, y: str | None, eps: Number | None, fan_in: int, **question: Any) -> Readings:
@@ -143,6 +148,14 @@ def to_reduce(x: Names, y: str | None, eps: Number | None, fan_in: int, **questi
 
 def _tuple(names: Names) -> tuple[str, ...]:
     return (names,) if isinstance(names, str) else tuple(names)
+
+
+def _refuse_others(one: dict[str, Any], several: dict[str, tuple[Any, ...]]) -> None:
+    """Refuses what is no name of a column."""
+    for key, names in {**{key: (name,) for key, name in one.items() if name is not None}, **several}.items():
+        for name in names:
+            if not isinstance(name, str):
+                raise ValueError(f"{key}: {name!r} is of type {type(name).__name__}: expected the name of a column, which is a text")
 
 
 def unique(names: Sequence[str]) -> list[str]:

@@ -13,7 +13,8 @@ import pyarrow
 
 from . import _partitions
 from ._columns import Number
-from ._reduction import FAN_IN, Names, Part, Readings, ReducedFit, Reduction, merge_parts, readings, to_reduce
+from ._keywords import knows
+from ._reduction import FAN_IN, QUESTION, Names, Part, Readings, ReducedFit, Reduction, merge_parts, readings, to_reduce
 
 if TYPE_CHECKING:
     from ray.data import Dataset
@@ -25,6 +26,7 @@ ray: Any = import_module("ray")
 import_module("ray.data")
 
 
+@knows(QUESTION)
 def fit_groups(
     dataset: Dataset,
     by: Names,
@@ -48,6 +50,7 @@ def fit_groups(
     return ray.data.from_arrow_refs([_on(_fitted, own, schema, *(parts[place] for parts in places)) for place in range(count)])
 
 
+@knows(QUESTION)
 def reduce(
     dataset: Dataset, x: Names, y: str | None = None, eps: Number | None = 0, *, fan_in: int = FAN_IN, **question: Any
 ) -> Reduction:
@@ -63,6 +66,7 @@ def reduce(
     return Reduction(part.reduction, own)
 
 
+@knows(QUESTION)
 def fit(
     dataset: Dataset, x: Names, y: str | None = None, eps: Number | None = None, *, fan_in: int = FAN_IN, **question: Any
 ) -> ReducedFit:

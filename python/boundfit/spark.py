@@ -20,7 +20,8 @@ from pyspark.sql.types import StructType
 
 from . import _partitions
 from ._columns import Number
-from ._reduction import FAN_IN, Names, Readings, ReducedFit, Reduction, merge_parts, readings, to_reduce
+from ._keywords import knows
+from ._reduction import FAN_IN, QUESTION, Names, Readings, ReducedFit, Reduction, merge_parts, readings, to_reduce
 
 if TYPE_CHECKING:
     from pyspark.sql import Column, DataFrame
@@ -31,6 +32,7 @@ __all__ = ["fit", "fit_groups", "reduce"]
 MERGERS = 16
 
 
+@knows(QUESTION)
 def fit_groups(
     df: DataFrame,
     by: Names,
@@ -64,6 +66,7 @@ def fit_groups(
     return _map(df, partial(_partitions.fit_partition, own=own), answer)
 
 
+@knows(QUESTION)
 def reduce(df: DataFrame, x: Names, y: str | None = None, eps: Number | None = 0, *, fan_in: int = FAN_IN, **question: Any) -> Reduction:
     """The readings of a data frame that decide, with the sums over all: each partition is reduced where it is, what is left is put
     together where there is room, ``fan_in`` partitions at a time, and the rest on the driver. No row is moved between machines.
@@ -86,6 +89,7 @@ def reduce(df: DataFrame, x: Names, y: str | None = None, eps: Number | None = 0
     return Reduction(merged.reduction, own)
 
 
+@knows(QUESTION)
 def fit(df: DataFrame, x: Names, y: str | None = None, eps: Number | None = None, *, fan_in: int = FAN_IN, **question: Any) -> ReducedFit:
     """Fits all rows of a data frame: :func:`reduce`, and the fit of what is left. Everything is as in :func:`boundfit.fit`, but
     that the EUI is not known, nor ε_min under bounds that are fixed, since both need every reading.

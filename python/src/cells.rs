@@ -115,6 +115,10 @@ pub(crate) fn numbers(name: &str, values: &Bound<'_, PyAny>, reading: Reading) -
     Ok(MemoryNumbers::Texts(texts.collect::<PyResult<_>>()?))
 }
 
+/// Types of times, of Python and pandas, and of one that is missing.
+const TIMES: [&str; 8] =
+    ["datetime", "date", "time", "timedelta", "Timestamp", "Timedelta", "Period", "NaTType"];
+
 /// A number as a text that is exactly it, of a float what `reading` says; nothing where there is none.
 fn text(value: &Bound<'_, PyAny>, reading: Reading) -> PyResult<String> {
     if let Ok(text) = value.cast::<PyString>() {
@@ -136,9 +140,11 @@ fn text(value: &Bound<'_, PyAny>, reading: Reading) -> PyResult<String> {
         "Decimal" | "Fraction" => printed(value),
         _ if value.cast::<PyInt>().is_ok() => printed(value),
         _ if value.hasattr("as_py")? => text(&unwrapped(value)?, reading),
-        other if matches!(kind_of(value)?, Some('m' | 'M')) => Err(PyValueError::new_err(format!(
-            "{value} is a time ({other}), not a number (expected numbers, such as those of (t - t0) / one second, from a time t0 on)"
-        ))),
+        other if TIMES.contains(&other) || matches!(kind_of(value)?, Some('m' | 'M')) => {
+            Err(PyValueError::new_err(format!(
+                "{value} is a time ({other}), not a number (expected numbers, such as those of (t - t0) / one second, from a time t0 on)"
+            )))
+        }
         _ if kind_of(value)? == Some('b') => {
             Err(PyValueError::new_err(format!("{value} is a truth value, not a number")))
         }

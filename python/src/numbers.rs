@@ -101,7 +101,11 @@ pub(crate) fn printed(value: &Bound<'_, PyAny>) -> PyResult<String> {
 /// Returns the stored number of a float of numpy, as a text that is exactly it.
 fn stored_float(float: &Bound<'_, PyAny>, shown: &str) -> PyResult<String> {
     const LONGEST_DOUBLE: usize = 8;
-    let double: f64 = float.call_method0("__float__")?.extract()?;
+    // A quantity of astropy has a unit, and is no number.
+    let plain = float
+        .call_method0("__float__")
+        .map_err(|_| refuse(format_args!("{shown}: not a number without a unit")));
+    let double: f64 = plain?.extract()?;
     if float.getattr("dtype")?.getattr("itemsize")?.extract::<usize>()? <= LONGEST_DOUBLE {
         return Ok(stored_text(double));
     }

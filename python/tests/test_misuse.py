@@ -1,0 +1,128 @@
+"""What is misspelt, or none of what it should be, is refused in the words of the call."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from datetime import datetime, timedelta
+from fractions import Fraction
+from typing import Any
+
+import boundfit
+import numpy
+import pandas
+import polars
+import pytest
+from scipy import sparse
+
+X, Y = [0, 1, 2], [0, 1.5, 2]
+FIT = boundfit.fit(X, Y, "1/2")
+
+Call = Callable[..., Any]
+
+KEYWORDS: list[tuple[Call, str, str]] = [
+    (lambda **how: boundfit.fit(X, Y, **how), "epsilon", "fit() got an unexpected keyword argument 'epsilon': did you mean 'eps'?"),
+    (lambda **how: boundfit.fit_file("x.csv", "x", **how), "delimeter", "fit_file() got .* 'delimeter': did you mean 'delimiter'"),
+    (lambda **how: boundfit.status(X, Y, 1, **how), "repairs", "status() got .*: did you mean 'repair'"),
+    (lambda **how: boundfit.status(X, Y, 1, **how), "lowr", "status() got .*: did you mean 'lower'"),
+    (lambda **how: boundfit.predict(X, Y, 1, **how), "frm", "predict() got .*: did you mean 'from_'"),
+    (lambda **how: boundfit.next(X, Y, 1, **how), "with_in", "next() got .*: did you mean 'within'"),
+    (lambda **how: boundfit.range(X, Y, 1, **how), "b", "range() got .*: did you mean 'by'"),
+    (lambda **how: boundfit.outliers(X, Y, 1, **how), "mst", "outliers() got .*: did you mean 'most'"),
+    (lambda **how: boundfit.windows(X, Y, 1, **how), "windows", "windows() got .*: did you mean 'window'"),
+    (lambda **how: boundfit.linearity(X, Y, **how), "fullscale", "linearity() got .*: did you mean 'full_scale'"),
+    (lambda **how: boundfit.linearity_file("x.csv", "x", **how), "row", "linearity_file() got .*: did you mean 'rows'"),
+    (lambda **how: boundfit.reduce(X, Y, **how), "epss", "reduce() got .*: did you mean 'eps'"),
+    (lambda **how: boundfit.reduce_file("x.csv", "x", **how), "sheets", "reduce_file() got .*: did you mean 'sheet'"),
+    (lambda **how: boundfit.fit_groups({}, "g", "x", **how), "eps_col", "fit_groups() got .*: did you mean 'eps_column'"),
+    (lambda **how: boundfit.polygon([[1, 0]], [1], **how), "readings", "polygon() got .*: did you mean 'reading'"),
+    (lambda **how: boundfit.judge([1, 1], **how), "A_up", "judge() got .*: did you mean 'A_ub'"),
+    (FIT.predict, "form", "predict() got .*: did you mean 'from_'"),
+    (FIT.outliers, "max", "outliers() got .* 'max' (expected one of most, max_sets, max_steps)"),
+]
+
+
+@pytest.mark.parametrize(("call", "keyword", "words"), KEYWORDS, ids=lambda own: own if isinstance(own, str) else "")
+def test_an_unknown_keyword_is_refused_by_the_function_that_was_called(call: Call, keyword: str, words: str) -> None:
+    pattern = words.replace("(", r"\(").replace(")", r"\)").replace("?", r"\?")
+    with pytest.raises(TypeError, match=f"^{pattern}"):
+        call(**{keyword: 1})
+
+
+def test_keywords_that_only_fits_have_are_refused_with_the_reason() -> None:
+    with pytest.raises(ValueError, match="^x_eps: only fit and fit_file answer with errors in x"):
+        boundfit.status(X, Y, 1, x_eps=1)
+
+
+RECORDS = numpy.array([(0, 0.0), (1, 0.1)], dtype=[("flag", "i1"), ("y", "f8")])
+
+
+def columns() -> list[Any]:
+    with warnings.catch_warnings():
+        # Matrices are about to be left out of numpy.
+        warnings.simplefilter("ignore")
+        matrix = numpy.matrix([[0], [0.1]])
+    return [RECORDS["y"], RECORDS.view(numpy.recarray).y, matrix, sparse.csr_matrix([[0], [0.1]]), sparse.coo_array([0, 0.1])]
+
+
+@pytest.mark.parametrize("column", columns(), ids=lambda own: type(own).__name__)
+def test_columns_that_are_stored_otherwise(column: Any) -> None:
+    assert boundfit.fit([0, 1], column, 0).vertices == [(Fraction(1, 10), Fraction(0))]
+
+
+def test_groups_of_records() -> None:
+    records = numpy.array([(7, 0, 0.0), (7, 1, 2.0)], dtype=[("key", "i1"), ("x", "f8"), ("y", "f4")])
+    groups: Any = boundfit.fit_groups(records, "key", "x", "y", 0)
+    assert groups["key"] == [7] and groups["theta1_lower_exact"] == ["2"]
+
+
+class Quantity:
+    """As those of astropy and pint: an array that says which unit it has."""
+
+    def __init__(self, values: list[float], **unit: str) -> None:
+        self.values = values
+        self.__dict__.update(unit)
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
+        return numpy.array(self.values, dtype=dtype)
+
+
+@pytest.mark.parametrize(("library", "unit"), [("astropy.units.quantity", "unit"), ("pint", "units")])
+def test_a_unit_is_never_dropped(library: str, unit: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Quantity, "__module__", library)
+    with pytest.raises(ValueError, match="^eps has the unit mm: expected numbers without one"):
+        boundfit.fit([0, 1], [0, 1], Quantity([0.5, 0.5], **{unit: "mm"}))
+    for none in ("", "dimensionless"):
+        assert boundfit.fit([0, 1], Quantity([0, 0.5], **{unit: none}), 0).vertices == [(Fraction(1, 2), Fraction(0))]
+
+
+LAZY: Any = polars.DataFrame({"a": [0, 1], "b": [1, 1]}).lazy()
+FRAME = pandas.DataFrame({"g": [1], "x": [1], "y": [1]})
+
+REFUSED: list[tuple[Callable[[], Any], str]] = [
+    (lambda: boundfit.fit([0, 1], LAZY, 1), "y is of type LazyFrame: expected an array or a list of numbers, such as those of its collect()"),
+    (lambda: boundfit.fit(LAZY, [0, 1], 1), "x is of type LazyFrame"),
+    (lambda: boundfit.fit([[1, 0], [0, 1]], [1, 2], 1), "x holds lists: expected one column of numbers, or two regressors as a tuple"),
+    (lambda: boundfit.fit([0], FRAME.groupby("g")["y"], 1), "y is of type SeriesGroupBy"),
+    (lambda: boundfit.fit([0], [datetime(2020, 1, 1)], 1), "row 1 of y: 2020-01-01 00:00:00 is a time (datetime), not a number"),
+    (lambda: boundfit.fit([0], [timedelta(1)], 1), "row 1 of y: 1 day, 0:00:00 is a time (timedelta), not a number"),
+    (lambda: boundfit.fit(X, Y, 1, where=5), "where=5: expected a condition as a text, or several such texts"),
+    (lambda: boundfit.fit(X, Y, 1, where=["theta1 >= 0", 5]), "where=['theta1 >= 0', 5]: expected"),
+    (lambda: FIT.predict(at=[]), "at=[]: expected at least one number"),
+    (lambda: FIT.predict(at=[1, None]), "at: row 2, column 1 (at): "),
+    (FIT.windows, "window or window_x says how far a window reaches back"),
+    (lambda: boundfit.check(FIT, [1, 2]), "claim=1: expected two ends of each parameter"),
+    (lambda: boundfit.fit_groups(FRAME, "g", "x", ("y", "y"), 1), "y: ('y', 'y') is of type tuple: expected the name of a column"),
+    (lambda: boundfit.fit_groups(FRAME, FRAME["g"], "x", "y", 1), "by: 1 is of type int: expected the name of a column"),
+]
+
+
+@pytest.mark.parametrize(("call", "words"), REFUSED, ids=[words[:40] for _, words in REFUSED])
+def test_what_has_no_meaning_is_refused_by_name(call: Callable[[], Any], words: str) -> None:
+    with pytest.raises(ValueError) as refused:
+        call()
+    assert str(refused.value).startswith(words)
+
+
+def test_one_reading_is_one() -> None:
+    assert repr(boundfit.fit([0], [0], 1)).startswith("<boundfit.Fit of 1 reading: strip")
