@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from datetime import date
+from decimal import Decimal
+from fractions import Fraction
 from typing import Any
 
 import boundfit.dask
@@ -65,3 +68,41 @@ def test_keys_keep_their_types() -> None:
             assert [None if value is pandas.NA or value != value else value for value in found[name]] == [
                 None if value is pandas.NA or value != value else value for value in expected[name]
             ], name
+
+
+MIXED: dict[str, list[Any]] = {
+    "numbers": [0, "1", Decimal("2"), Fraction(1, 3)],
+    "long integers": [0, 10**30, 2, 3],
+    "floats and integers": [0, 2.5, 2, 3],
+}
+
+
+@pytest.mark.parametrize("name", MIXED)
+@pytest.mark.parametrize("partitions", [1, 2])
+def test_columns_of_objects_of_several_types_are_as_exact(name: str, partitions: int) -> None:
+    frame = pandas.DataFrame({"k": ["a", "b", "a", "b"], "x": [0, 1, 2, 3], "y": pandas.Series(MIXED[name], dtype=object)})
+    with dask.config.set({"dataframe.convert-string": False}):
+        found = boundfit.dask.fit_groups(dask.dataframe.from_pandas(frame, npartitions=partitions), "k", "x", "y", 0).compute()
+    expected = boundfit.fit_groups(frame, "k", "x", "y", 0).set_index("k")["theta1_lower_exact"]
+    assert found.set_index("k")["theta1_lower_exact"].to_dict() == expected.to_dict()
+
+
+@pytest.mark.parametrize("keys", [[b"a", b"b"], [1, 2.5], [date(2026, 1, 1), date(2026, 1, 2)]], ids=repr)
+def test_keys_of_objects_are_keys(keys: list[Any]) -> None:
+    frame = pandas.DataFrame({"k": pandas.Series(keys * 2, dtype=object), "x": [0, 0, 1, 1], "y": [0, 0, 1, 2]})
+    with dask.config.set({"dataframe.convert-string": False}):
+        found = boundfit.dask.fit_groups(dask.dataframe.from_pandas(frame, npartitions=2), "k", "x", "y", 0).compute()
+    assert found.set_index("k")["theta1_lower"].to_dict() == {keys[0]: 1, keys[1]: 2}
+
+
+def test_what_is_misspelt_is_refused_by_name() -> None:
+    frame = pandas.DataFrame({"k": [1], "x": [1], "y": [1]})
+    ddf = dask.dataframe.from_pandas(frame, npartitions=1)
+    with pytest.raises(ValueError, match=r"the frame has no column 'z' \(it has 'k', 'x', 'y'\)"):
+        boundfit.dask.fit(ddf, "x", "z", 1)
+    with pytest.raises(ValueError, match="the frame has no column 'key'"):
+        boundfit.dask.fit_groups(ddf, "key", "x", "y", 1)
+    with pytest.raises(ValueError, match=r"ddf is of type pandas\..*DataFrame: expected a data frame of Dask"):
+        boundfit.dask.fit(frame, "x", "y", 1)
+    with pytest.raises(TypeError, match=r"fit\(\) got an unexpected keyword argument 'epsilon_column': did you mean 'eps_column'\?"):
+        boundfit.dask.fit(ddf, "x", "y", epsilon_column="y")
