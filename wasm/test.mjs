@@ -377,6 +377,21 @@ test("options that are wrong are refused by name", () => {
   refused({ ...whole, eps: `1e${"9".repeat(9)}` }, /^eps: "1e9+": refused: .*; limits: {"exponent": N} raises it$/);
 });
 
+test("options that JSON has no word for are refused by name", () => {
+  const whole = { x: "x", y: "y", eps: "1" };
+  const refused = (options, message) => {
+    for (const answer of [run, lesson]) assert.throws(() => answer("x,y\n1,2\n", options), { name: "TypeError", message });
+  };
+  refused({ ...whole, eps: 5n }, 'eps: 5 is of type bigint, which JSON does not have (expected text, such as "5", or a number)');
+  refused({ ...whole, digits: Number.NaN }, /^digits: NaN is of type number, which JSON does not have/);
+  refused({ ...whole, limits: { rows: Infinity } }, /^rows: Infinity is of type number/);
+  refused({ ...whole, where: [Symbol("s")] }, /^0: Symbol\(s\) is of type symbol/);
+  refused({ ...whole, title: () => "t" }, /^title: .* is of type function/);
+  assert.throws(() => run("x,y\n1,2\n", { ...whole, rows: [] }), { name: "TypeError", message: /^rows: none is chosen/ });
+  for (const none of [null, [], "x", 5]) refused(none, /^the options are no object/);
+  assert.equal(JSON.parse(run("x,y\n1,2\n", { ...whole, title: undefined })).input.rows, 1);
+});
+
 test("a limit is raised by its name, in a report and in a lesson", () => {
   const digits = "7".repeat(12_000);
   const table = `x,y\n1,1\n2,${digits}\n`;
@@ -428,7 +443,11 @@ test("after a trap the engine is started anew", () => {
   // All memory that there can be is taken: no table finds room.
   const pages = 2 ** 16 - exports.memory.buffer.byteLength / 2 ** 16;
   exports.memory.grow(pages);
-  assert.throws(() => run("x,y\n".padEnd(2 ** 24, "1,2\n"), question), WebAssembly.RuntimeError);
+  assert.throws(() => run("x,y\n".padEnd(2 ** 24, "1,2\n"), question), (error) => {
+    assert.ok(error instanceof WebAssembly.RuntimeError);
+    assert.match(error.message, /^the engine stopped, for lack of memory or through a fault of its own, and was started anew: /);
+    return true;
+  });
   assert.equal(run("x,y\n1,2\n2,3\n", question), before);
 });
 

@@ -34,13 +34,19 @@ export const start = async (packed) => {
  * Answers a question about readings, the fit unless `options.ask` names another one, as JSON unless `options.format` says otherwise.
  *
  * Throws an Error in the words of the program where options or table are wrong, before {@link start} has ended too, and a TypeError where
- * the table is neither text nor bytes. A trap, such as for lack of memory, is thrown too; the
+ * the table is neither text nor bytes, or an option is nothing that JSON has. A trap, such as for lack of memory, is thrown too; the
  * engine is started anew then, so that the next call finds it whole.
  * @param {Table} table
  * @param {Options} options the options of the program, with `_` in the place of `-` (docs/wasm.md)
  * @returns {string}
  */
-export const run = (table, options) => ask(runOnce, table, options);
+export const run = (table, options) => {
+  // A page may have no readings yet. Elsewhere no rows would mean all of them.
+  if (typeof options === "object" && options !== null && "rows" in options && Array.isArray(options.rows) && options.rows.length === 0) {
+    throw new TypeError("rows: none is chosen (expected at least one row; without this key all rows are fitted)");
+  }
+  return ask(runOnce, table, options);
+};
 
 /**
  * Returns the data of the page of `boundfit lesson`: the document of schema `boundfit/lesson/3`. The exact simplex alone answers its
@@ -80,6 +86,22 @@ const bytesOf = (table) => {
 };
 
 /**
+ * Options as JSON. What JSON has no word for would be left out, or be null, and nobody would hear of it.
+ * @param {object} options
+ */
+const jsonOf = (options) => {
+  if (typeof options !== "object" || options === null || Array.isArray(options)) {
+    throw new TypeError('the options are no object (expected one such as {x: "V", y: "z", eps: "1/2"})');
+  }
+  return JSON.stringify(options, (key, value) => {
+    const isNumber = typeof value === "number" && Number.isFinite(value);
+    if (isNumber || ["string", "boolean", "undefined", "object"].includes(typeof value)) return value;
+    const expected = typeof value === "bigint" ? `text, such as "${value}", or a number` : "text, a number, true or false, an array or an object";
+    throw new TypeError(`${key}: ${String(value)} is of type ${typeof value}, which JSON does not have (expected ${expected})`);
+  });
+};
+
+/**
  * @param {(table: Uint8Array, options: string) => string} answer
  * @param {Table} table
  * @param {object} [options] none where the engine is to say which are missing
@@ -88,9 +110,11 @@ const ask = (answer, table, options = {}) => {
   if (!isStarted) throw new Error("the engine has not been started: wait for start(bytes) with the bytes of boundfit_wasm.wasm.gz");
   const bytes = bytesOf(table);
   try {
-    return answer(bytes, JSON.stringify(options));
+    return answer(bytes, jsonOf(options));
   } catch (error) {
-    if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) startAnew();
-    throw error;
+    if (!(error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) throw error;
+    startAnew();
+    const why = "the engine stopped, for lack of memory or through a fault of its own, and was started anew";
+    throw new WebAssembly.RuntimeError(`${why}: ${error.message}`, { cause: error });
   }
 };
