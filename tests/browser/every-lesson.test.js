@@ -184,6 +184,19 @@ test("why the set is empty, and whether an error bound helps", async () => {
   }
 });
 
+test("readings that hardly differ do not look alike", async () => {
+  const { page, complaints, close } = await openLesson(browser, SPECIAL.near);
+  const last = ["000000000000", "000000000001", "000000000002", "000000000003"];
+  const cells = await page.locator("#readings tbody tr").evaluateAll((rows) => rows.map((row) => row.querySelectorAll("td")[0].textContent));
+  assert.deepEqual(cells, ["1000000", ...last.slice(1).map((digits) => `1000000.${digits}`)]);
+  const spoken = await page.locator("#data-plane [data-reading]").evaluateAll((own) => own.map((each) => each.getAttribute("aria-label")));
+  assert.equal(spoken[1], "Reading 2: x = 1000000.000000000001, y = 1000000.000000000015 ± 1e−11");
+  await page.locator("#data-plane [data-reading='2']").press("Enter");
+  assert.match(await page.locator("#inspector").innerText(), /θ₁·\(1000000\.000000000001\) \+ θ₂ ≤ 1000000\.000000000025/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("many active bounds are listed in short, and in full on demand", async () => {
   const { page, complaints, close } = await openLesson(browser, SPECIAL.duplicates);
   assert.ok((await page.locator("#active").textContent()).length < 150);

@@ -38,6 +38,10 @@ export const SPECIAL = {
   fromLeast: [csv("crooked", "x,y", "1,1", "2,3", "3,2"), "--x", "x", "--y", "y", "--eps", "1.2*min"],
   least: [csv("crooked", "x,y", "1,1", "2,3", "3,2"), "--x", "x", "--y", "y", "--eps", "min"],
   oneReading: [csv("one-reading", "x,y", "1,1"), "--x", "x", "--y", "y", "--eps", "0.1", "--where", "theta1>=0"],
+  near: [
+    csv("near", "x,y", ...["0,0", "1,15", "2,20", "3,35"].map((own) => own.replace(/\d+/g, (digits) => `1000000.${digits.padStart(12, "0")}`))),
+    "--x", "x", "--y", "y", "--eps", "1e-11",
+  ],
   noError: [straight, "--x", "x", "--y", "y", "--eps", "0"],
 };
 /** The options of `boundfit` for the data sets of the tests. */

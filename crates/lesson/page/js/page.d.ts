@@ -101,6 +101,8 @@ interface Lesson {
   points: Pair[];
   /** The index of the reading of a row. */
   rowIndex: Map<number, number>;
+  /** How far the readings lie apart in each column. */
+  widths: { phi: Rational[]; y: Rational };
   fps: Region;
   /** Whether leaving out the reading of a row changes the set. */
   matters: Map<number, boolean>;

@@ -2,7 +2,7 @@
 // Numbers and names as text.
 
 import { numberText, said, t } from "../texts.js";
-import { HALF, Rational, decimalPower, powerOfTen } from "./rational.js";
+import { HALF, Rational, ZERO, decimalPower, powerOfTen } from "./rational.js";
 
 const LONGEST_FRACTION = 44;
 const MOST_DIGITS = 40;
@@ -11,6 +11,7 @@ const LARGEST_PLAIN = 14;
 const LEAST_PLAIN = -4;
 const LONGEST_LIST = 12;
 const SHORTEST_RUN = 3;
+const THOUSANDTH = decimalPower(-3);
 
 /**
  * A decimal with at most `digits` significant digits, the one that the engine writes.
@@ -106,11 +107,14 @@ function placePoint(text, exponent, exact) {
 }
 
 /**
- * A measured value as it was written down, 0.013 and not 1.3e-2, when its decimal is short; else five digits.
+ * A measured value as it was written down, 0.013 and not 1.3e-2, when its decimal is short; else five digits, or as many more as tell
+ * it from values that differ by a thousandth of `width`.
  * @param {Rational} value
+ * @param {Rational} [width] how far the values beside it lie apart
  */
-export function plain(value) {
-  if (!value.isZero() && value.decimalExponent() > LARGEST_PLAIN) return decimal(value);
+export function plain(value, width = ZERO) {
+  const digits = digitsFor(value, width.times(THOUSANDTH));
+  if (!value.isZero() && value.decimalExponent() > LARGEST_PLAIN) return decimal(value, digits);
   for (let places = 0; places <= MOST_PLACES; places += 1) {
     const scaled = value.times(decimalPower(places));
     if (scaled.denominator !== 1n) continue;
@@ -119,7 +123,7 @@ export function plain(value) {
     const text = places === 0 ? digits : `${digits.slice(0, point)}.${digits.slice(point)}`;
     return numberText(value.sign() < 0 ? `-${text}` : text);
   }
-  return decimal(value);
+  return decimal(value, digits);
 }
 
 /**

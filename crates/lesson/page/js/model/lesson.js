@@ -45,6 +45,7 @@ export function readLesson(data) {
     })),
     points: data.points.map(pairOf),
     rowIndex: new Map(readings.map((reading) => [reading.row, reading.index])),
+    widths: { phi: [0, 1].map((k) => columnWidth(readings.map(({ phi }) => phi[k]))), y: columnWidth(readings.map(({ y }) => y)) },
   });
   for (const halfPlane of lesson.halfPlanes) {
     const { row, bound } = halfPlane.name;
@@ -60,6 +61,16 @@ export function readLesson(data) {
   const { uniform } = data.epsilon;
   lesson.epsilon = uniform === null || uniform.exact === "0" ? null : exactOf(uniform);
   return lesson;
+}
+
+/**
+ * How far values lie apart; 0 for none.
+ * @param {Rational[]} values
+ */
+function columnWidth(values) {
+  if (values.length === 0) return ZERO;
+  const [least, most] = extremes(values);
+  return most.minus(least);
 }
 
 /**

@@ -34,9 +34,18 @@ function thetaList(lesson, theta, digits) {
  * @param {Reading} reading
  */
 function form(lesson, reading) {
-  const first = plain(reading.phi[0]);
+  const [first, second] = reading.phi.map((value, k) => plain(value, lesson.widths.phi[k]));
   if (lesson.isLine) return `θ₁·(${first}) + θ₂`;
-  return `θ₁·(${first}) + θ₂·(${plain(reading.phi[1])})`;
+  return `θ₁·(${first}) + θ₂·(${second})`;
+}
+
+/**
+ * What tells an end of a reading from others: its bound, which may be much smaller than its y.
+ * @param {Lesson} lesson
+ * @param {Reading} reading
+ */
+function endWidth(lesson, reading) {
+  return reading.epsilon.isZero() ? lesson.widths.y : reading.epsilon;
 }
 
 /**
@@ -51,7 +60,7 @@ export function inequality(lesson, halfPlane, s) {
   const { reading } = halfPlane;
   const upper = halfPlane.name.bound === "upper";
   const end = boundAt(reading, upper ? "upper" : "lower", s) ?? halfPlane.b;
-  return `${form(lesson, reading)} ${upper ? "≤" : "≥"} ${plain(end)}`;
+  return `${form(lesson, reading)} ${upper ? "≤" : "≥"} ${plain(end, endWidth(lesson, reading))}`;
 }
 
 /**
@@ -65,7 +74,7 @@ function aboutVertex(lesson, scene, index) {
     if (name.row === null) return theBound(name);
     const isUpper = name.bound === "upper";
     const reading = readingOfRow(lesson, name.row);
-    const end = plain(boundAt(reading, isUpper ? "upper" : "lower", scene.s) ?? reading.y);
+    const end = plain(boundAt(reading, isUpper ? "upper" : "lower", scene.s) ?? reading.y, endWidth(lesson, reading));
     const isAroundY = reading.fixed === null && reading.middle.equals(reading.y);
     const sum = isAroundY ? `${lesson.data.model.y} ${isUpper ? "+" : "−"} ε = ` : "";
     return t(isUpper ? "vertex.end-upper" : "vertex.end-lower", { row: name.row, sum, end });

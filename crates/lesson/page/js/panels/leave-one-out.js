@@ -238,8 +238,8 @@ export function drawReadings(lesson, state) {
           `${reading.row}`,
         ),
       ),
-      columns.map((_, k) => element("td", { class: "number" }, plain(reading.phi[k]))),
-      element("td", { class: "number" }, plain(reading.y)),
+      columns.map((_, k) => element("td", { class: "number" }, plain(reading.phi[k], lesson.widths.phi[k]))),
+      element("td", { class: "number" }, plain(reading.y, lesson.widths.y)),
       element("td", { class: "number" }, reading.fixed === null ? plain(reading.epsilon) : t("readings.one-bound")),
       element("td", {}, matters ? element("b", {}, t("readings.yes")) : t("readings.no")),
       element(

@@ -202,7 +202,7 @@ function drawnReading(lesson, state, scene, reading, frame, map, focused) {
   }
   const { model } = lesson.data;
   const name = model.kind === "line" ? model.x : t("readings.row");
-  const abscissa = lesson.isLine ? plain(reading.phi[0]) : `${reading.row}`;
+  const abscissa = lesson.isLine ? plain(reading.phi[0], lesson.widths.phi[0]) : `${reading.row}`;
   return element(
     "g",
     {
@@ -256,9 +256,9 @@ function hasDot(reading) {
 function spokenBounds(lesson, reading) {
   const { y } = lesson.data.model;
   if (reading.fixed === null && reading.middle.equals(reading.y))
-    return `${y} = ${plain(reading.y)} ± ${plain(reading.epsilon)}`;
+    return `${y} = ${plain(reading.y, lesson.widths.y)} ± ${plain(reading.epsilon)}`;
   const [upper, lower] = [boundAt(reading, "upper", ONE), boundAt(reading, "lower", ONE)];
-  const words = [lower === null ? [] : [t("data-plane.at-least", { end: plain(lower) })], upper === null ? [] : [t("data-plane.at-most", { end: plain(upper) })]];
+  const words = [lower === null ? [] : [t("data-plane.at-least", { end: plain(lower, lesson.widths.y) })], upper === null ? [] : [t("data-plane.at-most", { end: plain(upper, lesson.widths.y) })]];
   return said({ list: words.flat() });
 }
 

@@ -57,7 +57,7 @@ export function worstLines(lesson, state, frame, map) {
 function handle(lesson, name, side, x, height, frame, map) {
   const [px, py] = map.to([frame.number(0, x), bounded(frame.height([x, ONE], height), map)]);
   const { model } = lesson.data;
-  const where = `${model.kind === "line" ? model.x : ""} = ${plain(x)}`;
+  const where = `${model.kind === "line" ? model.x : ""} = ${plain(x, lesson.widths.phi[0])}`;
   return element(
     "g",
     {
@@ -69,7 +69,7 @@ function handle(lesson, name, side, x, height, frame, map) {
       tabindex: 0,
       "aria-orientation": "vertical",
       "aria-valuenow": height.toNumber(),
-      "aria-valuetext": `${model.y} = ${plain(height)}`,
+      "aria-valuetext": `${model.y} = ${plain(height, lesson.widths.y)}`,
       "aria-label": t(`worst.handle.${name}`, { where }),
     },
     element("rect", { class: "hit", x: round(px - REACH), y: round(py - REACH), width: 2 * REACH, height: 2 * REACH }),
