@@ -13,9 +13,12 @@ use crate::commands::{Arguments, alone, with_short_help};
 /// name.
 const MEANT: [(&str, &str); 3] = [("-x", "--x"), ("-y", "--y"), ("-e", "--eps")];
 
-/// The answer to a request for y at other x, which is a picture, not a list.
-const PREDICTED: &str =
-    "the values that y may have at any x are the corridor: 'boundfit plot ... --figure corridor' draws it";
+/// The answer to a request for y at other x.
+const PREDICTED: &str = "'boundfit predict ... --at X' answers this";
+
+/// The answer to a fit without an error bound.
+const UNBOUNDED: &str = "--eps 0.5 says that no error exceeds 0.5; if you know no bound, --eps '1.2*min' takes one from the readings, \
+                         which guarantees nothing";
 
 /// The program's arguments; ends the program where they are not understood.
 pub(crate) fn parse() -> Arguments {
@@ -73,6 +76,10 @@ fn with_tips(mut error: clap::Error) -> clap::Error {
     match error.kind() {
         ErrorKind::UnknownArgument => {
             let asked = asked(ContextKind::InvalidArg).unwrap_or_default();
+            if asked.starts_with("--") {
+                // The suggestion of clap to take an option for a value: no command has such values.
+                error.remove(ContextKind::Suggested);
+            }
             if let Some((_, meant)) = MEANT.iter().find(|(short, _)| *short == asked) {
                 // Nobody wants such a value.
                 error.remove(ContextKind::Suggested);
@@ -100,6 +107,14 @@ fn with_tips(mut error: clap::Error) -> clap::Error {
                     Foreign::of(&asked)
                 );
                 error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![StyledStr::from(tip)]));
+            }
+        }
+        ErrorKind::MissingRequiredArgument => {
+            let is_bound = |name: &String| name.starts_with("<--eps ");
+            if matches!(error.get(ContextKind::InvalidArg), Some(ContextValue::Strings(names)) if names.iter().any(is_bound))
+            {
+                let tip = StyledStr::from(UNBOUNDED);
+                error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
             }
         }
         _ => {}

@@ -35,7 +35,7 @@ fn the_brief_report_has_ten_lines() {
 #[test]
 fn options_that_a_format_has_no_use_for_are_refused() {
     for (options, message) in [
-        ("--vertices", "'--vertices' is about '--format csv'; other formats have the vertices anyway"),
+        ("--vertices", "'--vertices' needs '--format csv'; other formats contain the vertices anyway"),
         (
             "--brief --format json",
             "'--brief', '--full' and '--inverse' need the format text, latex or markdown; other formats contain everything",

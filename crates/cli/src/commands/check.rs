@@ -13,14 +13,14 @@ use boundfit_estimation::Problem;
 use boundfit_exact::{Foreign, Reading};
 use boundfit_lp::Verdict;
 use boundfit_report::{Theory, check_document, check_json};
+use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
-use clap::{Args, value_parser};
 
 use super::proof_file::{self, SmallFile};
 use crate::exit::{CommandResult, Exit, Failure};
 use crate::input::read_text;
 use crate::options::{
-    BAD_DATA, BAD_USAGE, DataArguments, Format, Notes, OutputArguments, Switch, ToleranceArguments,
+    BAD_DATA, BAD_USAGE, DataArguments, Format, Notes, OutputArguments, Switch, ToleranceArguments, whole,
 };
 use crate::output;
 use crate::progress::while_working;
@@ -80,7 +80,7 @@ pub(crate) struct CheckArguments {
     all_rows: bool,
     /// Compare the set with the optimal points of linear programs in N directions
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "16",
-          value_parser = value_parser!(u16).range(3..=10000))]
+          value_parser = whole::<u16>(3, 10_000))]
     directions: Option<u16>,
     /// Spread these directions evenly after scaling the box of both intervals to a square, and not in the plane of
     /// theta1 and theta2
@@ -95,7 +95,7 @@ pub(crate) struct CheckArguments {
     #[command(flatten)]
     tolerance: ToleranceArguments,
     /// Seconds that a solver may spend on one program
-    #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = value_parser!(u64).range(1..=86400))]
+    #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = whole::<u64>(1, 86_400))]
     time_limit: u64,
     #[command(flatten)]
     output: OutputArguments,

@@ -25,7 +25,7 @@ pub(super) const NOTES: Notes = Notes {
         BAD_USAGE,
         (
             3,
-            "the feasible parameter set is empty; the page shows why, and from which error bound on there is one",
+            "the feasible parameter set is empty; the page shows why, and the smallest error bound that leaves a set",
         ),
     ],
 };

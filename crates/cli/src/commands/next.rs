@@ -31,8 +31,8 @@ pub(super) const NOTES: Notes = Notes {
 /// Find where to take the next reading, so that the feasible set certainly gets smaller
 ///
 /// Where the feasible lines are farther apart than twice the error bound, a further reading cuts some of them off, whatever it
-/// shows; elsewhere it may agree with all of them. Reported are the x where a reading certainly helps and, within a range, the x
-/// whose worst outcome leaves the shortest interval of theta1, the shortest one of theta2 and the smallest area. All of it is exact.
+/// shows; elsewhere it may agree with all of them. The report lists the x where a reading certainly helps. Within a range it names
+/// the x whose worst outcome leaves the shortest interval of theta1, of theta2, and the smallest area. All of it is exact.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct NextArguments {
@@ -44,7 +44,7 @@ pub(crate) struct NextArguments {
     /// Goal of the reading: make small theta1 or theta2 (the length of its interval) or area [default: all three]
     #[arg(long, value_name = "GOAL")]
     goal: Option<String>,
-    /// Error bound of the next reading, where it is not that of the fitted ones
+    /// Error bound of the next reading, if it differs from that of the fitted ones
     #[arg(long, value_name = "NUM", allow_hyphen_values = true)]
     new_eps: Option<String>,
     #[command(flatten)]

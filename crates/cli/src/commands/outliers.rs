@@ -9,29 +9,29 @@ use super::asked::Job;
 use crate::exit::{CommandResult, Failure};
 use crate::options::{
     BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, ProofArguments, TableFormat, ThreadArguments,
-    limits,
+    limits, whole,
 };
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
         (
-            "Which of all 46 readings have to be left out for a line within 0.5 mm of the others",
+            "The fewest of all 46 readings to leave out for a line within 0.5 mm of the others",
             "boundfit outliers transducer.csv --x Vz --y z --eps 0.5e-3",
         ),
         (
-            "How the set grows when up to 3 readings more than 0 may be missed, as JSON",
+            "How the set grows if up to 3 readings may be missed, as JSON",
             "boundfit outliers readings.csv --x x --y y --eps 0.1 --most 3 --format json",
         ),
         (
-            "The picture of what is left",
+            "A picture of the remaining sets",
             "boundfit plot readings.csv --x x --y y --eps 0.1 --figure outliers -o outliers.svg",
         ),
     ],
     statuses: &[
-        (0, "the least number is found, be it 0"),
+        (0, "the smallest number is found; it may be 0"),
         BAD_DATA,
         BAD_USAGE,
-        (3, "nothing is left whatever is left out, since the conditions contradict each other"),
+        (3, "the conditions contradict each other, so that leaving readings out does not help"),
     ],
 };
 
@@ -39,7 +39,7 @@ pub(super) const NOTES: Notes = Notes {
 ///
 /// A reading is left out with both of its bounds; conditions (--where) are never left out. The report contains the
 /// smallest number q, every set of q readings that leaves something, by how much each of its readings is missed, and
-/// the remaining polygons. There is one convex polygon per set, and they are apart from each other. --most adds the
+/// the remaining polygons. Each set leaves one convex polygon; no two polygons have a point in common. --most adds the
 /// ranges, area, pieces and holes of the parameters that miss at most 0, 1, 2 ... readings.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction, Limit::Sets, Limit::Steps])))]
@@ -48,7 +48,7 @@ pub(crate) struct OutliersArguments {
     data: DataArguments,
     /// Also report how the set grows if up to Q readings may be missed: pieces, holes, ranges and area for each number
     /// from 0 to Q
-    #[arg(long, value_name = "Q")]
+    #[arg(long, value_name = "Q", allow_hyphen_values = true, value_parser = whole::<u32>(0, u64::MAX))]
     most: Option<u32>,
     #[command(flatten)]
     proof: ProofArguments,

@@ -3,7 +3,7 @@
 use boundfit_ask::{Form, RowWords};
 use boundfit_exact::{Foreign, Limit, Reading};
 use boundfit_figures::{PictureFormat, draw_region};
-use boundfit_formats::{HalfPlaneFile, TableOptions, read_half_planes};
+use boundfit_formats::{HalfPlaneFile, InputError, InputErrorKind, TableOptions, read_half_planes};
 use boundfit_geometry::Polyhedron;
 use boundfit_report::{
     ProofQuestion, Theory, h_representation, kernel_half_planes, polygon_document, polygon_json,
@@ -76,6 +76,17 @@ pub(crate) struct PolygonArguments {
     output: OutputArguments<ReportFormat>,
 }
 
+/// Reports a refusal; of a table with other columns it says which columns half-planes have.
+fn refused(problem: InputError) -> Failure {
+    let has_others = matches!(problem.kind, InputErrorKind::UnknownColumn { .. });
+    match Failure::refused(problem) {
+        Failure::Data(message) if has_others => {
+            Failure::Data(format!("{message}; a row a1,a2,b means a1*theta1 + a2*theta2 <= b"))
+        }
+        failure => failure,
+    }
+}
+
 /// Reads the half-planes, or finds those of generators, intersects them and writes the report.
 pub(super) fn run(arguments: &PolygonArguments) -> CommandResult {
     let output = arguments.output.file.output.as_deref();
@@ -106,7 +117,7 @@ pub(super) fn run(arguments: &PolygonArguments) -> CommandResult {
     let options = TableOptions { row_cost: memory::OF_A_HALF_PLANE, ..options };
     let source = input::open(&arguments.file).map_err(Failure::refused)?;
     let name = source.name().to_owned();
-    let file = read_half_planes(source, &options).map_err(Failure::refused)?;
+    let file = read_half_planes(source, &options).map_err(refused)?;
     refuse_long(name.borrowed(), &file.system.work(), times::POLYGON, &arguments.table.limits)?;
     input::say_table(name.borrowed(), file.table.as_ref(), 0);
     let polyhedron = Polyhedron::intersect(file.system.clone());

@@ -12,7 +12,7 @@ use crate::options::{
 pub(super) const NOTES: Notes = Notes {
     examples: &[
         (
-            "Where a sensor is linear to half a millimetre: every run of readings, in order of x, that a line agrees with",
+            "Where a sensor is linear to half a millimetre: every run of readings, in order of x, that one line fits",
             "boundfit range transducer.csv --x Vz --y z --eps 0.5e-3",
         ),
         (

@@ -21,11 +21,11 @@ pub(super) const NOTES: Notes = Notes {
              boundfit fit reduced.csv --x x --y y --eps 0.01",
         ),
         (
-            "Parts reduced apart, put together, and reduced again",
+            "Reductions of two parts, joined and reduced again",
             "cat monday.csv tuesday.csv | boundfit reduce - --x x --y y -o both.csv",
         ),
         (
-            "Readings between bounds of their own, of which a fit takes the same columns",
+            "Readings between bounds of their own; a fit of the reduction takes the same columns",
             "boundfit reduce clocks.csv --x t --lower earliest --upper latest -o reduced.csv",
         ),
     ],
@@ -44,7 +44,7 @@ pub(super) const NOTES: Notes = Notes {
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_group("EpsilonArguments", |group| group.required(false)))]
 pub(crate) struct ReduceArguments {
-    /// A table of readings (text or a MATLAB .mat file), or reductions, or - for standard input
+    /// A table of readings or reductions, or - for standard input
     data: String,
     /// Column of x by header name or number from 1; two for the model y = theta1*COL + theta2*COL2 + e
     #[arg(long, value_name = "COL[,COL2]", value_parser = parse_regressors, required = true)]

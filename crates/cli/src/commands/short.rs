@@ -19,7 +19,7 @@ const GROUPS: [Group; 3] = [
             ("direction", "Column that says up or down"),
             ("eps", "Error bound: 0.5e-3, '1%*|y|', written, min"),
             ("eps-column", "Column with the error bound of each reading"),
-            ("lower", "Column with the least value of the model"),
+            ("lower", "Column with the smallest value of the model"),
             ("upper", "Column with the largest value of the model"),
             ("rows", "Use these rows only, such as 14..36"),
             ("where-row", "Use rows by a column, such as 'T >= 20'"),
@@ -39,18 +39,18 @@ const GROUPS: [Group; 3] = [
             ("grid", "Predict y at N steps between two x"),
             ("within", "Best x in this range, such as -10..10"),
             ("goal", "Make theta1, theta2 or area small"),
-            ("new", "File of readings to judge by the set"),
-            ("repair", "Report what would mend each reading"),
+            ("new", "Table of readings to judge by the set"),
+            ("repair", "Find the least widening that leaves a set"),
             ("by-row", "Runs in the order of rows"),
-            ("most", "The most readings to ignore"),
+            ("most", "Also sets that miss up to Q readings"),
             ("full-scale", "The full scale, in units of y"),
             ("through", "Point that the line goes through"),
-            ("claim", "File with the answer of a solver"),
-            ("claim-pui", "Four interval ends that were claimed"),
+            ("claim", "File with the claimed answer; repeatable"),
+            ("claim-pui", "Claimed ends of both intervals"),
             ("solver", "LP solver to judge; repeatable"),
-            ("tolerance", "Relative error that is excused"),
-            ("to", "Format of the programs"),
-            ("objective", "End of an interval to be computed"),
+            ("tolerance", "Largest relative error that is excused"),
+            ("to", "Format of the programs: mps or lp"),
+            ("objective", "Write only this program, such as theta1-max"),
             ("solution", "Answer of a solver to judge; repeatable"),
             ("figure", "Picture to draw"),
         ],
@@ -65,7 +65,7 @@ const GROUPS: [Group; 3] = [
             ("digits", "Significant digits"),
             ("exact", "Fractions in place of decimals"),
             ("size", "Width of the picture, such as 85mm"),
-            ("title", "Title"),
+            ("title", "Title of the page or picture"),
             ("language", "Language of the page"),
         ],
     ),
@@ -73,7 +73,7 @@ const GROUPS: [Group; 3] = [
 
 /// A line about the words of several commands that are no options.
 const WORDS: [(&str, &str); 2] =
-    [("data", "A table, or - for standard input"), ("more", "Further tables, drawn beside it")];
+    [("data", "A table, or - for standard input"), ("more", "Further tables in the same picture")];
 
 /// The program with the short help.
 pub(crate) fn with_short_help(program: Command) -> Command {

@@ -13,7 +13,7 @@ use crate::options::{
 pub(super) const NOTES: Notes = Notes {
     examples: &[
         (
-            "Which of rows 14 to 36 decide the set, and what it would be to each without it",
+            "The readings of rows 14 to 36 that decide the set, and each reading against the others",
             "boundfit status transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3",
         ),
         (
@@ -21,7 +21,7 @@ pub(super) const NOTES: Notes = Notes {
             "boundfit status transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --new new.csv",
         ),
         (
-            "Which error bounds must be wider, and by how much, where no line meets all",
+            "If no line agrees with all: which error bounds must be wider, and by how much",
             "boundfit status transducer.csv --x Vz --y z --rows 14..36 --eps 0.2e-3 --repair",
         ),
     ],
@@ -31,7 +31,7 @@ pub(super) const NOTES: Notes = Notes {
         BAD_USAGE,
         (
             3,
-            "the feasible parameter set is empty; told is which readings alone can be left out so that it is not",
+            "the feasible parameter set is empty; the report names each reading whose removal alone makes it non-empty",
         ),
     ],
 };

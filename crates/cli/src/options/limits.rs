@@ -23,7 +23,7 @@ struct AskedLimit {
     most: u64,
 }
 
-/// The most that an input may ask for. The short help is silent about it: a message that names a limit also says how it is raised.
+/// The limits on what an input may ask for. The short help is silent about it: a message that names a limit also says how it is raised.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct LimitArguments {
     #[arg(long, value_name = "NAME=N", value_parser = parser(&[]), help = HELP, long_help = long_help(&[]),
@@ -34,7 +34,7 @@ pub(crate) struct LimitArguments {
     memory: Arc<OnceLock<MemoryBudget>>,
 }
 
-const HELP: &str = "The most that an input may ask for of something; repeatable";
+const HELP: &str = "Change the limit of this name; repeatable";
 
 /// The option of a command that has limits of its own.
 pub(crate) fn with(own: &'static [Limit]) -> impl FnOnce(Arg) -> Arg {

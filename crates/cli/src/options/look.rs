@@ -3,9 +3,11 @@
 use boundfit_ask::ValueProblem;
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use boundfit_figures::{Encoding, PictureFormat, PlotOptions};
-use clap::{Args, value_parser};
+use clap::Args;
 
 use crate::exit::Failure;
+
+use super::values::whole;
 
 /// The heading of these options.
 const LOOK: &str = "Look";
@@ -21,7 +23,7 @@ pub(crate) struct LookArguments {
     #[arg(long, help_heading = LOOK, value_name = "SIZE", value_parser = parse_font_size)]
     font_size: Option<u32>,
     /// Dots per inch of a PNG [default: 192]
-    #[arg(long, help_heading = LOOK, value_name = "N", value_parser = value_parser!(u16).range(30..=1200))]
+    #[arg(long, help_heading = LOOK, value_name = "N", value_parser = whole::<u16>(30, 1200))]
     dpi: Option<u16>,
     /// Ends of the x axis; in figures of the parameter plane, of theta1
     #[arg(long, help_heading = LOOK, value_name = "LOWER..UPPER", value_parser = parse_range, allow_hyphen_values = true)]

@@ -24,5 +24,5 @@ pub(crate) use shared::{
     ReplaceArguments, TableArguments, ThreadArguments,
 };
 pub(crate) use tolerance::{Switch, ToleranceArguments};
-pub(crate) use values::{column_text, explained, named, parse_regressors, words_or_auto};
+pub(crate) use values::{column_text, explained, named, parse_regressors, whole, words_or_auto};
 pub(crate) use x_errors::XErrorArguments;

@@ -5,13 +5,13 @@ use boundfit_exact::{DecimalMark, Foreign, Reading};
 use boundfit_formats::{DELIMITERS, Header, Missing};
 use boundfit_report::EndRounding;
 use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser};
-use clap::{ArgAction, Args, ValueEnum, value_parser};
+use clap::{ArgAction, Args, ValueEnum};
 
 use crate::exit::Failure;
 use crate::output::Guard;
 
 use super::endings::{Format, NamedFormat, told_by_name};
-use super::values::{named, parse_regressors, words_or_auto};
+use super::values::{named, parse_regressors, whole, words_or_auto};
 use super::{LimitArguments, RowArguments};
 
 /// The place where a text goes.
@@ -43,14 +43,15 @@ impl ReplaceArguments {
 #[derive(Debug, Args)]
 pub(crate) struct ThreadArguments {
     /// Threads that read and reduce the data [default: all processors]. The answer does not depend on it
-    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024))]
     pub(super) threads: Option<u16>,
 }
 
 /// The readings that are fitted, and their bounds.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct DataArguments {
-    /// A table of readings (delimited text or a MATLAB .mat file), or - for standard input
+    /// A table of readings (delimited text, JSON, a workbook .xlsx or .ods, or a .mat file, plain or packed), or - for
+    /// standard input
     pub(super) data: String,
     /// Column of x by header name or number from 1 (in a .mat file a vector's name, or 'M(:,2)'); two for the model
     /// y = theta1*COL + theta2*COL2 + e
@@ -186,7 +187,7 @@ pub(crate) struct OutputArguments<F: ValueEnum + Send + Sync + 'static = Format>
     #[command(flatten)]
     pub(crate) file: FileArguments,
     /// Significant digits of decimals. Default: 5, in text more if an interval or vertices need more
-    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1000))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1000))]
     pub(super) digits: Option<u16>,
     /// Round interval ends outward, or to nearest as papers print them
     #[arg(long, default_value = EndRounding::Outward.name(),

@@ -42,6 +42,6 @@ impl ToleranceArguments {
         let expected = "expected a number that is at least 0, such as 1e-6";
         let tolerance = Reading::Decimal.read(&self.tolerance, &limits);
         let tolerance = tolerance.map_err(|error| refuse(ValueProblem::Number { error, expected }))?;
-        if tolerance.is_negative() { Err(refuse(ValueProblem::Expected("negative"))) } else { Ok(tolerance) }
+        if tolerance.is_negative() { Err(refuse(ValueProblem::Expected(expected))) } else { Ok(tolerance) }
     }
 }

@@ -31,6 +31,20 @@ pub(crate) fn explained<T: Clone + Send + Sync + 'static>(
     })
 }
 
+/// The parser of an option that takes a whole number, in words for people.
+pub(crate) fn whole<T: TryFrom<u64> + 'static>(
+    least: u64,
+    most: u64,
+) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync + 'static {
+    move |text: &str| {
+        let number = text.trim().parse::<u64>().ok().filter(|number| (least..=most).contains(number));
+        number.and_then(|number| T::try_from(number).ok()).ok_or_else(|| match most {
+            u64::MAX => format!("expected a whole number, at least {least}"),
+            most => format!("expected a whole number from {least} to {most}"),
+        })
+    }
+}
+
 /// Bytes: `1500000`, `512MiB`, `2G`, `1.5GiB`.
 pub(crate) fn parse_size(text: &str) -> Option<u64> {
     const UNITS: [(&str, u64); 9] = [

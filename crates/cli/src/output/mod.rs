@@ -245,7 +245,18 @@ fn flush() -> Result<(), Failure> {
 }
 
 fn cannot_write(name: &str, error: &io::Error) -> Failure {
-    Failure::data(format_args!("{}: cannot write: {error}", Foreign::of(name)))
+    let folder = Path::new(name).parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists());
+    match folder {
+        Some(folder) if error.kind() == io::ErrorKind::NotFound => {
+            let folder = folder.to_string_lossy();
+            Failure::data(format_args!(
+                "{}: cannot write: there is no folder {}",
+                Foreign::of(name),
+                Foreign::of(&*folder)
+            ))
+        }
+        _ => Failure::data(format_args!("{}: cannot write: {error}", Foreign::of(name))),
+    }
 }
 
 impl Target {

@@ -69,7 +69,10 @@ fn options_that_make_no_sense() {
             "--claim-pui 1,nan,2,4",
             value("1,nan,2,4", ends, "\"nan\" is not a number: not a finite number at character 1"),
         ),
-        ("--tolerance -1", value("-1", "'--tolerance <NUM>'", "negative")),
+        (
+            "--tolerance -1",
+            value("-1", "'--tolerance <NUM>'", "expected a number that is at least 0, such as 1e-6"),
+        ),
         (
             "--tolerance small",
             value(

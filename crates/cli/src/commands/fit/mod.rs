@@ -11,15 +11,15 @@ use boundfit_check::{CheckOptions, EXACT_SIMPLEX, check, source_names};
 use boundfit_estimation::{Measurements, Problem};
 use boundfit_exact::{Limit, Rational, Reading};
 use boundfit_report::{NextStep, verdict_line};
+use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
-use clap::{Args, value_parser};
 
 use super::asked::Job;
 use super::proof_file;
 use crate::exit::{CommandResult, Failure};
 use crate::options::{
     BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, ReportFormat, ThreadArguments,
-    XErrorArguments, column_text, limits,
+    XErrorArguments, column_text, limits, whole,
 };
 
 pub(super) const NOTES: Notes = Notes {
@@ -45,16 +45,16 @@ pub(super) const NOTES: Notes = Notes {
             "boundfit fit transducer.mat --x Vz --y z --rows 14..36 --eps 0.5e-3 --format m -o vertices.m",
         ),
         (
-            "Beside the report a proof, for somebody who does not trust it",
+            "A report with its proof, for somebody who does not trust it",
             "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof proof.json",
         ),
         (
-            "A theorem that the kernel of Coq checks, without anything of boundfit",
+            "A theorem that the kernel of Coq checks without boundfit",
             "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof answer.v\n\
              coqc answer.v",
         ),
         (
-            "At least which share of further readings the band of eps_min holds, with confidence 0.99",
+            "The guaranteed share of further readings in the band of eps_min, with confidence 0.99",
             "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --confidence 0.99",
         ),
         (
@@ -66,7 +66,7 @@ pub(super) const NOTES: Notes = Notes {
             "boundfit fit fleet.csv --by sensor --x V --y level --eps 0.03",
         ),
         (
-            "The last 10 readings, each time 5 more have come",
+            "The last 10 readings, again after every 5 readings",
             "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --window 10 --step 5",
         ),
     ],
@@ -76,7 +76,7 @@ pub(super) const NOTES: Notes = Notes {
         BAD_USAGE,
         (
             3,
-            "the feasible parameter set is empty, with --by that of at least one group; the proof is printed (of windows too)",
+            "the feasible parameter set is empty (with --by or a window, at least one set); the proof is printed",
         ),
     ],
 };
@@ -102,7 +102,7 @@ pub(crate) struct FitArguments {
     #[arg(long, value_name = "COL", value_parser = column_text, conflicts_with = "sweep")]
     by: Option<String>,
     /// Fit the last N readings in order of rows, repeatedly: one line of text, JSON or CSV per whole window
-    #[arg(long, value_name = "N", value_parser = value_parser!(u64).range(1..),
+    #[arg(long, value_name = "N", value_parser = whole::<u64>(1, u64::MAX),
           conflicts_with_all = ["window_x", "by", "sweep", "brief", "vertices", "inverse", "proof", "confidence"])]
     window: Option<u64>,
     /// Fit the readings whose x is at most NUM below the x of the newest, in order of x, repeatedly: one line per
@@ -111,7 +111,7 @@ pub(crate) struct FitArguments {
           conflicts_with_all = ["by", "sweep", "brief", "vertices", "inverse", "proof", "confidence"])]
     window_x: Option<String>,
     /// Number of readings by which a window moves each time [default: 1]
-    #[arg(long, value_name = "K", value_parser = value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "K", value_parser = whole::<u64>(1, u64::MAX))]
     step: Option<u64>,
     /// Report everything: also the proof of each PUI end, all estimates of the inverse line, area, centroid, least squares in
     /// doubles, and the answer of an LP solver
@@ -234,7 +234,7 @@ fn next_words(step: &NextStep) -> Option<String> {
 fn check_usage_of_parts(arguments: &FitArguments, format: ReportFormat) -> Result<(), Failure> {
     let is_document = matches!(format, ReportFormat::Text | ReportFormat::Latex | ReportFormat::Markdown);
     let problem = if arguments.vertices && format != ReportFormat::Csv {
-        "'--vertices' is about '--format csv'; other formats have the vertices anyway"
+        "'--vertices' needs '--format csv'; other formats contain the vertices anyway"
     } else if (arguments.brief || arguments.full || arguments.inverse) && !is_document {
         "'--brief', '--full' and '--inverse' need the format text, latex or markdown; other formats contain everything"
     } else if arguments.sweep.is_some() && !is_document && format != ReportFormat::Json {

@@ -14,7 +14,7 @@ use boundfit_figures::{
 };
 use boundfit_questions::{NoOutliers, OutlierLimits, Outliers, XErrorFit, XErrorProblem};
 use clap::builder::{NonEmptyStringValueParser, PossibleValue};
-use clap::{ArgAction, Args, value_parser};
+use clap::{ArgAction, Args};
 
 use crate::commands::pictures::told_by_name;
 use crate::exit::{CommandResult, Exit, Failure};
@@ -22,7 +22,7 @@ use crate::input;
 use crate::memory;
 use crate::options::{
     BAD_DATA, BAD_USAGE, DataArguments, LabelArguments, LookArguments, Notes, ReplaceArguments,
-    XErrorArguments, column_text, explained, named,
+    XErrorArguments, column_text, explained, named, whole,
 };
 use crate::output::{self, Guard, Output};
 use crate::progress::while_working;
@@ -69,7 +69,7 @@ pub(super) const NOTES: Notes = Notes {
         BAD_USAGE,
         (
             3,
-            "the feasible parameter set is empty, of several that of at least one; the figure shows the readings that contradict each other",
+            "the feasible parameter set is empty (of several, at least one); the figure shows the readings that contradict each other",
         ),
     ],
 };
@@ -94,8 +94,8 @@ pub(crate) struct PlotArguments {
     /// with several --eps is drawn likewise; six fits at most
     #[arg(value_name = "DATA")]
     more: Vec<String>,
-    /// Draw, as the figure fps or data, one panel per group of rows with the same text in this column, all with the
-    /// same axes; at most 24 groups, in order of first occurrence
+    /// Draw one panel per group of rows with the same text in this column, as the figure fps or data. All panels have the
+    /// same axes; at most 24 groups are drawn, in order of first occurrence
     #[arg(long, value_name = "COL", value_parser = column_text, conflicts_with_all = ["sweep", "x_eps", "x_eps_column"])]
     by: Option<String>,
     #[command(flatten)]
@@ -113,13 +113,13 @@ pub(crate) struct PlotArguments {
     #[arg(long)]
     flip: bool,
     /// Number of directions of the figure 'directions' [default: 16]
-    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(3..=1000))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(3, 1000))]
     directions: Option<u16>,
     /// Spread the directions of the figure 'directions' evenly after scaling the box of both intervals to a square, and
     /// not in the plane of theta1 and theta2
     #[arg(long)]
     scaled: bool,
-    /// SVG, PNG, PDF, tikz (source for \\input in LaTeX) or tex (a document of its own with that picture). Default: the
+    /// SVG, PNG, PDF, tikz (source for a LaTeX document) or tex (a document of its own with that picture). Default: the
     /// ending of the output file's name, else SVG
     #[arg(long, value_parser = named(PictureFormat::ALL.map(|format| (format.name(), format))))]
     format: Option<PictureFormat>,

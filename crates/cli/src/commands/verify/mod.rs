@@ -27,23 +27,23 @@ use crate::work::{refuse_long, times};
 pub(super) const NOTES: Notes = Notes {
     examples: &[
         (
-            "A proof that somebody made, against the data that it is about",
+            "A proof, checked against the data that it is about",
             "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof proof.json\n\
              boundfit verify proof.json transducer.csv",
         ),
         (
-            "Is it about the question that was asked?",
+            "The same, if the proof must answer this very question",
             "boundfit verify proof.json transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3",
         ),
         (
-            "Does a theorem for Coq have the readings of these data?",
+            "The rows of a theorem for Coq, compared with the data",
             "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof answer.v\n\
              boundfit verify answer.v transducer.csv",
         ),
         ("The check without boundfit", "python3 tests/verify.py proof.json transducer.csv"),
     ],
     statuses: &[
-        (0, "every statement of the proof is true of these data, or the rows of the theorem are theirs"),
+        (0, "every statement of the proof is true of these data, or the theorem has the rows of these data"),
         (1, "a file that cannot be read or written, is not a proof, or is beyond a limit"),
         BAD_USAGE,
         (
@@ -61,7 +61,7 @@ pub(super) const NOTES: Notes = Notes {
 /// compared, and an omitted option means what it means in 'fit' (every row, no conditions, no errors in x); otherwise only the given
 /// options are compared. docs/proof.md defines the proof and explains why the checks suffice.
 ///
-/// A theorem for Coq begins with a comment of Coq. Its rows and conditions are compared with the data, number by number. coqc checks
+/// PROOF may also be a theorem for Coq. boundfit then compares its rows and conditions with the data, number by number; coqc checks
 /// what follows from them.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_group("EpsilonArguments", |group| group.required(false)))]
