@@ -85,6 +85,29 @@ fn every_text_is_there_in_every_language_with_the_same_places() {
     }
 }
 
+#[test]
+fn a_language_addresses_the_reader_in_one_way() {
+    let others = [
+        // German says Sie, or uses an infinitive.
+        (
+            Language::German,
+            &["du", "dein", "deine", "betrachte", "berechne", "vergleiche", "zeichne", "skizziere"][..],
+        ),
+        // Italian uses an infinitive, and the second person singular on buttons. A boundary is a bordo.
+        (
+            Language::Italian,
+            &["spostate", "inventate", "disattivate", "aprite", "scrivete", "frontiera", "frontiere"],
+        ),
+    ];
+    for (key, texts) in TABLE.iter() {
+        for (language, others) in others {
+            let text = texts[language.code()].to_lowercase();
+            let mut words = text.split(|letter: char| !letter.is_alphabetic());
+            assert!(!words.any(|word| others.contains(&word)), "{key}: {text}");
+        }
+    }
+}
+
 /// Returns the texts that may be keys: in quotation marks, or the start of one that is put together.
 fn mentioned(source: &str) -> (BTreeSet<&str>, BTreeSet<&str>) {
     let is_key = |text: &&str| {
