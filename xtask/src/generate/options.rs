@@ -13,7 +13,7 @@ const ARGUMENTS: &str = "Arguments";
 pub(super) fn reference(program: &Command) -> String {
     let mut program = program.clone();
     program.build();
-    let mut text = "# Options\n\nEvery option of every command. This page is made from the command line itself by `cargo xtask generate`; `boundfit help COMMAND` prints the\nsame in a terminal.\n\n| command | |\n|---|---|\n".to_owned();
+    let mut text = "# Options\n\n*Reference.* This page lists every option of every command. Read it to look up an option; `boundfit help COMMAND` prints the same in a\nterminal. `cargo xtask generate` makes this page from the command line itself.\n\n| command | |\n|---|---|\n".to_owned();
     let commands: Vec<&Command> =
         program.get_subcommands().filter(|own| !own.is_hide_set() && own.get_name() != "help").collect();
     for command in &commands {

@@ -7,8 +7,8 @@ use super::model::{Body, Definition, Document, Field, Shape, all};
 
 /// A page with a table for each document and each of its parts.
 pub(super) fn reference(documents: &[Document]) -> String {
-    let mut text = "# Documents\n\nEvery field of every JSON document that boundfit writes. This page is made from the types of the answers by `cargo xtask generate`.\n\
-         So are the JSON Schemas in the folder `schema` and the types of the [JavaScript module](../wasm.md) and the [Python package](../python.md).\n\
+    let mut text = "# Documents\n\n*Reference.* This page lists every field of every JSON document that boundfit writes. Read it when your program reads an answer.\n\
+         `cargo xtask generate` makes this page from the types of the answers, and with it the JSON Schemas in the folder `schema` and the types of the [JavaScript module](../wasm.md) and the [Python package](../python.md).\n\
          [Output and JSON](../output.md) says what all\ndocuments have in common.\n\n\
          A field is in every document of its kind unless the table calls it absent in some. A part that several documents share stands under\n\
          [Shared parts](#shared-parts).\n\n| schema | written by | |\n|---|---|---|\n"

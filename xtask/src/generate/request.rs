@@ -10,10 +10,10 @@ use super::output::{rows, section};
 pub(super) fn reference(request: &Document) -> String {
     let mut text = format!(
         "# Requests\n\n\
-         Every key of a request in JSON, `{}`: what `run` of the [JavaScript module](../wasm.md) takes, and in Rust\n\
-         `boundfit::ask::Request::with_readings`. This page is made from the types of the request by `cargo xtask generate`.\n\
-         So are its JSON Schema in the folder `schema` and the types in `crates/lesson/engine/request.d.mts`.\n\n\
-         An unknown key is an error. A key that says nothing is left out.\n\n\
+         *Reference.* This page lists every key of a request in JSON, `{}`. Read it when you call `run` of the [JavaScript module](../wasm.md), or in\n\
+         Rust `boundfit::ask::Request::with_readings`. `cargo xtask generate` makes this page from the types of the request, and with it\n\
+         the JSON Schema in the folder `schema` and the types in `crates/lesson/engine/request.d.mts`.\n\n\
+         An unknown key is an error. Leave out every key that you do not need.\n\n\
          | `ask` | the question |\n|---|---|\n",
         request.name
     );
