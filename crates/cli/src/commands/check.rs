@@ -51,11 +51,11 @@ pub(super) const NOTES: Notes = Notes {
 
 /// Judge LP answers about the same fit: is each end of the parameter uncertainty intervals right?
 ///
-/// boundfit compares solvers of this build and claims from elsewhere with the exact answer. Verdicts are exact, rounded
-/// (at most 4 units in the last place of a double, or half a unit of the last printed digit), within tolerance (on
-/// either side), loose (too wide), infeasible point, unsafe (cuts off feasible parameters), wrong status and inverted
-/// interval. The data as written decide the exit status; the report also judges against the doubles that a solver
-/// receives.
+/// boundfit compares solvers of this build and claims from elsewhere with the exact answer. An end is right if it is
+/// exact, rounded (by at most 4 units in the last place of a double, or half a unit of the last printed digit) or
+/// within tolerance. Refuted ends are loose (too wide), infeasible points, unsafe (they cut off feasible parameters),
+/// of the wrong status or in an inverted interval. The data as written decide the exit status; the report also judges
+/// against the doubles that a solver receives.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_arg("tolerance", |arg| arg.help(
     "How far a bound may be off to either side, in widths of the interval, and how far outside a point, in units of eps"
@@ -74,8 +74,8 @@ pub(crate) struct CheckArguments {
     /// Judge these ends of the intervals; inf and -inf claim an unbounded end; repeatable
     #[arg(long = "claim-pui", value_name = "LO1,HI1,LO2,HI2", allow_hyphen_values = true)]
     claimed_pui: Vec<String>,
-    /// Give solvers the rows of all readings. By default, for more than 1000 readings of a line under one error bound,
-    /// solvers get only the rows that can bound the set, unless a claim has multipliers for all rows
+    /// Give solvers the rows of all readings. By default solvers get at most 1000 readings of a line under one error
+    /// bound: of more, only those that can bound the set. A claim with multipliers for all rows implies this option
     #[arg(long)]
     all_rows: bool,
     /// Compare the set with the optimal points of linear programs in N directions

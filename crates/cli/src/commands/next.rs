@@ -30,9 +30,10 @@ pub(super) const NOTES: Notes = Notes {
 
 /// Find where to take the next reading, so that the feasible set certainly gets smaller
 ///
-/// Where the feasible lines are farther apart than twice the error bound, a further reading cuts some of them off, whatever it
-/// shows; elsewhere it may agree with all of them. The report lists the x where a reading certainly helps. Within a range it names
-/// the x whose worst outcome leaves the shortest interval of theta1, of theta2, and the smallest area. All of it is exact.
+/// Where the feasible lines are farther apart than twice the error bound, every further reading cuts some of them
+/// off. Elsewhere a reading may agree with all of them. The report lists the x where a reading certainly helps.
+/// Within a range it names the x whose worst outcome leaves the shortest interval of theta1, of theta2, and the
+/// smallest area. All of it is exact.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct NextArguments {

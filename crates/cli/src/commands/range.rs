@@ -35,8 +35,8 @@ pub(super) const NOTES: Notes = Notes {
 /// Find every run of readings that one line fits: the linear range
 ///
 /// A run of consecutive readings, in order of x or of rows, is linear if some parameters meet all its bounds and the
-/// conditions. The report lists the runs that cannot be extended, with the readings that prevent it; the longest run,
-/// the widest in x, and the fewest that cover every reading; and the set of the longest run.
+/// conditions. The report lists the runs that cannot be extended, with the readings that prevent it. It names the
+/// longest run, the widest in x, and the fewest runs that cover every reading. It has the set of the longest run.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct RangeArguments {

@@ -34,13 +34,13 @@ pub(super) const NOTES: Notes = Notes {
 
 /// Keep only the rows that decide: for a line under one error bound, those on the convex hull of the readings
 ///
-/// The output has the same columns, each number as it stood, below a line with the number of readings and the sums for
-/// least squares. 'boundfit fit' reads it like the whole file: feasible set, PUI and least squares are the same under
-/// all conditions, from any --x-origin and through the origin. Only the EUI is missing, since it needs every reading.
-/// If no bound or one number is given, the reduction of a line is valid for every uniform bound; with --eps-column it
-/// is valid for every multiple of the bounds, so that eps_min is the same as well. With two regressors, a law, or
-/// --lower and --upper it is valid for these bounds only. Several reductions joined by 'cat' are a reduction of all
-/// their readings, and can be reduced again.
+/// The output has the same columns, each number as it stood, below a line with the number of readings and the sums
+/// for least squares. 'boundfit fit' reads it like the whole file: feasible set, PUI and least squares are the same
+/// under all conditions, from any --x-origin and through the origin. Only the EUI is missing, since it needs every
+/// reading. Without a bound, or with one number, the reduction of a line is valid for every uniform bound. With
+/// --eps-column it is valid for every multiple of the bounds. In both cases eps_min is the same as well. With two
+/// regressors, a law, or --lower and --upper it is valid for these bounds only. Several reductions joined by 'cat'
+/// are a reduction of all their readings, and can be reduced again.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_group("EpsilonArguments", |group| group.required(false)))]
 pub(crate) struct ReduceArguments {

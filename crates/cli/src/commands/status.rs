@@ -40,8 +40,9 @@ pub(super) const NOTES: Notes = Notes {
 ///
 /// Over a set the model takes a range of values at a reading. The leverage l is half this range divided by half the
 /// reading's width; the residual r is the distance of both middles divided by the same. Against the full set each
-/// reading is inner (|r| < 1 - l) or boundary (|r| = 1 - l). Against the set of the others it may also be outer (it
-/// cuts that set), strictly outer (any such reading would: l > 1) or an outlier (|r| > 1 + l: nothing is left).
+/// reading is inner (|r| < 1 - l) or boundary (|r| = 1 - l). Against the set of the others it may also be outer: it
+/// cuts that set. It is strictly outer if any reading with this bound would cut it (l > 1), and an outlier if it
+/// leaves nothing (|r| > 1 + l).
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct StatusArguments {

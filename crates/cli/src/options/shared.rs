@@ -90,9 +90,10 @@ pub(crate) struct LineArguments {
 #[derive(Debug, Clone, Args)]
 #[group(required = true, multiple = true)]
 pub(crate) struct EpsilonArguments {
-    /// Error bound of every reading: a number; or a law such as '0.05%*|y| + 2e-3', '1%*range(y)', 'written' (half a
-    /// unit of the last digit written) or '+0.2/-0.1' (the truth lies in [y - 0.1, y + 0.2]); or 'min' or '1.2*min', a
-    /// multiple of eps_min, the smallest bound with a non-empty set, computed from these readings
+    /// Error bound of every reading: a number such as 0.5e-3, or a law such as '0.05%*|y| + 2e-3' or '1%*range(y)'.
+    /// 'written' is half a unit of the last digit written. '+0.2/-0.1' says that the truth lies in [y - 0.1, y +
+    /// 0.2]. 'min' or '1.2*min' is a multiple of eps_min, the smallest bound with a non-empty set, computed from
+    /// these readings
     // Some of no more than one; figures take several.
     #[arg(long, value_name = "NUM", action = ArgAction::Set, num_args = 1, allow_hyphen_values = true)]
     pub(crate) eps: Vec<String>,
@@ -156,8 +157,8 @@ pub(crate) struct TableArguments {
     /// The row after the header has units
     #[arg(long, help_heading = TEXT)]
     pub(super) units_row: bool,
-    /// Read one block of a file in which comments or two blank lines between rows begin another: its number or the
-    /// comment before it; all: the rows of all blocks together
+    /// Read one block of a file, by its number or by the comment before it; all: the rows of all blocks together.
+    /// Comments or two blank lines between rows begin another block
     #[arg(long, value_name = "N|NAME", help_heading = TEXT)]
     pub(super) block: Option<String>,
     /// Treatment of rows with a missing number in a used column: empty, NA, N/A, #N/A, NaN, null, none, - -- . or ?, or

@@ -93,12 +93,12 @@ pub(crate) struct FitArguments {
     data: DataArguments,
     #[command(flatten)]
     x_errors: XErrorArguments,
-    /// Also report the sets FPS(s*eps) for all factors s from FROM to TO: the factors at which the set begins and
-    /// changes its shape, and each vertex and PUI end as an exact function of s
+    /// Also report the sets FPS(s*eps) for all factors s from FROM to TO. The report has the factors at which the set
+    /// begins and changes its shape, and each vertex and PUI end as an exact function of s
     #[arg(long, value_name = "FROM..TO")]
     sweep: Option<String>,
-    /// Fit each group of rows with the same text in this column separately: one line of text, JSON or CSV per group in
-    /// order of first occurrence, and a summary (with JSON and CSV on standard error)
+    /// Fit each group of rows with the same text in this column separately. The report has a line of text, JSON or
+    /// CSV per group, in order of first occurrence, and a summary (with JSON and CSV on standard error)
     #[arg(long, value_name = "COL", value_parser = column_text, conflicts_with = "sweep")]
     by: Option<String>,
     /// Fit the last N readings in order of rows, repeatedly: one line of text, JSON or CSV per whole window
@@ -120,8 +120,8 @@ pub(crate) struct FitArguments {
     /// With --full: do not ask an LP solver. Nothing else asks one
     #[arg(long)]
     no_lp: bool,
-    /// Skip results that need a second pass over files of more than 10000 rows: the estimate uncertainty intervals (EUI), and
-    /// eps_min unless the model is a line under a uniform error bound
+    /// Skip results that need a second pass over files of more than 10000 rows. These are the estimate uncertainty
+    /// intervals (EUI), and eps_min unless the model is a line under a uniform error bound
     #[arg(long)]
     no_eui: bool,
     /// Report ten lines only: model, data, kind of set, PUI, central estimate, smallest error bound

@@ -76,14 +76,14 @@ pub(super) const NOTES: Notes = Notes {
 
 /// Draw the readings, the intervals and the feasible parameter set as SVG, PNG, PDF or TikZ
 ///
-/// Figures of the data plane: data (readings with error bars and the least-squares line), eui and pui (the band of
-/// lines with parameters at the corners of the EUI or PUI box), corridor (the band of all feasible lines, inside that
-/// of the PUI box). Figures of the parameter plane: fps (the feasible parameter set with its boxes and estimates),
-/// directions (the hull of the optimal points of linear programs and the polygon of their supporting half-planes,
-/// beside the set), outliers (the sets that remain without the fewest outliers). status shows each reading against the
-/// set of the others, its residual across and its leverage up. next shows the distance of the feasible lines over x, and
-/// where one more reading certainly makes the set smaller. With errors in x (--x-eps) only two figures exist: data
-/// with boxes and the steepest and the shallowest line, and fps with one set for each sign of the slope.
+/// In the data plane, data shows the readings with error bars and the least-squares line. eui and pui show the band
+/// of lines with parameters at the corners of the EUI or PUI box, and corridor the band of all feasible lines. In the
+/// parameter plane, fps shows the feasible parameter set with its boxes and estimates. directions shows the set
+/// beside the hull of the optimal points of linear programs and the polygon of their supporting half-planes. outliers
+/// shows the sets that remain without the fewest outliers. status shows each reading against the set of the others,
+/// its residual across and its leverage up. next shows the distance of the feasible lines over x, and where one more
+/// reading certainly makes the set smaller. With errors in x (--x-eps) only two figures exist: data with boxes and
+/// the steepest and the shallowest line, and fps with one set for each sign of the slope.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 #[command(mut_arg("eps", |eps| eps.action(ArgAction::Append)))]

@@ -55,11 +55,11 @@ pub(super) const NOTES: Notes = Notes {
 
 /// Check a proof that '--proof' wrote: is every statement in it true of these data?
 ///
-/// The checker reads the data again and checks every statement by exact arithmetic; it shares only its numbers with the
-/// program that found the answer. It also says which question the proof answers: model, columns, error bound,
+/// The checker reads the data again and checks every statement by exact arithmetic; it shares only its numbers with
+/// the program that found the answer. It also says which question the proof answers: model, columns, error bound,
 /// conditions and rows. With options of 'fit' the question must be theirs. With --x and an error bound everything is
-/// compared, and an omitted option means what it means in 'fit' (every row, no conditions, no errors in x); otherwise only the given
-/// options are compared. docs/proof.md defines the proof and explains why the checks suffice.
+/// compared. An omitted option then means what it means in 'fit': every row, no conditions, no errors in x. Otherwise
+/// only the given options are compared. docs/proof.md defines the proof and explains why the checks suffice.
 ///
 /// PROOF may also be a theorem for Coq. boundfit then compares its rows and conditions with the data, number by number; coqc checks
 /// what follows from them.
