@@ -358,7 +358,7 @@ fn accepted_options_are_effective() {
         ),
         (
             format!("{fit} --sweep 0..2 --format csv"),
-            "'--sweep' is about text, latex, markdown and json; other formats have no place for many sets",
+            "'--sweep' needs the format text, latex, markdown or json; other formats have no place for many sets",
         ),
         (
             format!("{fit} --x-eps 1 --full"),

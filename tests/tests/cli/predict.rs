@@ -280,7 +280,7 @@ fn bad_usage_is_refused() {
     assert!(both.stderr.starts_with("error: '--format csv' writes one table"), "{}", both.stderr);
     let proofs = boundfit(&root(), &format!("{PREDICT} --at 1 --proofs --format json"));
     assert!(
-        proofs.stderr.starts_with("error: '--proofs' is about text, latex and markdown"),
+        proofs.stderr.starts_with("error: '--proofs' needs the format text, latex or markdown"),
         "{}",
         proofs.stderr
     );

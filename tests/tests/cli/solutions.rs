@@ -254,7 +254,7 @@ fn formats_for_findings_alone_want_a_solution() {
     for format in ["sarif", "junit"] {
         let run = run(&["judge", "fixtures/tiny-lp/maximise.mps", "--format", format]);
         let message = format!(
-            "error: '--format {format}' has what is found about solutions: give '--solution <FILE>'\n\nFor more information, try '--help'.\n"
+            "error: '--format {format}' writes findings about solutions: give '--solution <FILE>'\n\nFor more information, try '--help'.\n"
         );
         assert_eq!((run.status, run.stdout.as_str(), run.stderr), (2, "", message));
     }

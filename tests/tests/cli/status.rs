@@ -98,11 +98,11 @@ fn what_cannot_be_asked_is_refused() {
     for (more, message) in [
         (
             "--repair --format csv",
-            "'--repair' is no part of csv: a table has a row for each reading, and no room for it",
+            "'--repair' needs another format than csv, which has a row for each reading and no room for it",
         ),
         (
             "--all --format json",
-            "'--all' is about text, latex and markdown; other formats list every reading anyway",
+            "'--all' needs the format text, latex or markdown; other formats list every reading anyway",
         ),
     ] {
         assert_eq!(refused(TABLE, &format!("{options} {more}"), 2), message);

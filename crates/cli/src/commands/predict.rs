@@ -147,7 +147,7 @@ fn check_usage(
     }
     if question.proofs && matches!(format, TableFormat::Csv | TableFormat::Json) {
         return refuse(
-            "'--proofs' is about text, latex and markdown; JSON has them anyway, and CSV has no room",
+            "'--proofs' needs the format text, latex or markdown; JSON has the proofs anyway, and CSV has no room for them",
         );
     }
     let inputs = files.iter().copied().chain([arguments.data.path()]).filter(|file| *file == "-").count();

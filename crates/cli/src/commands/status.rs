@@ -88,11 +88,13 @@ fn check_usage(arguments: &StatusArguments, format: TableFormat) -> Result<(), F
     let refuse = |problem: &str| Err(Failure::Usage(problem.to_owned()));
     if arguments.repair && format == TableFormat::Csv {
         return refuse(
-            "'--repair' is no part of csv: a table has a row for each reading, and no room for it",
+            "'--repair' needs another format than csv, which has a row for each reading and no room for it",
         );
     }
     if arguments.all && matches!(format, TableFormat::Json | TableFormat::Csv) {
-        return refuse("'--all' is about text, latex and markdown; other formats list every reading anyway");
+        return refuse(
+            "'--all' needs the format text, latex or markdown; other formats list every reading anyway",
+        );
     }
     if arguments.new.as_deref() == Some("-") && arguments.data.path() == "-" {
         return refuse("DATA and '--new' would both be read from standard input: give one of them a file");

@@ -135,7 +135,7 @@ fn options_about_other_pictures() {
             "--figure range --flip",
             "'--flip' turns the figures 'data', 'eui', 'pui' and 'corridor', and this is '--figure range'",
         ),
-        ("--directions 9", "'--directions' is about '--figure directions', and this is '--figure fps'"),
+        ("--directions 9", "'--directions' needs '--figure directions', and this is '--figure fps'"),
     ] {
         let (status, message) = refused(more);
         assert_eq!((status, message.contains(problem)), (2, true), "{more}: {message}");

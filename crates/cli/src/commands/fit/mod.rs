@@ -238,9 +238,9 @@ fn check_usage_of_parts(arguments: &FitArguments, format: ReportFormat) -> Resul
     } else if (arguments.brief || arguments.full || arguments.inverse) && !is_document {
         "'--brief', '--full' and '--inverse' need the format text, latex or markdown; other formats contain everything"
     } else if arguments.sweep.is_some() && !is_document && format != ReportFormat::Json {
-        "'--sweep' is about text, latex, markdown and json; other formats have no place for many sets"
+        "'--sweep' needs the format text, latex, markdown or json; other formats have no place for many sets"
     } else if arguments.confidence.is_some() && !is_document && format != ReportFormat::Json {
-        "'--confidence' is about text, latex, markdown and json; other formats have no place for a guarantee"
+        "'--confidence' needs the format text, latex, markdown or json; other formats have no place for a guarantee"
     } else if arguments.no_eui && arguments.by.is_some() {
         "'--no-eui' is about one set: '--by' reads each group once, and no EUI needs another look"
     } else {

@@ -202,7 +202,7 @@ fn check_usage_of_format(arguments: &JudgeArguments, format: JudgeFormat) -> Res
     };
     match arguments.solutions.solutions.is_empty() {
         true => Err(Failure::Usage(format!(
-            "'--format {name}' has what is found about solutions: give '--solution <FILE>'"
+            "'--format {name}' writes findings about solutions: give '--solution <FILE>'"
         ))),
         false => Ok(()),
     }

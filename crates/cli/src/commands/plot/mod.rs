@@ -375,7 +375,7 @@ fn refuse_of_other_figures(arguments: &PlotArguments) -> Result<(), Failure> {
         asked.into_iter().find(|(_, is_asked)| *is_asked && figure != Figure::Directions)
     {
         return Err(Failure::Usage(format!(
-            "'--{option}' is about '--figure directions', and this is '--figure {name}'"
+            "'--{option}' needs '--figure directions', and this is '--figure {name}'"
         )));
     }
     Ok(())
