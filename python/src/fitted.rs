@@ -23,7 +23,7 @@ pub(crate) struct Fitted {
     /// The same of every reading, for what names each; made where it is asked for.
     pub(crate) whole: OnceLock<Option<Answered>>,
     pub(crate) reading: Reading,
-    /// What a float means.
+    /// The meaning of a float.
     pub(crate) floats: Reading,
     pub(crate) file: Option<String>,
     pub(crate) is_stored: bool,
@@ -136,13 +136,13 @@ type ProvedEndOwned = (Option<Rational>, Vec<(Name, Rational)>);
 
 #[pymethods]
 impl Fitted {
-    /// How many readings are fitted.
+    /// The number of readings that are fitted.
     #[getter]
     fn rows(&self) -> usize {
         self.measurements().fitted()
     }
 
-    /// How many rows there are, fitted or not.
+    /// The number of rows, fitted or not.
     #[getter]
     fn rows_total(&self) -> usize {
         self.measurements().rows_total()
@@ -229,7 +229,7 @@ impl Fitted {
         self.deciding().minimax.as_ref().map(|own| (Number(&own.least), pair(&own.theta), own.unique))
     }
 
-    /// Of an empty set the half-planes that contradict each other.
+    /// Returns the half-planes of an empty set that contradict each other.
     fn contradiction<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
         let Some(terms) = self.fit().contradiction(self.problem().measurements.error_bound()) else {
             return Ok(None);
@@ -238,7 +238,7 @@ impl Fitted {
         Ok(Some(terms.into_pyobject(py)?.into_any()))
     }
 
-    /// Whether a point belongs to the set.
+    /// Returns whether a point belongs to the set.
     fn contains(&self, theta1: Given, theta2: Given) -> PyResult<bool> {
         let theta = [theta1.number(self.floats, "theta1")?, theta2.number(self.floats, "theta2")?];
         Ok(!self.deciding().is_empty() && self.deciding().fps.polyhedron().membership(&theta).is_inside())
@@ -257,7 +257,7 @@ impl Fitted {
         })
     }
 
-    /// As `range`, of many φ whose numbers are taken as they are, as doubles that are rounded outward.
+    /// Returns the ranges of many φ, as `range` does of one. Takes the numbers as they are, and rounds the ends outward to doubles.
     fn ranges(&self, py: Python<'_>, phi1: Vec<f64>, phi2: Vec<f64>) -> PyResult<(Vec<f64>, Vec<f64>)> {
         let rows = py.detach(|| {
             let row = |(phi1, phi2): (&f64, &f64)| {

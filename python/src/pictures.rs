@@ -10,7 +10,7 @@ use crate::fitted::Fitted;
 use crate::numbers::{decimal, refuse};
 use crate::waiting::waiting;
 
-/// What a figure says besides what follows from the readings, and how it looks.
+/// The words of a figure that do not follow from the readings, and its looks.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct Labels {
@@ -21,9 +21,9 @@ pub(crate) struct Labels {
     y_label: Option<String>,
     x_range: Option<[String; 2]>,
     y_range: Option<[String; 2]>,
-    /// Of the picture in millimetres.
+    /// The width of the picture in millimetres.
     width: Option<f64>,
-    /// Of letters in points of 1/72 inch.
+    /// The size of letters in points of 1/72 inch.
     font_size: Option<f64>,
     dpi: Option<u16>,
     greyscale: bool,

@@ -20,7 +20,7 @@ pub(crate) struct Plane {
     polyhedron: Polyhedron,
     name: Option<String>,
     reading: Reading,
-    /// What a float means.
+    /// The meaning of a float.
     floats: Reading,
 }
 

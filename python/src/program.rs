@@ -21,7 +21,7 @@ type Found<'py> = (&'static str, &'static str, Option<Bound<'py, PyAny>>);
 /// The status of a program, its optimum, the vertices where it is attained, and what was found about a claim.
 type Judged<'py> = (&'static str, Option<Bound<'py, PyAny>>, Vec<Bound<'py, PyAny>>, Vec<Found<'py>>);
 
-/// What a solver answers, in the words of this package.
+/// The answer of a solver, in the words of this package.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct Claimed<'py> {

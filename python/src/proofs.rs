@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use crate::numbers::refuse;
 use crate::waiting::waiting;
 
-/// What is false of a proof about these bytes; nothing where every statement is true.
+/// Returns the false statements of a proof about these bytes; none if every statement is true.
 #[pyfunction]
 pub(crate) fn verify(py: Python<'_>, proof: String, data: Vec<u8>) -> PyResult<Option<String>> {
     match waiting(py, move |_| checked(&proof, &data))? {

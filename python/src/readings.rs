@@ -25,9 +25,9 @@ pub(crate) struct Readings {
     /// The names of the columns in the order of their roles.
     pub(crate) names: Vec<String>,
     pub(crate) asked: Asked,
-    /// How numbers are read.
+    /// The way in which numbers are read.
     pub(crate) reading: Reading,
-    /// What a float means in whatever is asked of them.
+    /// The meaning of a float in each question about them.
     pub(crate) floats: Reading,
     pub(crate) is_stored: bool,
     /// The keywords that they were made with, for those who make them again.
@@ -87,7 +87,7 @@ impl Readings {
         fitted.map_err(refuse)
     }
 
-    /// How many regressors there are: one of a line, or two.
+    /// The number of regressors: one of a line, or two.
     #[getter]
     fn regressors(&self) -> usize {
         if self.asked.question.columns.second.is_some() { 2 } else { 1 }
@@ -99,13 +99,13 @@ impl Readings {
         self.names.clone()
     }
 
-    /// What floats mean.
+    /// The meaning of floats.
     #[getter]
     fn reading(&self) -> &'static str {
         self.floats.name()
     }
 
-    /// What makes them again, with its arguments: the columns themselves, and of a file its path.
+    /// Returns the function that makes them again, with its arguments: the columns themselves, or the path of a file.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let module = py.import("boundfit._boundfit")?;
         let made = |name: &str, arguments: Bound<'py, PyTuple>| Ok((module.getattr(name)?, arguments));

@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 /// The time between two looks for a signal.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// As much as Python's main thread has on most systems.
+/// The size of the stack, as Python's main thread has it on most systems.
 const STACK_BYTES: usize = 8 << 20;
 
 /// Tells a scan that nobody waits for its answer any more.
@@ -36,8 +36,8 @@ impl Progress for Stop {
     }
 }
 
-/// Works while the interpreter is free, and answers signals meanwhile. What a signal handler raises ends the wait: a scan that got the
-/// [`Stop`] ends soon after it, and anything else ends in the background, where nobody hears of it.
+/// Works while the interpreter is free, and answers signals meanwhile. An exception of a signal handler ends the wait. A scan that got
+/// the [`Stop`] ends soon after it; other work ends in the background, where nobody hears of it.
 ///
 /// # Errors
 /// The exception of a signal handler, such as `KeyboardInterrupt`, or that there is no further thread.

@@ -1,5 +1,5 @@
-//! The readings that decide. Those of a line on a grid stay machine integers until somebody looks at them: a file in
-//! which every reading is extreme would otherwise take ten times its memory as fractions.
+//! The readings that decide. The readings of a line on a grid stay machine integers until somebody looks at them. As fractions
+//! they would take ten times the memory where every reading is extreme.
 
 use std::ops::Deref;
 use std::sync::OnceLock;

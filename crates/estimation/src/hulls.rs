@@ -90,7 +90,7 @@ impl Extremes {
         Extremes::of_touching(touching(points, usize::MAX))
     }
 
-    /// Finds the extremes of numbers of any size. Those of few digits, as 1.25e300, are machine integers on a unit of their
+    /// Finds the extremes of numbers of any size. Numbers of few digits, as 1.25e300, are machine integers on a unit of their
     /// own.
     pub(crate) fn in_general(rows: &[Measurement]) -> Self {
         let x = multiples(rows.iter().map(|row| &row.regressor[0]));
