@@ -3,6 +3,7 @@
 use boundfit_exact::Reading;
 use boundfit_formats::Source;
 use boundfit_report::{Origin, Style};
+use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 use crate::asked::Asked;
@@ -107,9 +108,9 @@ macro_rules! questions {
             }
 
             /// The question of this name, with these keys.
-            fn of_name(name: &str, keys: Value) -> Result<Self, Refusal> {
+            fn of_name(name: &str, keys: Map<String, Value>) -> Result<Self, Refusal> {
                 match name {
-                    $($question::NAME => serde_json::from_value(keys).map(Request::$question).map_err(no_request),)*
+                    $($question::NAME => of_object(keys).map(Request::$question),)*
                     _ => {
                         let names = Request::NAMES.iter().map(|name| (*name).to_owned()).collect();
                         Err(Refusal::Value { key: "ask", text: name.to_owned(), problem: ValueProblem::OneOf(names) })
@@ -178,7 +179,7 @@ impl Request {
     /// The errors of [`Request::parse`].
     pub fn of_keys(mut keys: Map<String, Value>) -> Result<Self, Refusal> {
         match take_key::<Option<String>>(&mut keys, "ask")? {
-            Some(name) => Request::of_name(&name, Value::Object(keys)),
+            Some(name) => Request::of_name(&name, keys),
             None => Err(Refusal::Key { key: "ask".to_owned(), problem: "it names the question".to_owned() }),
         }
     }
@@ -186,6 +187,25 @@ impl Request {
 
 fn object(json: &str) -> Result<Map<String, Value>, Refusal> {
     serde_json::from_str(json).map_err(no_request)
+}
+
+/// Reads a question, and names the key that is of another type: the one that alone is refused in the same words.
+fn of_object<Q: DeserializeOwned>(keys: Map<String, Value>) -> Result<Q, Refusal> {
+    let keys = Value::Object(keys);
+    let error = match Q::deserialize(&keys) {
+        Ok(question) => return Ok(question),
+        Err(error) => error,
+    };
+    let words = error.to_string();
+    let is_refused = |(key, value): &(&String, &Value)| {
+        let alone = Value::Object(Map::from_iter([((*key).clone(), (*value).clone())]));
+        Q::deserialize(&alone).is_err_and(|own| own.to_string() == words)
+    };
+    let is_unknown = words.starts_with("unknown field");
+    match keys.as_object().and_then(|keys| keys.iter().find(is_refused)).filter(|_| !is_unknown) {
+        Some((key, _)) => Err(Refusal::Key { key: key.clone(), problem: words }),
+        None => Err(no_request(error)),
+    }
 }
 
 fn no_request(error: serde_json::Error) -> Refusal {

@@ -120,6 +120,18 @@ fn a_request_says_which_question_and_which_readings() {
         (r#"{"ask": "rnge"}"#, "<ask> rnge: expected one of \"fit\", \"fit-x-errors\""),
         (r#"{"x": "V"}"#, "<ask>: it names the question"),
         (r#"{"ask": "range", "most": 1}"#, "request: unknown field `most`"),
+        (
+            r#"{"ask": "outliers", "max_sets": 2, "most": "1"}"#,
+            "<most>: invalid type: string \"1\", expected usize",
+        ),
+        (
+            r#"{"ask": "predict", "at": "5", "proofs": true}"#,
+            "<at>: invalid type: string \"5\", expected a sequence",
+        ),
+        (
+            r#"{"ask": "window", "step": -1, "window": 3}"#,
+            "<step>: invalid value: integer `-1`, expected usize",
+        ),
         ("[]", "request: invalid type"),
     ] {
         let refused = Request::with_readings(json).unwrap_err().words(&Keys);
