@@ -54,8 +54,8 @@ mod sources;
 
 pub use answer::Answer;
 pub use claims::{
-    ClaimError, ClaimFileError, ClaimLimits, ClaimText, is_solution_name, nested_beyond, parse_claim_pui,
-    read_claims,
+    ClaimError, ClaimFileError, ClaimLimits, ClaimText, Claims, is_solution_name, nested_beyond,
+    parse_claim_pui, read_claims,
 };
 pub use directions::{Approximation, AskedDirections, Directions, Objectives, directions, directions_along};
 pub use exchange::ExchangeRows;

@@ -30,7 +30,7 @@ impl Bounds {
 }
 
 /// A column: a variable with what a unit of it adds to the objective.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct ModelColumn {
     /// The name in the file.
     pub name: Foreign,

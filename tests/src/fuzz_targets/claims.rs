@@ -42,10 +42,10 @@ pub fn claim_files(data: &[u8]) {
     let Ok(text) = std::str::from_utf8(data) else { return };
     let file = ClaimText { file: "theta1-min.sol".into(), text: text.to_owned() };
     judge_as_solution(text);
-    let answers = read_claims(&[file], &ClaimLimits::default()).unwrap_or_default();
-    for answer in answers.into_iter().chain(parse_claim_pui(text)) {
-        for problem in &*PROBLEMS {
-            judge(problem, answer.clone());
+    let claims = read_claims(&[file], &ClaimLimits::default()).unwrap_or_default();
+    for problem in &*PROBLEMS {
+        for answer in claims.clone().answers(problem).into_iter().chain(parse_claim_pui(text)) {
+            judge(problem, answer);
         }
     }
 }

@@ -78,6 +78,8 @@ fn right_answers_pass_in_every_dialect() {
     for (model, solver, writer, claimed, verdict, aspects) in [
         ("cost-row-last.lp", "highs-glpsol", "HiGHS", "optimal", "rounded", 7),
         ("thirds.lp", "highs-glpsol", "HiGHS", "optimal", "rounded", 7),
+        ("interior.lp", "highs-glpsol", "HiGHS", "optimal", "within tolerance", 7),
+        ("no-costs.lp", "highs-glpsol", "HiGHS", "optimal", "exact", 7),
         ("row-objective.mps", "highs-raw", "HiGHS", "optimal", "rounded", 7),
         ("column-objective.mps", "highs-raw", "HiGHS", "optimal", "rounded", 7),
         ("tie.mps", "highs-glpsol", "HiGHS", "optimal", "exact", 7),

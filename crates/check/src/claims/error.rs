@@ -44,7 +44,7 @@ pub enum ClaimError {
     Count(usize),
     /// Content of no known kind.
     #[error(
-        "this is no claim (expected JSON, or a solution as GLPK, HiGHS, CBC, SCIP or, in XML, CPLEX writes it)"
+        "this is no claim (expected JSON, or a solution as GLPK, HiGHS, CBC, CLP, SCIP, Gurobi, MIPLIB or, in XML, CPLEX writes it)"
     )]
     UnknownFormat,
     /// Something is wrong with a solution file.

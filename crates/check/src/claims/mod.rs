@@ -3,10 +3,12 @@
 mod all_ends;
 mod error;
 mod limits;
+mod programs;
 mod solution;
 
 use std::path::Path;
 
+use boundfit_estimation::Problem;
 use boundfit_exact::Foreign;
 use boundfit_judge::SolutionFile;
 use boundfit_lp::{BoundClaim, PuiEnd};
@@ -17,6 +19,7 @@ pub use limits::ClaimLimits;
 
 use crate::answer::Answer;
 use all_ends::parse_claim_file;
+use programs::Programs;
 use solution::parse_solution;
 
 /// A claims file in memory.
@@ -28,13 +31,17 @@ pub struct ClaimText {
     pub text: String,
 }
 
+/// The answers of claims files, before the rows are known that they are about.
+#[derive(Debug, Clone, Default)]
+pub struct Claims(Vec<Draft>);
+
 /// Reads claims files. Their content tells the format. A JSON file is a whole answer. A solution file answers the
 /// last program in its name (`theta1-min` and so on), or the program that it states. Files whose paths differ in
 /// nothing else form one answer, which claims nothing about ends without a file. Numbers are exact as printed.
 ///
 /// # Errors
 /// The first file with something wrong, and what that is.
-pub fn read_claims(files: &[ClaimText], limits: &ClaimLimits) -> Result<Vec<Answer>, ClaimFileError> {
+pub fn read_claims(files: &[ClaimText], limits: &ClaimLimits) -> Result<Claims, ClaimFileError> {
     let mut drafts: Vec<Draft> = Vec::new();
     for file in files {
         let fail = |problem| ClaimFileError { file: file.file.clone(), problem };
@@ -47,14 +54,30 @@ pub fn read_claims(files: &[ClaimText], limits: &ClaimLimits) -> Result<Vec<Answ
         let (target, key) = program_and_group(file.file.raw(), &solution).map_err(fail)?;
         let same = |draft: &&mut Draft| matches!(draft, Draft::Group(group) if group.key == key);
         if let Some(Draft::Group(group)) = drafts.iter_mut().find(same) {
-            group.add(target, file, &solution).map_err(fail)?;
+            group.add(target, file, solution).map_err(fail)?;
         } else {
             let mut group = SolutionGroup { key, members: Vec::new() };
-            group.add(target, file, &solution).map_err(fail)?;
+            group.add(target, file, solution).map_err(fail)?;
             drafts.push(Draft::Group(group));
         }
     }
-    Ok(drafts.into_iter().map(Draft::answer).collect())
+    Ok(Claims(drafts))
+}
+
+impl Claims {
+    /// Returns whether one of them has multipliers, which are about rows by their place among all of them.
+    pub fn have_duals(&self) -> bool {
+        self.0.iter().any(|draft| match draft {
+            Draft::Whole(answer) => answer.has_duals(),
+            Draft::Group(group) => group.members.iter().any(|(.., file)| file.has_duals),
+        })
+    }
+
+    /// The answers about a problem. Cost: linear in its rows where there are multipliers.
+    pub fn answers(self, problem: &Problem) -> Vec<Answer> {
+        let mut programs = self.have_duals().then(|| Programs::new(problem));
+        self.0.into_iter().map(|draft| draft.answer(programs.as_mut())).collect()
+    }
 }
 
 /// Returns whether a file of a folder of claims answers one of the four programs, by its name. Programs themselves, bases and logs
@@ -98,45 +121,61 @@ fn program_and_group(file: &str, solution: &SolutionFile) -> Result<(PuiEnd, Gro
 }
 
 /// An answer in the making.
+#[derive(Debug, Clone)]
 enum Draft {
     Whole(Box<Answer>),
     Group(SolutionGroup),
 }
 
 impl Draft {
-    fn answer(self) -> Answer {
+    fn answer(self, programs: Option<&mut Programs>) -> Answer {
         match self {
             Draft::Whole(answer) => *answer,
-            Draft::Group(group) => group.answer(),
+            Draft::Group(group) => group.answer(programs),
         }
     }
 }
 
 /// Solution files that answer one program each.
+#[derive(Debug, Clone)]
 struct SolutionGroup {
     key: GroupKey,
-    members: Vec<(PuiEnd, Foreign, BoundClaim)>,
+    members: Vec<(PuiEnd, Foreign, SolutionFile)>,
 }
 
 impl SolutionGroup {
-    fn add(&mut self, target: PuiEnd, file: &ClaimText, solution: &SolutionFile) -> Result<(), ClaimError> {
+    fn add(&mut self, target: PuiEnd, file: &ClaimText, solution: SolutionFile) -> Result<(), ClaimError> {
         if let Some((_, other, _)) = self.members.iter().find(|(member, ..)| *member == target) {
             return Err(ClaimError::Twice { target, other: other.clone() });
         }
-        self.members.push((target, file.file.clone(), solution::claim(solution, target)));
+        self.members.push((target, file.file.clone(), solution));
         Ok(())
     }
 
-    fn answer(self) -> Answer {
+    fn answer(mut self, mut programs: Option<&mut Programs>) -> Answer {
+        for (target, _, file) in &mut self.members {
+            if let Some(known) =
+                programs.as_mut().and_then(|programs| programs.without_cost_row(file, *target))
+            {
+                *file = known;
+            }
+        }
+        // The files of one group have one writer; one without values may not tell it.
+        let writer =
+            self.members.iter().map(|(.., file)| file.writer).find(|writer| *writer != self.key.format);
         let (before, after) = &self.key.path;
         let source = match self.members.as_slice() {
-            [(_, file, _)] => format!("{}, {}", self.key.format, file.raw()),
-            _ => format!("{}, {before}*{after}", self.key.format),
+            [(_, file, _)] => file.raw().to_owned(),
+            _ => format!("{before}*{after}"),
         };
         let claims = PuiEnd::each(|end| {
             let member = self.members.iter().find(|(member, ..)| *member == end);
-            member.map_or_else(|| BoundClaim::nothing("no file given"), |(_, _, claim)| claim.clone())
+            member.map_or_else(
+                || BoundClaim::nothing("no file given"),
+                |(.., file)| solution::claim(file, end, programs.as_deref()),
+            )
         });
+        let source = format!("{}, {source}", writer.unwrap_or(self.key.format));
         Answer { source: source.into(), exact_input: false, claims }
     }
 }

@@ -6,6 +6,8 @@ use boundfit_judge::{
 };
 use boundfit_lp::{BoundClaim, Claimed, Printed, PuiEnd};
 
+use super::programs::Programs;
+
 /// Reads a solver's own file about θ1 and θ2.
 ///
 /// # Errors
@@ -30,7 +32,7 @@ pub(super) fn target(file: &SolutionFile) -> Option<PuiEnd> {
 }
 
 /// Returns what the file claims about the end that its program is about.
-pub(super) fn claim(file: &SolutionFile, target: PuiEnd) -> BoundClaim {
+pub(super) fn claim(file: &SolutionFile, target: PuiEnd, programs: Option<&Programs>) -> BoundClaim {
     match (&file.status, point(file)) {
         (SolverStatus::Infeasible, _) => BoundClaim::bare(Claimed::Infeasible),
         (SolverStatus::Unbounded, _) => BoundClaim::bare(Claimed::Unbounded),
@@ -38,7 +40,9 @@ pub(super) fn claim(file: &SolutionFile, target: PuiEnd) -> BoundClaim {
         (SolverStatus::Other(words), _) => {
             BoundClaim::nothing(&format!("the solver's status is {}", quoted(words)))
         }
-        (SolverStatus::Optimal, Ok(Some(point))) => BoundClaim::attained(target, point, duals(file)),
+        (SolverStatus::Optimal, Ok(Some(point))) => {
+            BoundClaim::attained(target, point, duals(file, programs))
+        }
         (SolverStatus::Optimal, _) => BoundClaim::nothing("an optimum that is not finite"),
     }
 }
@@ -67,11 +71,12 @@ fn point(file: &SolutionFile) -> Result<Option<[Printed; 2]>, SolutionError> {
     Ok(theta1.zip(theta2).map(|(theta1, theta2)| [theta1, theta2]))
 }
 
-/// The size of each row's dual, in the order of the file. Signs differ between solvers and are left out: each row is a
-/// bound on one side only. Only which is larger matters.
-fn duals(file: &SolutionFile) -> Option<Vec<f64>> {
-    let size = |row: &Entry| {
-        row.price.as_ref().and_then(Figure::finite).map_or(0.0, |dual| dual.value.to_f64().abs())
-    };
-    file.has_duals.then(|| file.rows.iter().map(size).collect())
+/// The size of each row's dual, in the order of the file, an equation with its two sides. Signs differ between solvers and are left
+/// out elsewhere: each row is a bound on one side only. Only which is larger matters.
+fn duals(file: &SolutionFile, programs: Option<&Programs>) -> Option<Vec<f64>> {
+    let dual =
+        |row: &Entry| row.price.as_ref().and_then(Figure::finite).map_or(0.0, |dual| dual.value.to_f64());
+    let duals: Vec<f64> = file.has_duals.then(|| file.rows.iter().map(dual).collect())?;
+    let by_side = programs.and_then(|programs| programs.by_side(&duals));
+    Some(by_side.unwrap_or_else(|| duals.into_iter().map(f64::abs).collect()))
 }

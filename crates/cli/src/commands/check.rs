@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use boundfit_ask::{Ask, Fit, Fittable, Refusal};
 use boundfit_check::{
-    Answer, AskedDirections, CheckOptions, ClaimLimits, ClaimText, check, is_solution_name, parse_claim_pui,
-    read_claims, source_names,
+    Answer, AskedDirections, CheckOptions, ClaimLimits, ClaimText, Claims, check, is_solution_name,
+    parse_claim_pui, read_claims, source_names,
 };
 use boundfit_estimation::Problem;
 use boundfit_exact::{Foreign, Reading};
@@ -114,9 +114,11 @@ pub(super) fn run(arguments: &CheckArguments) -> CommandResult {
     guard.check(proof)?;
     let data = arguments.data.words().open()?;
     let boundfit_report::Origin { file, reading, .. } = data.origin;
-    let options = options(arguments, claims)?;
+    let claims = claims_in(arguments, claims)?;
+    let mut options = options(arguments, &claims)?;
     let has_all = options.all_rows || theory.is_some();
     let problem = if has_all { data.problem()? } else { data.supporting_problem()? };
+    options.answers.splice(..0, claims.answers(&problem));
     let limits = &arguments.data.table.limits;
     refuse_long_problem(arguments.data.file_name(), &problem, times::CHECK, limits)?;
     let check = while_working("solving", || check(&problem, reading, &options));
@@ -148,28 +150,37 @@ fn theorem(
     question.theorem(&asked, &answer, reading, theory, small.as_ref().map(SmallFile::parts)).map_err(failed)
 }
 
-fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<CheckOptions, Failure> {
+/// The claims in these files.
+fn claims_in(arguments: &CheckArguments, files: Vec<String>) -> Result<Claims, Failure> {
     let limits = &arguments.data.table.limits;
     let limits = ClaimLimits { number: limits.number(), nesting: limits.sizes().nesting };
     let mut claims = Vec::new();
-    for file in claim_files {
+    for file in files {
         let text = read_text(&file, arguments.data.table.limits.statement())?;
         refuse_long_text(Foreign::of(&file), &text, &arguments.data.table.limits)?;
         claims.push(ClaimText { file: file.into(), text });
     }
-    let mut answers = read_claims(&claims, &limits).map_err(Failure::refused)?;
+    read_claims(&claims, &limits).map_err(Failure::refused)
+}
+
+/// All options but the answers in files.
+fn options(arguments: &CheckArguments, claims: &Claims) -> Result<CheckOptions, Failure> {
+    let mut answers: Vec<Answer> = Vec::new();
     for text in &arguments.claimed_pui {
         let answer = parse_claim_pui(text);
         answers.push(answer.map_err(|error| Failure::value("--claim-pui <LO1,HI1,LO2,HI2>", text, error))?);
     }
-    let tolerance = arguments.tolerance.value(&limits.number)?;
+    let tolerance = arguments.tolerance.value(&arguments.data.table.limits.number())?;
     // Without a word about whom to judge, everybody is.
-    let solvers = if arguments.solvers.is_empty() && answers.is_empty() && arguments.directions.is_none() {
+    let solvers = if arguments.solvers.is_empty()
+        && answers.is_empty()
+        && arguments.claims.is_empty()
+        && arguments.directions.is_none()
+    {
         source_names()
     } else {
         arguments.solvers.clone()
     };
-    let all_rows = arguments.all_rows || answers.iter().any(Answer::has_duals);
     Ok(CheckOptions {
         solvers,
         answers,
@@ -179,7 +190,7 @@ fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<Check
         directions: arguments
             .directions
             .map(|count| AskedDirections { count: usize::from(count), is_scaled: arguments.scaled }),
-        all_rows,
+        all_rows: arguments.all_rows || claims.have_duals(),
     })
 }
 

@@ -1,24 +1,43 @@
 //! The objective among the rows: HiGHS writes GLPK's files so, with numbers as it always prints them.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Integer, Rational};
 use boundfit_lp::{Model, ModelRow, NumberFormat, ObjectiveSense, Printed};
 
 use super::{Entry, Figure, Reference, SolutionFile};
 
-/// A file of HiGHS in the style of GLPK without the objective's row; `None` for other files. Of a model in MPS that row stands where
-/// its N row does, of any other model it is the last. Where several rows have the objective's value, that one is taken beside which
-/// the others fit the model best. Cost: linear in the model.
-pub(super) fn without_cost_row(file: &SolutionFile, model: &Model) -> Option<SolutionFile> {
-    let (objective, line) = file.objective.as_ref()?;
-    let value = &objective.finite()?.value;
+impl SolutionFile {
+    /// This file without the row of the objective, which HiGHS adds in the style of GLPK; `None` for other files. Of a model in MPS
+    /// that row stands where its N row does, of any other model it is the last. Where several rows have the objective's value, that
+    /// one is taken beside which the others fit the model best. Cost: linear in the model.
+    pub fn without_cost_row(&self, model: &Model) -> Option<SolutionFile> {
+        let (objective, line) = self.objective.as_ref()?;
+        if self.announced.is_none() || self.rows.len() != model.rows.len() + 1 {
+            return None;
+        }
+        // HiGHS writes 0 for the objective of a model without costs, and the constant as the value of its row.
+        let has_costs = model.columns.iter().any(|column| !column.cost.is_zero());
+        let value = if has_costs { &objective.finite()?.value } else { &model.constant };
+        let place = cost_row(self, model, value)?;
+        let is_highs = numbers(self).all(is_short);
+        let of_model = |(place, row): (usize, &Entry)| Entry { of: Reference::Place(place), ..row.clone() };
+        let others = self.rows.iter().enumerate().filter(|(own, _)| *own != place).map(|(_, row)| row);
+        let own_value = self.rows.get(place).and_then(|row| row.value.clone()).filter(|_| !has_costs);
+        let file = SolutionFile {
+            rows: others.enumerate().map(of_model).collect(),
+            objective: Some((own_value.unwrap_or_else(|| objective.clone()), *line)),
+            ..self.clone()
+        };
+        Some(if is_highs { by_highs(file) } else { file })
+    }
+}
+
+/// The place of the objective among the rows of a file with one row more than the model.
+fn cost_row(file: &SolutionFile, model: &Model, value: &Rational) -> Option<usize> {
     let near = Rational::scientific(1, -12) * Rational::one().max(value.abs());
     let is_near = |entry: &Entry| {
         let own = entry.value.as_ref().and_then(Figure::finite);
         own.is_some_and(|own| (&own.value - value).abs() <= near) && number(&entry.price).is_zero()
     };
-    if file.announced.is_none() || file.rows.len() != model.rows.len() + 1 {
-        return None;
-    }
     let mut misfit = Misfit::new(model, &file.columns);
     // Without the first row, each row of the model has the next one of the file.
     for (row, entry) in model.rows.iter().zip(file.rows.iter().skip(1)) {
@@ -35,17 +54,32 @@ pub(super) fn without_cost_row(file: &SolutionFile, model: &Model) -> Option<Sol
             misfit.change(row, entry, Change::Put);
         }
     }
-    let (_, place) = best?;
-    let of_model =
-        |(place, row): (usize, &Entry)| Entry { of: Reference::Place(place), ..coarser_entry(row) };
-    let others = file.rows.iter().enumerate().filter(|(own, _)| *own != place).map(|(_, row)| row);
-    Some(SolutionFile {
+    best.map(|(_, place)| place)
+}
+
+/// The finite numbers of columns and rows.
+fn numbers(file: &SolutionFile) -> impl Iterator<Item = &Rational> {
+    let entries = file.columns.iter().chain(&file.rows);
+    let figures = entries.flat_map(|entry| entry.value.iter().chain(&entry.price));
+    figures.filter_map(Figure::finite).map(|number| &number.value)
+}
+
+/// Returns whether a number has no digit beyond the last one that HiGHS prints. GLPK, which lists the objective of a MathProg model,
+/// prints more digits of small numbers.
+fn is_short(value: &Rational) -> bool {
+    let last = 10_i64.pow(13);
+    (value * &Rational::from(last)).denominator() == Integer::one()
+}
+
+/// The file with its numbers as HiGHS prints them.
+fn by_highs(file: SolutionFile) -> SolutionFile {
+    SolutionFile {
         writer: "HiGHS",
-        rows: others.enumerate().map(of_model).collect(),
-        columns: file.columns.iter().map(coarser_entry).collect(),
-        objective: Some((coarser(objective), *line)),
-        ..file.clone()
-    })
+        rows: file.rows.into_iter().map(coarser_entry).collect(),
+        columns: file.columns.into_iter().map(coarser_entry).collect(),
+        objective: file.objective.map(|(objective, line)| (coarser(&objective), line)),
+        ..file
+    }
 }
 
 /// How far entries of rows are from the optimality of a model: the costs that prices do not explain, and the prices of bounds that
@@ -115,12 +149,8 @@ fn number(figure: &Option<Figure>) -> Rational {
     figure.as_ref().and_then(Figure::finite).map_or_else(Rational::zero, |number| number.value.clone())
 }
 
-fn coarser_entry(entry: &Entry) -> Entry {
-    Entry {
-        value: entry.value.as_ref().map(coarser),
-        price: entry.price.as_ref().map(coarser),
-        ..entry.clone()
-    }
+fn coarser_entry(entry: Entry) -> Entry {
+    Entry { value: entry.value.as_ref().map(coarser), price: entry.price.as_ref().map(coarser), ..entry }
 }
 
 /// A number with the precision of HiGHS.

@@ -14,6 +14,11 @@ pub enum SolutionError {
         "this is no solution (expected JSON, or a solution as GLPK, HiGHS, CBC, CLP, SCIP, Gurobi, MIPLIB or, in XML, CPLEX writes it)"
     )]
     UnknownFormat,
+    /// A file of HiGHS that does not say how the solver ended.
+    #[error(
+        "this is the old style (-1) of HiGHS, without a status and names (expected write_solution_style 0, 1, 2, 3 or 4)"
+    )]
+    OldHighs,
     /// A line that is not understood.
     #[error("line {line}: {text:?} (expected {expected}, as {format} writes it)")]
     Line {

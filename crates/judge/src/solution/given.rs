@@ -5,7 +5,6 @@ use std::collections::HashMap;
 use boundfit_exact::Rational;
 use boundfit_lp::{Model, Printed};
 
-use super::cost_row::without_cost_row;
 use super::error::{SolutionError, quoted};
 use super::{Entry, Figure, Reference, SolutionFile, SolverStatus};
 
@@ -51,7 +50,7 @@ impl Solution {
     /// With names and places that the model has not, with two values for one of them, and with columns left out by a
     /// writer that leaves none out. Rows without a price may be any: files list free rows, which a model has not.
     pub fn new(file: &SolutionFile, model: &Model) -> Result<Self, SolutionError> {
-        let by_highs = without_cost_row(file, model);
+        let by_highs = file.without_cost_row(model);
         let file = by_highs.as_ref().unwrap_or(file);
         let columns = Names::new("column", model.columns.iter().map(|column| column.name.raw()));
         let rows = Names::new("row", model.rows.iter().map(|row| row.name.raw()));

@@ -162,8 +162,11 @@ impl Kind {
         expected: impl Fn() -> SolutionError,
     ) -> Result<Entry, SolutionError> {
         let number = words.get(1).and_then(|word| word.parse::<usize>().ok()).unwrap_or_default();
-        let value = line.figure(words.get(self.value).ok_or_else(expected)?, PLAIN, limits)?;
-        let price = words.get(self.value + 1).filter(|_| self.has_duals);
+        // HiGHS leaves the status blank where an interior point has no basis.
+        let has_status = words.get(2).is_some_and(|word| ["b", "l", "u", "f", "s"].contains(word));
+        let place = if has_status { self.value } else { 2 };
+        let value = line.figure(words.get(place).ok_or_else(expected)?, PLAIN, limits)?;
+        let price = words.get(place + 1).filter(|_| self.has_duals);
         let price = price.map(|word| line.figure(word, PLAIN, limits)).transpose()?;
         Ok(Entry {
             of: Reference::Place(number.saturating_sub(1)),

@@ -1,6 +1,6 @@
 //! HiGHS: what `--solution_file FILE` writes, in its raw style and in its table for people.
 //!
-//! Source: HiGHS documentation, "Solution file format". Its other styles are those of GLPK. The raw style prints numbers to
+//! Source: HiGHS documentation, "Solution file format". Its styles 2 and 3 are those of GLPK. The raw style prints numbers to
 //! 10⁻¹³ (`kHighsSolutionValueToStringTolerance`), with at most 16 digits; the table as `%g`.
 
 use boundfit_exact::{Limits, Rational};
@@ -25,6 +25,18 @@ pub(super) fn is_table(text: &str) -> bool {
     let mut lines = text.lines();
     lines.next().is_some_and(|line| line.trim() == "Columns")
         && lines.next().is_some_and(|line| line.split_whitespace().take(2).eq(["Index", "Status"]))
+}
+
+/// Returns whether a text is a solution in the old raw style, -1: it has neither names nor a status.
+pub(super) fn is_old(text: &str) -> bool {
+    text.lines()
+        .next()
+        .is_some_and(|line| line.contains(": Number of columns and rows for primal or dual solution"))
+}
+
+/// Refuses the old raw style.
+pub(super) fn refuse_old(_: &str, _: &Limits) -> Result<SolutionFile, SolutionError> {
+    Err(SolutionError::OldHighs)
 }
 
 /// The part that a line of the raw style belongs to.

@@ -142,11 +142,12 @@ impl SolutionFile {
 pub fn read_solution(text: &str, limits: &Limits) -> Result<SolutionFile, SolutionError> {
     type Is = fn(&str) -> bool;
     type Parse = fn(&str, &Limits) -> Result<SolutionFile, SolutionError>;
-    let formats: [(Is, Parse); 10] = [
+    let formats: [(Is, Parse); 11] = [
         (json::is_json, json::parse),
         (cplex::is_xml, cplex::parse),
         (highs::is_raw, highs::parse_raw),
         (highs::is_table, highs::parse_table),
+        (highs::is_old, highs::refuse_old),
         (glpk::is_printed, glpk::parse_printed),
         (cbc::is_cbc, cbc::parse_cbc),
         (cbc::is_clp, cbc::parse_clp),

@@ -189,7 +189,7 @@ fn bad_solutions_say_where_and_what_is_expected() {
         assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{text}");
         assert_eq!(run.stderr, format!("error: {path}: {message}\n"), "{text}");
     };
-    let unknown = "this is no claim (expected JSON, or a solution as GLPK, HiGHS, CBC, SCIP or, in XML, CPLEX writes it)";
+    let unknown = "this is no claim (expected JSON, or a solution as GLPK, HiGHS, CBC, CLP, SCIP, Gurobi, MIPLIB or, in XML, CPLEX writes it)";
     refused("theta1-min.sol", "", unknown);
     refused("theta1-min.sol", "NAME theta1-min\nROWS\n", unknown);
     let glpk = "s bas 1 2 f f 0\ni 1 b 0 0\nj 1 b 1 0\nj 2 b 1 0\ne o f\n";
@@ -275,6 +275,10 @@ fn broken_files_are_refused_with_a_reason() {
             "glpk-three-variables",
             "line 2: \"s bas 18446744073709551615 3 f f 1\" (expected 2 variables, theta1 and theta2, as GLPK writes it)",
         ),
+        (
+            "highs-old",
+            "this is the old style (-1) of HiGHS, without a status and names (expected write_solution_style 0, 1, 2, 3 or 4)",
+        ),
         ("theta1-min-highs-cut", "the file stops without a value of theta2, which HiGHS writes"),
         ("cplex-entities", "XML with DTD detected (expected a <CPLEXSolution>, as CPLEX writes it)"),
         (
@@ -287,4 +291,34 @@ fn broken_files_are_refused_with_a_reason() {
         assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{name}");
         assert_eq!(run.stderr, format!("error: {path}: {message}\n"), "{name}");
     }
+}
+
+#[test]
+fn an_equation_is_one_row_of_a_file_and_two_sides_of_the_set() {
+    const PLACE: &str = "fixtures/solutions/equation";
+    let line = |claim: &str| {
+        let fit = format!("check {PLACE}/readings.csv --x x --y y --eps 0.3 --where theta1+theta2=1.03");
+        format!("{fit} --strict --claim {claim}")
+    };
+    // The row of the objective, which HiGHS adds in the style of GLPK, is the first one of a model in MPS and the last of others.
+    for (solver, writer, status, last) in [
+        // Fifteen digits of a number that is off by more than rounding.
+        ("glpk-plain", "GLPK", 4, "loose"),
+        ("highs-raw", "HiGHS", 0, "rounded"),
+        ("highs-glpsol", "HiGHS", 0, "rounded"),
+        ("highs-glpsol-mps", "HiGHS", 0, "rounded"),
+    ] {
+        let found = &claims(&line(&format!("{PLACE}/{solver}")), status)[0];
+        assert_eq!(found["source"], format!("{writer}, {PLACE}/{solver}/*.sol"));
+        assert_eq!(verdicts(found), ["rounded", "exact", "exact", last], "{solver}");
+        for bound in found["bounds"].as_array().unwrap() {
+            assert_eq!(bound["repairable"], true, "{solver}");
+        }
+    }
+    // A digit that HiGHS does not print makes it a file of GLPK, whose numbers are finer.
+    let text =
+        solution("equation/highs-glpsol/theta1-min.sol").replace("0.0683333333333 0", "0.06833333333334 0");
+    let finer = folder(&[("theta1-min.sol", &text)]);
+    let found = &claims(&line(&format!("{}/theta1-min.sol", finer.path().display())), 4)[0];
+    assert_eq!(verdicts(found)[0], "unsafe");
 }

@@ -81,7 +81,12 @@ fn double(value: &Rational) -> Claim {
 }
 
 /// The answer of four claims, read as the program reads it: from the command line, or from JSON with doubles or texts.
-fn answer(claims: &[[Claim; 2]; 2], point: Option<&[Claim; 2]>, are_texts: bool) -> Answer {
+fn answer(
+    problem: &Problem,
+    claims: &[[Claim; 2]; 2],
+    point: Option<&[Claim; 2]>,
+    are_texts: bool,
+) -> Answer {
     if are_texts && point.is_none() {
         let word = |claim: &Claim, end| match (claim, end) {
             (Some((text, _)), _) => text.clone(),
@@ -101,7 +106,7 @@ fn answer(claims: &[[Claim; 2]; 2], point: Option<&[Claim; 2]>, are_texts: bool)
     let points = if point.is_some() { format!("[{points}]") } else { points };
     let text = format!("{{\"pui\": [{}, {}], \"points\": {points}}}", pair(&claims[0]), pair(&claims[1]));
     let file = ClaimText { file: "claim.json".into(), text };
-    read_claims(&[file], &ClaimLimits::default()).unwrap().remove(0)
+    read_claims(&[file], &ClaimLimits::default()).unwrap().answers(problem).remove(0)
 }
 
 /// The second judge's verdicts on both ends of an interval.
@@ -194,7 +199,7 @@ fn the_second_judge_agrees_on_every_claim() {
                     if are_texts { typed(&mut rng, &value) } else { double(&value) }
                 })
             });
-            let answer = answer(&claims, point.as_ref(), are_texts);
+            let answer = answer(&problem, &claims, point.as_ref(), are_texts);
             let said = point.as_ref().map(|point| point.clone().map(|claim| claim.unwrap().1));
             for axis in [0, 1] {
                 let found = referee.judge_interval(axis, &answer.claims[axis]);
