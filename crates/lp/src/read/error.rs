@@ -130,6 +130,9 @@ pub enum ModelErrorKind {
         /// The expected record.
         expected: &'static str,
     },
+    /// A line out of the columns of fixed MPS, in a file with blanks in its names.
+    #[error("this is not in the columns of fixed MPS, as the names with blanks before it are")]
+    FixedColumns,
     /// A type of row that is none.
     #[error("not a type of row")]
     RowType,
@@ -216,6 +219,9 @@ pub enum ModelErrorKind {
     /// A piece of LP format that does not belong here.
     #[error("this cannot stand here")]
     Unexpected(&'static str),
+    /// A text in the format of another program.
+    #[error("this is lp_solve's own LP format")]
+    LpSolve,
     /// A quadratic term.
     #[error("quadratic terms are not linear")]
     Quadratic,
@@ -274,6 +280,12 @@ impl ModelErrorKind {
             }
             ModelErrorKind::EmptySection(_) => "MIN or MAX in OBJSENSE, a row in OBJNAME",
             ModelErrorKind::Record { expected, .. } => expected,
+            ModelErrorKind::LpSolve => {
+                "CPLEX's LP format, or MPS: lp_solve -S1 -parse_only FILE.lp -wfmps FILE.mps writes it"
+            }
+            ModelErrorKind::FixedColumns => {
+                "names and numbers in the columns 2-3, 5-12, 15-22, 25-36, 40-47 and 50-61, or names without blanks"
+            }
             ModelErrorKind::RowType => "N, L, G or E",
             ModelErrorKind::BoundType => "LO, UP, FX, FR, MI or PL",
             ModelErrorKind::Sense => "MIN or MAX",

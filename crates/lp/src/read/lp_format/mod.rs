@@ -16,6 +16,23 @@ use token::{Kind, Token, Tokens, tokens};
 
 /// Reads a program.
 pub(super) fn read(text: &str, limits: &ModelLimits) -> Result<Model, ModelError> {
+    read_as_cplex(text, limits).map_err(|error| match error.kind {
+        ModelErrorKind::Unexpected(_) if is_of_lp_solve(text) => {
+            ModelError { kind: ModelErrorKind::LpSolve, ..error }
+        }
+        _ => error,
+    })
+}
+
+/// Returns whether a text begins like one of lp_solve, which has a format of its own.
+fn is_of_lp_solve(text: &str) -> bool {
+    let start = text.trim_start();
+    let word = start.split([':', ';']).next().unwrap_or_default().trim_end();
+    let is_sense = SENSES.iter().any(|(_, words)| words.iter().any(|own| own.eq_ignore_ascii_case(word)));
+    text.contains(';') && (is_sense || start.starts_with("/*") || start.starts_with("//"))
+}
+
+fn read_as_cplex(text: &str, limits: &ModelLimits) -> Result<Model, ModelError> {
     let mut reader = Reader { tokens: tokens(text, limits), program: Program::new(limits), limits };
     reader.objective()?;
     loop {

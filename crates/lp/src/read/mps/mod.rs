@@ -11,14 +11,15 @@ use crate::format::ExchangeFormat;
 use crate::model::{Model, ObjectiveSense};
 
 use program::Program;
-use record::{Layout, Record, has_fields_with_blanks};
+use record::{Blanks, Layout, Record, fields_with_blanks};
 use section::{Section, is_comment, is_marker};
 
 /// Reads either form. A file is fixed if its lines of data are in the columns of that form, names in it contain
 /// blanks, and it can be read so. A file that can be read either way with different meanings is refused.
 pub(super) fn read(text: &str, limits: &ModelLimits) -> Result<Model, ModelError> {
     let free = read_as(text, Layout::Free, limits);
-    if !has_fields_with_blanks(text, limits) {
+    let blanks = fields_with_blanks(text, limits);
+    if blanks == Blanks::None || free.is_ok() && blanks == Blanks::BeforeOtherLines {
         return free;
     }
     match (free, read_as(text, Layout::Fixed, limits)) {

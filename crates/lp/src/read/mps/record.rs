@@ -53,7 +53,10 @@ impl<'a> Record<'a> {
     ) -> Result<Self, ModelError> {
         let record = match layout {
             Layout::Free => free(line, section, columns),
-            Layout::Fixed => cut(line).and_then(|fields| fixed(fields, section)),
+            Layout::Fixed => {
+                let fields = cut(line).ok_or_else(|| line.whole().error(ModelErrorKind::FixedColumns))?;
+                fixed(fields, section)
+            }
         };
         let refused = || {
             let kind = ModelErrorKind::Record { section: section.name(), expected: expected(section) };
@@ -154,12 +157,24 @@ fn fixed(fields: [Option<Field<'_>>; 6], section: Section) -> Option<Record<'_>>
     shape_is_right.then_some(Record { code, name, pairs })
 }
 
-/// Returns whether every line of data is in the columns of the fixed format, and a field contains a blank.
-pub(super) fn has_fields_with_blanks(text: &str, limits: &ModelLimits) -> bool {
+/// The blanks in the fields of the fixed format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Blanks {
+    /// No field contains one, up to the first line out of the columns.
+    None,
+    /// A field contains one, and every line of data is in the columns.
+    InFixedLines,
+    /// A field contains one, but a later line is not in the columns.
+    BeforeOtherLines,
+}
+
+/// Looks for blanks in fields of the fixed format.
+pub(super) fn fields_with_blanks(text: &str, limits: &ModelLimits) -> Blanks {
     let mut found = false;
     let mut is_cut = false;
+    let otherwise = |found| if found { Blanks::BeforeOtherLines } else { Blanks::None };
     for line in lines(text, limits) {
-        let Ok(line) = line else { return false };
+        let Ok(line) = line else { return otherwise(found) };
         if is_comment(line) || line.text.trim().is_empty() || is_marker(line) {
             continue;
         }
@@ -170,9 +185,9 @@ pub(super) fn has_fields_with_blanks(text: &str, limits: &ModelLimits) -> bool {
                 break;
             }
         } else if is_cut {
-            let Some(fields) = cut(line) else { return false };
+            let Some(fields) = cut(line) else { return otherwise(found) };
             found |= fields.iter().flatten().any(|field| field.text.contains(' '));
         }
     }
-    found
+    if found { Blanks::InFixedLines } else { Blanks::None }
 }

@@ -112,12 +112,15 @@ fn refusals_say_what_would_be_accepted() {
     let range = "this cannot stand here (expected <= on both sides, as in 1 <= x <= 2, or >= on both)";
     let bound = "this cannot stand here (expected a bound on a line of its own: x <= 3, -inf <= x <= 3, x = 3 or x free)";
     let right = "this cannot stand here (expected a number; variables belong to the left side)";
+    let lp_solve = "this is lp_solve's own LP format (expected CPLEX's LP format, or MPS: lp_solve -S1 -parse_only FILE.lp -wfmps FILE.mps writes it)";
     let left = "this cannot stand here (expected a variable behind the number; numbers alone belong to the right side)";
     for (text, expected) in [
         ("", format!("there is nothing in the file (expected {file})")),
         ("\\ nothing\n\n", format!("there is nothing in the file (expected {file})")),
         ("NAME x", "line 1, column 1: \"NAME\": this cannot stand here (expected minimize or maximize, then the objective)".to_owned()),
-        ("max: 3x + 2y;", format!("line 1, column 4: \":\": {term}")),
+        ("max: 3x + 2y;", format!("line 1, column 4: \":\": {lp_solve}")),
+        ("/* lp_solve */\nmax: 3x + 2y;\n", format!("line 1, column 1: \"/\": {lp_solve}")),
+        ("max: 3x + 2y", format!("line 1, column 4: \":\": {term}")),
         ("min x y end", format!("line 1, column 7: \"y\": {relation}")),
         ("min 3 4 end", format!("line 1, column 7: \"4\": {relation}")),
         ("min 3 * x end", "line 1, column 7: \"*\": quadratic terms are not linear (expected terms such as 3 x)".to_owned()),

@@ -157,6 +157,21 @@ fn fixed_files_may_have_blanks_in_names() {
 }
 
 #[test]
+fn a_line_out_of_the_fixed_columns_is_named() {
+    // Read as free MPS, the first line with blanks in a name would be named.
+    let text = FIXED.replace(
+        "    c 2       the cost  2              row 2     1",
+        "    c 2       the cost  0.123456789012345",
+    );
+    assert_eq!(
+        message(&text, MPS),
+        "line 9, column 5: \"c 2       the cost  0.123456789012345\": this is not in the columns of fixed MPS, as the \
+         names with blanks before it are (expected names and numbers in the columns 2-3, 5-12, 15-22, 25-36, 40-47 and \
+         50-61, or names without blanks)"
+    );
+}
+
+#[test]
 fn files_that_mean_two_programs_are_refused() {
     // As free MPS, column a has 5 in row r and 1 in row 2.
     let text = "ROWS\n N  cost\n L  r\n L  2\nCOLUMNS\n    a r 5     2         1\nENDATA\n";
