@@ -85,7 +85,7 @@ pub use heading::find_column;
 pub use limits::{LONGEST_LINE, SizeLimits};
 pub use memory::{MemoryNumbers, MemoryTable};
 pub use memory_use::MemoryUse;
-pub use notes::{BlockNote, HeaderNote, SheetNote, Skipped, TableNotes};
+pub use notes::{BlockNote, HeaderNote, SheetLooks, SheetNote, Skipped, TableNotes};
 pub use open::{HeldRows, read_table, scan};
 pub use reduction::{
     AskedReduction, REDUCTION_MARK, ReducedBounds, ReducedModel, ReductionError, ReductionRecord, Reductions,

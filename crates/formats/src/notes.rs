@@ -15,6 +15,8 @@ pub struct TableNotes {
     pub dialect: Dialect,
     /// `true` if the table is a sheet of a workbook, whose rows are then the lines.
     pub is_sheet: bool,
+    /// The parts of a sheet that look different from what is read.
+    pub looks: SheetLooks,
     /// `true` if the table is records of JSON, whose keys are the names; then the delimiter means nothing.
     pub is_records: bool,
     /// The block that was read, for a file with several blocks.
@@ -53,6 +55,39 @@ pub struct SheetNote {
     pub is_asked: bool,
 }
 
+/// The parts of a sheet that look different from what is read: hidden rows and columns are read as all others, filtered ones too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct SheetLooks {
+    /// Rows with a cell that is not empty which spreadsheets do not show.
+    pub hidden_rows: u64,
+    /// Columns up to the last one of any row which spreadsheets do not show.
+    pub hidden_columns: u64,
+    /// Areas of merged cells, of which the first cell alone has the value.
+    pub merged: u64,
+}
+
+impl SheetLooks {
+    fn words(self) -> impl Iterator<Item = String> {
+        let SheetLooks { hidden_rows, hidden_columns, merged } = self;
+        [
+            counted(hidden_rows, "hidden row is read", "hidden rows are read"),
+            counted(hidden_columns, "hidden column is read", "hidden columns are read"),
+            counted(
+                merged,
+                "area of merged cells has its value in the first cell alone",
+                "areas of merged cells have their values in the first cell alone",
+            ),
+        ]
+        .into_iter()
+        .flatten()
+    }
+}
+
+/// Returns words for a number of things; `None` for 0.
+fn counted(count: u64, one: &str, many: &str) -> Option<String> {
+    (count > 0).then(|| format!("{count} {}", if count == 1 { one } else { many }))
+}
+
 /// A block of a file that has several.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BlockNote {
@@ -75,6 +110,8 @@ pub struct Skipped {
     pub short_rows: u64,
     /// Rows with more cells than the first one, all of which are empty.
     pub long_rows: u64,
+    /// Rows that repeat the header, where all blocks are read.
+    pub headers: u64,
 }
 
 impl Skipped {
@@ -84,6 +121,7 @@ impl Skipped {
         self.comments += later.comments;
         self.short_rows += later.short_rows;
         self.long_rows += later.long_rows;
+        self.headers += later.headers;
     }
 }
 
@@ -95,6 +133,7 @@ impl TableNotes {
             .into_iter()
             .flatten()
             .chain(self.skipped_words())
+            .chain(self.looks.words())
             .collect();
         let words: Vec<String> = words.into_iter().chain(self.written_words()).collect();
         (!words.is_empty()).then(|| words.join(", "))
@@ -107,6 +146,7 @@ impl TableNotes {
             || self.sheet.as_ref().is_some_and(|sheet| !sheet.is_asked)
             || self.block.is_some()
             || !self.skipped_words().is_empty()
+            || self.looks != SheetLooks::default()
     }
 
     fn sheet_words(&self) -> Option<String> {
@@ -141,15 +181,13 @@ impl TableNotes {
     }
 
     fn skipped_words(&self) -> Vec<String> {
-        let Skipped { comments, short_rows, .. } = self.skipped;
+        let Skipped { comments, short_rows, headers, .. } = self.skipped;
         // The blocks account for lines that begin blocks.
         let unsaid = if self.block.is_some() { 0 } else { comments };
-        let counted = |count: u64, one: &str, many: &str| {
-            (count > 0).then(|| format!("{count} {}", if count == 1 { one } else { many }))
-        };
         let found = [
             self.header.has_row_names.then(|| "names of rows in column 1".to_owned()),
             counted(comments.min(unsaid), "comment line between rows", "comment lines between rows"),
+            counted(headers, "header repeated", "headers repeated"),
             counted(short_rows, "row shorter than the first", "rows shorter than the first"),
         ];
         found.into_iter().flatten().collect()

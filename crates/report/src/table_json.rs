@@ -15,7 +15,7 @@ use crate::document::Text;
 impl TableJson {
     /// Returns the description in these notes.
     pub fn new(notes: &TableNotes) -> Self {
-        let TableNotes { header, dialect, is_sheet, is_records, block, skipped, sheet: _ } = notes;
+        let TableNotes { header, dialect, is_sheet, is_records, block, skipped, sheet: _, looks: _ } = notes;
         let Dialect { delimiter, notation, comment, encoding, .. } = dialect;
         let named = DELIMITERS.iter().find(|(_, byte)| byte == delimiter);
         let delimiter =

@@ -10,8 +10,8 @@ use std::io;
 
 use boundfit_exact::{DecimalMark, Rational, is_missing};
 use boundfit_formats::{
-    ColumnSelector, InputError, InputErrorKind, Missing, REDUCTION_MARK, ReductionError, RowRange,
-    TableOptions,
+    AskedBlock, ColumnSelector, InputError, InputErrorKind, Missing, REDUCTION_MARK, ReductionError,
+    RowRange, TableOptions,
 };
 use csv::ByteRecord;
 use sha2::{Digest, Sha256};
@@ -135,6 +135,7 @@ impl Reader<'_> {
         let header_line = records.line;
         let header_text = String::from_utf8_lossy(record.get(0).unwrap_or_default()).into_owned();
         let mut more = Ok(true);
+        let repeated = header.clone().unwrap_or_default();
         if let Some(names) = &mut header {
             more = records.next(&mut record);
             // A header of R names every column but that of the row names.
@@ -170,7 +171,7 @@ impl Reader<'_> {
         };
         let titles = places.iter().map(title).collect();
         let found = Found { names: titles, rows_total: 0, sha256, rows: Vec::new(), others: Vec::new() };
-        let columns = Columns { places, looked_at, names, has_header: header.is_some(), shape };
+        let columns = Columns { places, looked_at, names, has_header: header.is_some(), repeated, shape };
         let mut lacking = Lacking::default();
         let read = self.rows(records, record, more, &columns, found, &mut lacking);
         let Lacking { rows, first, .. } = lacking;
@@ -228,6 +229,10 @@ impl Reader<'_> {
         let mut tail = (0, Vec::new());
         let mut more = more?;
         while more {
+            if self.options.block == Some(AskedBlock::All) && self.is_header(&record, &columns.repeated) {
+                more = records.next(&mut record)?;
+                continue;
+            }
             let (line, [least, width]) = (records.line, columns.shape);
             let is_blank = |cell: &[u8]| cell.trim_ascii().is_empty();
             let needed = columns.places.iter().chain(&columns.looked_at).max().copied().unwrap_or(1);
@@ -304,12 +309,27 @@ impl Reader<'_> {
     }
 }
 
+impl Reader<'_> {
+    /// Returns whether a record has these names and no number for each of them.
+    fn is_header(&self, record: &ByteRecord, names: &[String]) -> bool {
+        let cells: Option<Vec<&str>> = record.iter().map(|cell| str::from_utf8(cell).ok()).collect();
+        let is_number = |cell: &&str| DecimalMark::ALL.iter().any(|mark| self.number(cell, *mark).is_ok());
+        cells.is_some_and(|cells| {
+            !names.is_empty()
+                && cells.iter().map(|cell| cell.trim()).eq(names.iter().map(String::as_str))
+                && !cells.iter().all(is_number)
+        })
+    }
+}
+
 /// The places of columns.
 struct Columns {
     places: Vec<usize>,
     looked_at: Vec<usize>,
     names: Vec<String>,
     has_header: bool,
+    /// The cells of the header, as it stands in the file.
+    repeated: Vec<String>,
     /// The least and the most cells of a row, but for empty ones.
     shape: [usize; 2],
 }

@@ -1,7 +1,8 @@
 //! The detected format of a table: header, names, blocks. No guess goes unsaid.
 
 use boundfit_formats::{
-    AskedBlock, ColumnSelector, Header, Missing, MissingWords, ScanOptions, Source, TableNotes, TableOptions,
+    AskedBlock, ColumnSelector, Header, Missing, MissingWords, RowRange, ScanOptions, Source, TableNotes,
+    TableOptions,
 };
 use boundfit_tests::generate::seeded;
 use boundfit_tests::program::root;
@@ -146,6 +147,42 @@ fn blocks_are_told_apart() {
             format!("data: there is no block {wanted}; the file has 2: {list} {expected}")
         );
     }
+}
+
+#[test]
+fn the_header_of_each_block_is_no_row_of_all_of_them() {
+    let all = with(|options| options.block = AskedBlock::parse("all"));
+    let text = |between: &str, header: &str| format!("x,y\n1,2\n2,3\n{between}{header}\n3,4\n");
+    for (between, header, words) in [
+        ("\n\n", "x,y", "all 2 blocks, 1 header repeated"),
+        ("# run 2\n", "\"x\", y", "all 2 blocks, 1 header repeated"),
+        ("", "x,y", "1 header repeated"),
+        ("x,y\n", "x,y", "2 headers repeated"),
+    ] {
+        let text = text(between, header);
+        for chunk_bytes in [1, 5, 9, 100] {
+            let (_, rows, said) = read(text.as_bytes(), &["x", "y"], all.clone(), chunk_bytes).unwrap();
+            assert_eq!(rows, [["1", "2"], ["2", "3"], ["3", "4"]], "{text:?}");
+            assert_eq!(said.as_deref(), Some(words), "{text:?} in chunks of {chunk_bytes}");
+            // Rows are counted without headers, wanted or not.
+            let last = TableOptions { rows: RowRange::new(3, 3).unwrap().into(), ..all.clone() };
+            let (_, rows, _) = read(text.as_bytes(), &["x", "y"], last, chunk_bytes).unwrap();
+            assert_eq!(rows, [["3", "4"]], "{text:?}");
+        }
+        // Nobody said that the rows are one table.
+        assert!(read(text.as_bytes(), &["x", "y"], auto(), 100).is_err());
+    }
+    // Other names, or the same ones in another order, are no repetition, and numbers are a row.
+    for header in ["y,x", "x,z"] {
+        let message = read(text("\n\n", header).as_bytes(), &["x", "y"], all.clone(), 100).unwrap_err();
+        assert!(
+            message.contains("line 6, column 1 (x)") || message.contains("line 6, column 2 (y)"),
+            "{message}"
+        );
+    }
+    let numbers = TableOptions { header: Header::Present, ..all };
+    let (_, rows, _) = read(b"1,2\n3,4\n1,2\n", &["1", "2"], numbers, 100).unwrap();
+    assert_eq!(rows, [["3", "4"], ["1", "2"]]);
 }
 
 #[test]

@@ -166,6 +166,50 @@ fn the_note_says_which_sheet_of_several_was_read() {
 }
 
 #[test]
+fn rows_and_columns_that_are_hidden_are_read_and_said() {
+    let sheet = |before: &str, rows: &str, behind: &str| {
+        let main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
+        let text =
+            format!("<worksheet xmlns=\"{main}\">{before}<sheetData>{rows}</sheetData>{behind}</worksheet>");
+        xlsx_with(&[("S", "")], "xl/worksheets/sheet1.xml", &text)
+    };
+    let csv = "x,y,z\n1,2,7\n3,4,7\n5,6,7";
+    let plain = xlsx_rows(csv, b'A', 1);
+    let hidden = plain.replace("<row r=\"3\">", "<row r=\"3\" hidden=\"1\">");
+    // Rows and columns without cells are nothing that is read.
+    let far = "<row r=\"9\" hidden=\"true\"></row>";
+    let columns =
+        "<cols><col min=\"3\" max=\"16384\" hidden=\"1\"/><col min=\"1\" max=\"2\" hidden=\"0\"/></cols>";
+    let merged = "<mergeCells count=\"2\"><mergeCell ref=\"D1:E1\"/><mergeCell ref=\"D2:D4\"/></mergeCells>";
+    let first = "the first cell alone";
+    let of_ods = |rows: &str| ods(&[("S", rows)]);
+    let rows = ods_rows(csv);
+    let (one, rest) = rows.split_once("</table:table-row>").unwrap();
+    let collapsed = |word: &str| {
+        let rest =
+            rest.replacen("<table:table-row", &format!("<table:table-row table:visibility=\"{word}\""), 1);
+        of_ods(&format!("{one}</table:table-row>{rest}"))
+    };
+    let column = "<table:table-column table:number-columns-repeated=\"2\"/><table:table-column table:visibility=\"collapse\" table:number-columns-repeated=\"1022\"/>";
+    let spanned =
+        rows.replacen("<table:table-cell", "<table:table-cell table:number-columns-spanned=\"2\"", 1);
+    for (book, words) in [
+        (sheet("", &plain, ""), None),
+        (sheet("", &format!("{hidden}{far}"), ""), Some("1 hidden row is read".to_owned())),
+        (sheet(columns, &plain, ""), Some("1 hidden column is read".to_owned())),
+        (sheet("", &plain, merged), Some(format!("2 areas of merged cells have their values in {first}"))),
+        (collapsed("collapse"), Some("1 hidden row is read".to_owned())),
+        (collapsed("filter"), Some("1 hidden row is read".to_owned())),
+        (collapsed("visible"), None),
+        (of_ods(&format!("{column}{rows}")), Some("1 hidden column is read".to_owned())),
+        (of_ods(&spanned), Some(format!("1 area of merged cells has its value in {first}"))),
+    ] {
+        let (rows, said) = read(&book, &["y"], |_| ()).unwrap();
+        assert_eq!((rows.concat(), said), (["2", "4", "6"].map(str::to_owned).to_vec(), words));
+    }
+}
+
+#[test]
 fn a_name_of_one_sheet_and_number_of_another_is_refused() {
     let rows = |y: u32| (xlsx_rows(&format!("x,y\n1,{y}"), b'A', 1), ods_rows(&format!("x,y\n1,{y}")));
     let [a, b, c] = [7, 8, 9].map(rows);

@@ -22,7 +22,7 @@ use crate::dialect::{Dialect, Encoding, Missing};
 use crate::error::{InputError, InputErrorKind};
 use crate::lacking::Lacking;
 use crate::memory::{BadNumber, Cells, Part, TextCells};
-use crate::notes::{HeaderNote, Skipped, TableNotes};
+use crate::notes::{HeaderNote, SheetLooks, Skipped, TableNotes};
 use crate::scan::check_rows;
 use crate::scan::{Batch, ScanOptions, Scanned};
 use crate::wanted::WantedColumns;
@@ -127,6 +127,7 @@ fn notes(encoding: Encoding, missing: Missing) -> TableNotes {
             missing,
         },
         is_sheet: false,
+        looks: SheetLooks::default(),
         is_records: true,
         block: None,
         skipped: Skipped::default(),

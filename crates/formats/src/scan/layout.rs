@@ -4,6 +4,7 @@ use boundfit_exact::english::split_unit;
 use boundfit_exact::{
     DecimalMark, Foreign, Notation, Thousands, TooMuchWork, WorkMeter, is_missing, trim_number,
 };
+use memchr::memmem;
 
 use crate::block::AskedBlock;
 use crate::columns::Role;
@@ -11,7 +12,7 @@ use crate::columns::{ColumnPlace, ColumnSelector, decode, refuse_same};
 use crate::dialect::{BLANKS, CommentMark, Dialect, Encoding};
 use crate::error::{InputError, InputErrorKind};
 use crate::heading::Heading;
-use crate::notes::{BlockNote, HeaderNote, Skipped, TableNotes};
+use crate::notes::{BlockNote, HeaderNote, SheetLooks, Skipped, TableNotes};
 use crate::records::{Record, Records, Syntax};
 use crate::selection::RowCondition;
 use crate::table::TableRow;
@@ -165,6 +166,7 @@ impl<'a> Layout<'a> {
             header: HeaderNote { has_numbers, ..self.names_in },
             dialect: self.dialect(),
             is_sheet: false,
+            looks: SheetLooks::default(),
             is_records: false,
             block: self.block.clone(),
             skipped: self.skipped,
@@ -215,6 +217,28 @@ impl<'a> Layout<'a> {
     /// Returns whether the rows of all blocks are read as if there were one.
     pub(super) fn takes_all_blocks(&self) -> bool {
         self.options.table.block == Some(AskedBlock::All)
+    }
+
+    /// Returns whether a record repeats the header, as each of several blocks that are read as one may.
+    pub(super) fn is_header(&self, record: &Record) -> bool {
+        if !self.takes_all_blocks() || self.header.is_empty() {
+            return false;
+        }
+        let names = self.header.get(usize::from(self.names_in.has_row_names)..).unwrap_or_default();
+        let is_name =
+            |(cell, name): (&[u8], &Foreign)| decode(cell).is_ok_and(|cell| cell.trim() == name.raw());
+        // Names that are numbers may be a row.
+        record.len() == names.len()
+            && record.cells().zip(names).all(is_name)
+            && !record.cells().all(|cell| self.numbers.is_number(cell, Mark::Open))
+    }
+
+    /// Returns whether some rows may have the header among them.
+    pub(super) fn may_repeat_header(&self, rows: &[u8]) -> bool {
+        let longest = || self.header.iter().map(|name| name.raw()).max_by_key(|name| name.len());
+        self.takes_all_blocks()
+            && longest()
+                .is_some_and(|name| name.contains('"') || memmem::find(rows, name.as_bytes()).is_some())
     }
 
     /// Returns whether a data row, counted from 1, may be wanted.

@@ -94,7 +94,7 @@ pub(crate) fn scan_text<T: Send>(
         key_name: layout.key.as_ref().map(ColumnPlace::title),
         header_line,
         // Who reads a table by the rules of CSV alone refuses rows of another length.
-        layout: (layout.skipped.short_rows == 0 && layout.block.is_none())
+        layout: (layout.skipped.short_rows == 0 && layout.skipped.headers == 0 && layout.block.is_none())
             .then(|| TextLayout::new(layout.dialect(), places)),
         table: Some(layout.table_notes()),
         units: layout.units,

@@ -161,9 +161,10 @@ pub(super) fn count(chunk: &[u8], layout: &Layout, ways: &Ways) -> Option<usize>
     Some(total)
 }
 
-/// Returns whether line feeds end lines, nothing else does, and there are no comments.
+/// Returns whether line feeds end lines, nothing else does, and there are neither comments nor further headers.
 fn is_plain(chunk: &[u8], layout: &Layout) -> bool {
-    layout.syntax.comment.is_none_or(|[one, other]| memchr2(one, other, chunk).is_none())
+    !layout.may_repeat_header(chunk)
+        && layout.syntax.comment.is_none_or(|[one, other]| memchr2(one, other, chunk).is_none())
         && memchr_iter(b'\r', chunk).all(|position| chunk.get(position + 1) == Some(&b'\n'))
 }
 

@@ -120,6 +120,10 @@ impl<'a> RowReader<'a> {
             self.gap.add_comment(&text.join(&delimiter), delimiter, layout.shape.width);
             return Ok(());
         }
+        if layout.is_header(record) {
+            self.notes.skipped.headers += 1;
+            return Ok(());
+        }
         let next_block = || InputError::of_line(layout.file, line, InputErrorKind::NextBlock);
         self.notes.gap(
             std::mem::take(&mut self.gap),
@@ -222,7 +226,8 @@ pub(super) fn count(chunk: &[u8], layout: &Layout) -> usize {
     let mut rest = chunk;
     let mut total = 0;
     while let Ok(true) = records.next(&mut rest) {
-        total += usize::from(!layout.is_comment(records.record()));
+        let record = records.record();
+        total += usize::from(!layout.is_comment(record) && !layout.is_header(record));
     }
     total
 }

@@ -25,7 +25,7 @@ use crate::doubles::double_text;
 use crate::error::{InputError, InputErrorKind};
 use crate::hash::hexadecimal;
 use crate::memory_use::MemoryUse;
-use crate::notes::{SheetNote, TableNotes};
+use crate::notes::{SheetLooks, SheetNote, TableNotes};
 use crate::packing::most_unpacked;
 use crate::scan::{Batch, ScanOptions, Scanned, scan_text};
 
@@ -38,6 +38,7 @@ const MOST_SHEETS: usize = 10_000;
 /// A sheet as text.
 struct Sheet {
     choice: Choice,
+    looks: SheetLooks,
     text: Vec<u8>,
     /// The memory of the text.
     memory: HeldMemory,
@@ -78,7 +79,7 @@ pub(crate) fn scan_workbook<T: Send>(
         }
         problem => problem,
     });
-    let Sheet { choice, text, memory: _memory } = sheet.map_err(fail)?;
+    let Sheet { choice, looks, text, memory: _memory } = sheet.map_err(fail)?;
     let mut inner = ScanOptions { hash: false, progress: None, ..options.clone() };
     inner.table.dialect.delimiter = Some(text::DELIMITER);
     inner.table.dialect.encoding = None;
@@ -92,7 +93,8 @@ pub(crate) fn scan_workbook<T: Send>(
     if let Some(progress) = &options.progress {
         progress.advanced(total);
     }
-    let table = scanned.table.map(|notes| TableNotes { sheet: choice.note(), is_sheet: true, ..notes });
+    let table =
+        scanned.table.map(|notes| TableNotes { sheet: choice.note(), is_sheet: true, looks, ..notes });
     Ok(Scanned { layout: None, table, bytes: total, sha256, ..scanned })
 }
 
@@ -131,8 +133,9 @@ fn sheet_text(
         Kind::Ods => ods::read_sheet(&mut archive, wanted, &mut lines)?,
     };
     drop(archive);
+    let looks = lines.looks();
     let (text, memory) = lines.finish()?;
-    Ok(Sheet { choice, text, memory })
+    Ok(Sheet { choice, looks, text, memory })
 }
 
 /// A sheet in the list of a workbook.

@@ -135,7 +135,6 @@ impl Row {
 
     /// Hands the row over once.
     fn write(&self, row: u64, lines: &mut Lines) -> Result<(), InputErrorKind> {
-        let short = |number: u64| u32::try_from(number).unwrap_or(u32::MAX - 1);
         for (first, repeats, text) in &self.cells {
             for column in *first..first.saturating_add(*repeats) {
                 lines.push(short(row), short(column), text)?;
@@ -151,6 +150,7 @@ impl Row {
 fn read_table(part: &mut Part<'_>, limit: u64, lines: &mut Lines) -> Result<(), InputErrorKind> {
     let inside = part.depth();
     let (mut row, mut number, mut row_repeats) = (Row::default(), 0_u64, 1);
+    let (mut is_hidden, mut columns) = (false, 0_u64);
     while part.depth() >= inside {
         let event = part.next()?;
         match &event {
@@ -158,10 +158,19 @@ fn read_table(part: &mut Part<'_>, limit: u64, lines: &mut Lines) -> Result<(), 
                 "table:table-row" => {
                     row = Row::default();
                     row_repeats = repeats(element, "table:number-rows-repeated")?;
+                    is_hidden = is_unseen(element)?;
+                }
+                "table:table-column" => {
+                    let first = columns;
+                    columns = first.saturating_add(repeats(element, "table:number-columns-repeated")?);
+                    if is_unseen(element)? {
+                        lines.hide_columns(short(first), short(columns.saturating_sub(1)));
+                    }
                 }
                 "table:table-cell" | "table:covered-table-cell" => {
                     let repeats = repeats(element, "table:number-columns-repeated")?;
                     let cell = Cell::begin(element, lines.decimal)?;
+                    lines.merged += u64::from(spans(element)?);
                     drop(event);
                     row.push(repeats, cell.text(part, limit)?)?;
                 }
@@ -174,6 +183,7 @@ fn read_table(part: &mut Part<'_>, limit: u64, lines: &mut Lines) -> Result<(), 
             },
             Event::End(element) if element.name().as_ref() == "table:table-row" => {
                 let repeats = if row.cells.is_empty() { 0 } else { row_repeats };
+                lines.hidden_rows = lines.hidden_rows.saturating_add(if is_hidden { repeats } else { 0 });
                 // Before it is written again and again.
                 if row.length().saturating_mul(repeats) > limit {
                     return Err(InputErrorKind::WorkbookTooLarge { limit });
@@ -188,6 +198,23 @@ fn read_table(part: &mut Part<'_>, limit: u64, lines: &mut Lines) -> Result<(), 
         }
     }
     Ok(())
+}
+
+/// A number of rows or columns that is refused where it is too large.
+fn short(number: u64) -> u32 {
+    u32::try_from(number).unwrap_or(u32::MAX - 1)
+}
+
+/// Returns whether a row or a column is hidden, or left out by a filter.
+fn is_unseen(element: &BytesStart<'_>) -> Result<bool, InputErrorKind> {
+    let visibility = attribute_named(element, "table:visibility")?;
+    Ok(matches!(visibility.as_deref(), Some("collapse" | "filter")))
+}
+
+/// Returns whether a cell takes the place of others.
+fn spans(element: &BytesStart<'_>) -> Result<bool, InputErrorKind> {
+    let is_wide = repeats(element, "table:number-columns-spanned")? > 1;
+    Ok(is_wide || repeats(element, "table:number-rows-spanned")? > 1)
 }
 
 /// The attributes of a cell.

@@ -6,6 +6,7 @@ use super::archive::unreadable;
 use crate::budget::HeldMemory;
 use crate::error::InputErrorKind;
 use crate::memory_use::MemoryUse;
+use crate::notes::SheetLooks;
 
 /// The separator of cells of a line.
 pub(super) const DELIMITER: u8 = b'\t';
@@ -23,6 +24,10 @@ pub(super) struct Lines {
     width: u32,
     /// The decimal mark of stored numbers.
     pub(super) decimal: DecimalMark,
+    /// The first and the last of each run of columns that are hidden, from 0.
+    hidden_columns: Vec<[u32; 2]>,
+    pub(super) hidden_rows: u64,
+    pub(super) merged: u64,
     limit: u64,
     memory: HeldMemory,
 }
@@ -30,7 +35,36 @@ pub(super) struct Lines {
 impl Lines {
     /// No lines, with room for at most so many bytes, for which this memory is asked.
     pub(super) fn new(decimal: DecimalMark, limit: u64, memory: HeldMemory) -> Self {
-        Lines { text: Vec::new(), rows: Vec::new(), width: 0, decimal, limit, memory }
+        Lines {
+            text: Vec::new(),
+            rows: Vec::new(),
+            width: 0,
+            decimal,
+            hidden_columns: Vec::new(),
+            hidden_rows: 0,
+            merged: 0,
+            limit,
+            memory,
+        }
+    }
+
+    /// Notices a run of columns that are hidden, by its first and its last one, from 0.
+    pub(super) fn hide_columns(&mut self, first: u32, last: u32) {
+        if self.hidden_columns.len() < MOST_COLUMNS as usize {
+            self.hidden_columns.push([first, last]);
+        }
+    }
+
+    /// The hidden rows and columns that were read, and the merged cells.
+    pub(super) fn looks(&self) -> SheetLooks {
+        let longest = self.rows.iter().map(|(_, width)| *width).chain([self.width]).max().unwrap_or_default();
+        let in_rows =
+            |[first, last]: &[u32; 2]| u64::from(longest.min(last.saturating_add(1)).saturating_sub(*first));
+        SheetLooks {
+            hidden_rows: self.hidden_rows,
+            hidden_columns: self.hidden_columns.iter().map(in_rows).sum(),
+            merged: self.merged,
+        }
     }
 
     /// Returns the number of bytes in memory: the text, and the rows.

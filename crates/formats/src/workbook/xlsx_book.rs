@@ -113,7 +113,8 @@ fn format_of(element: &BytesStart<'_>) -> Result<u32, InputErrorKind> {
     Ok(attribute(element, "numFmtId")?.and_then(|id| id.parse().ok()).unwrap_or_default())
 }
 
-fn is_set(element: &BytesStart<'_>, name: &str) -> Result<bool, InputErrorKind> {
+/// Returns whether an attribute is there and true.
+pub(super) fn is_set(element: &BytesStart<'_>, name: &str) -> Result<bool, InputErrorKind> {
     Ok(attribute(element, name)?.is_some_and(|value| matches!(value.as_ref(), "1" | "true")))
 }
 

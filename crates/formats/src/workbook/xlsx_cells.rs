@@ -6,7 +6,7 @@ use quick_xml::events::{BytesStart, Event};
 use super::archive::{Part, attribute, unreadable};
 use super::finite;
 use super::text::Lines;
-use super::xlsx_book::{Book, rich_text, unescaped};
+use super::xlsx_book::{Book, is_set, rich_text, unescaped};
 use crate::error::InputErrorKind;
 
 /// The value stored in a cell.
@@ -41,9 +41,10 @@ struct Content {
     inline: String,
 }
 
-/// Hands over the cells of a sheet. The stated size of the sheet is not used.
+/// Hands over the cells of a sheet, and what of it is hidden or merged. The stated size of the sheet is not used.
 pub(super) fn read_cells(part: &mut Part<'_>, book: &Book, lines: &mut Lines) -> Result<(), InputErrorKind> {
     let (mut row, mut column, mut has_begun) = (0, 0, false);
+    let mut is_hidden = false;
     loop {
         let event = part.next()?;
         let cell = match &event {
@@ -52,8 +53,17 @@ pub(super) fn read_cells(part: &mut Part<'_>, book: &Book, lines: &mut Lines) ->
                     has_begun = true;
                     None
                 }
+                "col" if !has_begun => {
+                    hide_columns(element, lines)?;
+                    None
+                }
+                "mergeCell" => {
+                    lines.merged += 1;
+                    None
+                }
                 "row" if has_begun => {
                     column = 0;
+                    is_hidden = is_set(element, "hidden")?;
                     if let Some(number) = attribute(element, "r")? {
                         row = row_of(&number).ok_or_else(|| no_cell(&number))?;
                     }
@@ -63,7 +73,11 @@ pub(super) fn read_cells(part: &mut Part<'_>, book: &Book, lines: &mut Lines) ->
                 _ => None,
             },
             Event::End(element) => match element.local_name().as_ref() {
-                "sheetData" => return Ok(()),
+                // Nothing but the list of merged cells is wanted behind them.
+                "sheetData" => {
+                    has_begun = false;
+                    None
+                }
                 "row" => {
                     row = row.saturating_add(1);
                     None
@@ -77,10 +91,24 @@ pub(super) fn read_cells(part: &mut Part<'_>, book: &Book, lines: &mut Lines) ->
         if let Some(cell) = cell {
             if let Some(text) = book.text(&cell, Content::read(part)?, lines.decimal)? {
                 lines.push(cell.row, cell.column, &text)?;
+                // Once for each row.
+                lines.hidden_rows += u64::from(std::mem::take(&mut is_hidden));
             }
             (row, column) = (cell.row, cell.column.saturating_add(1));
         }
     }
+}
+
+/// Notices columns that are hidden.
+fn hide_columns(element: &BytesStart<'_>, lines: &mut Lines) -> Result<(), InputErrorKind> {
+    if is_set(element, "hidden")? {
+        let column =
+            |name| Ok::<_, InputErrorKind>(attribute(element, name)?.and_then(|number| row_of(&number)));
+        if let Some((first, last)) = column("min")?.zip(column("max")?) {
+            lines.hide_columns(first, last);
+        }
+    }
+    Ok(())
 }
 
 impl Cell {
