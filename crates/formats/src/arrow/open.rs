@@ -1,9 +1,10 @@
 //! Record batches out of files, by the libraries of the formats.
 
+use std::cell::Cell;
 use std::fs::File;
 use std::io::{BufReader, Seek};
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Arc;
+use std::panic::{self, AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Once};
 
 use arrow_array::cast::AsArray;
 use arrow_array::{ArrayRef, RecordBatch};
@@ -44,13 +45,31 @@ pub(super) fn column_names(format: BinaryFormat, file: &File) -> Result<Vec<Fore
     Ok(schema.fields().iter().map(|field| Foreign::from(field.name())).collect())
 }
 
-/// Lets a library work. Damaged files make the Parquet library crash in places; that is an error like the others.
+thread_local! {
+    /// `true` while a library works whose crash is an error of the file.
+    static IS_GUARDED: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Lets a library work. Damaged files make the libraries crash in places; that is an error like the others, and nothing else is
+/// written about it.
 pub(super) fn guarded<T>(
     format: BinaryFormat,
     work: impl FnOnce() -> Result<T, InputErrorKind>,
 ) -> Result<T, InputErrorKind> {
     let crashed = || InputErrorKind::Unreadable { format: format.name(), reason: "it is damaged".into() };
-    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Err(crashed()))
+    static HOOK: Once = Once::new();
+    HOOK.call_once(|| {
+        let before = panic::take_hook();
+        panic::set_hook(Box::new(move |crash| {
+            if !IS_GUARDED.get() {
+                before(crash);
+            }
+        }));
+    });
+    let was_guarded = IS_GUARDED.replace(true);
+    let made = catch_unwind(AssertUnwindSafe(work));
+    IS_GUARDED.set(was_guarded);
+    made.unwrap_or_else(|_| Err(crashed()))
 }
 
 type Batches = Box<dyn Iterator<Item = Result<RecordBatch, InputErrorKind>>>;

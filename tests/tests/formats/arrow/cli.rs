@@ -60,3 +60,18 @@ fn a_reduction_fits_like_the_whole() {
         }
     }
 }
+
+#[test]
+fn damage_that_a_library_does_not_expect_is_an_error_and_nothing_else() {
+    let mut bytes =
+        std::fs::read(root().join("fixtures/arrow/pyarrow.arrows")).expect("the fixture is there");
+    // The place of a column's numbers is now beyond the end.
+    bytes[480] ^= 0x40;
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("damaged.arrows");
+    std::fs::write(&path, bytes).expect("the folder can be written");
+    let path = path.to_str().expect("UTF-8");
+    let run = run(&["fit", path, "--x", "exact", "--y", "volts", "--eps", "1"]);
+    assert_eq!((run.status, run.stdout.as_str()), (1, ""));
+    assert_eq!(run.stderr, format!("error: {path}: cannot read an Arrow IPC stream: it is damaged\n"));
+}
