@@ -91,7 +91,7 @@ const NO_NUMBERS: &str = "a picture has no table; give the numbers behind it as 
 
 /// First bytes of files that boundfit does not read, the names of their formats, and advice on getting their
 /// numbers.
-const FOREIGN: [(&[u8], &str, &str); 40] = [
+const FOREIGN: [(&[u8], &str, &str); 41] = [
     (b"%PDF-", "a PDF document", "copy its table into a spreadsheet and save that as .xlsx or CSV"),
     (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", OLE2, "save it as .xlsx without a password, or as CSV"),
     (b"$FL2", "an SPSS file (.sav)", "save it as CSV"),
@@ -145,6 +145,7 @@ const FOREIGN: [(&[u8], &str, &str); 40] = [
     (b"TDSm", "a LabVIEW file (.tdms)", "open it in LabVIEW or Excel and save the channels as text or CSV"),
     (b"CDF\x01", "a NetCDF file", FROM_NETCDF),
     (b"CDF\x02", "a NetCDF file", FROM_NETCDF),
+    (b"CDF\x05", "a NetCDF file", FROM_NETCDF),
 ];
 
 /// Advice on saving the table in a pickle.
@@ -165,6 +166,11 @@ pub(crate) fn refuse_document(file: &str, start: &[u8]) -> Result<(), InputError
         let (format, instead) = ("a tar archive", IN_ARCHIVE);
         return Err(InputError::of_file(file, InputErrorKind::BinaryTable { format, instead }));
     }
+    if has_zero(start) {
+        let (format, instead) =
+            ("a file of no kind that is known here, and no text", "save its table as CSV");
+        return Err(InputError::of_file(file, InputErrorKind::BinaryTable { format, instead }));
+    }
     let start = String::from_utf8_lossy(start.get(..DOCUMENT_START).unwrap_or(start)).to_lowercase();
     let text = start.trim_start_matches('\u{feff}').trim_start();
     let has = |words: &str| text.contains(words);
@@ -182,8 +188,12 @@ pub(crate) fn refuse_document(file: &str, start: &[u8]) -> Result<(), InputError
         ("an XML spreadsheet of Excel 2003", AS_SHEET)
     } else if begins(&["<!doctype html", "<html", "<table"]) || begins(&["<?xml"]) && has("<html") {
         ("an HTML page", "copy its table into a spreadsheet and save that as .xlsx or CSV")
-    } else if begins(&["<?xml"]) {
+    } else if begins(&["<?xml", "<svg"]) {
         ("an XML document", "save its table as CSV")
+    } else if is_marked_up(text) {
+        ("an HTML or XML document", "copy its table into a spreadsheet and save that as .xlsx or CSV")
+    } else if begins(&["\\begin{", "\\documentclass"]) {
+        ("LaTeX", "copy its table into a spreadsheet and save that as .xlsx or CSV")
     } else if first('%').split_whitespace().next() == Some("@relation") {
         ("an ARFF file of Weka", "save it as CSV: Weka's Explorer does, under Preprocess, Save")
     } else if matches!(touchstone.as_slice(), ["#", "hz" | "khz" | "mhz" | "ghz", ..]) {
@@ -197,6 +207,21 @@ pub(crate) fn refuse_document(file: &str, start: &[u8]) -> Result<(), InputError
         return Ok(());
     };
     Err(InputError::of_file(file, InputErrorKind::BinaryTable { format, instead }))
+}
+
+/// Returns whether a text begins with an element or a comment that it also ends: "<DL" may be a name.
+fn is_marked_up(text: &str) -> bool {
+    let mut letters = text.strip_prefix('<').into_iter().flat_map(str::chars);
+    let is_tag =
+        letters.next().is_some_and(|first| first.is_ascii_alphabetic() || matches!(first, '!' | '?'));
+    is_tag && ["</", "/>", "-->", "?>"].iter().any(|end| text.contains(end))
+}
+
+/// Returns whether the first line that is not blank begins like no text.
+fn has_zero(start: &[u8]) -> bool {
+    const MARKS: usize = 64;
+    let is_in_line = |byte: &&u8| !matches!(byte, b'\n' | b'\r');
+    start.trim_ascii_start().iter().take(MARKS).take_while(is_in_line).any(|&byte| byte == 0)
 }
 
 /// The number of bytes that tell a document.
@@ -289,6 +314,11 @@ mod tests {
             ("\n<!DOCTYPE html>\n<p>x,y", ["an HTML page", "CSV"]),
             ("<table><tr><td>x</td></tr>\n", ["an HTML page", "CSV"]),
             ("<?xml version=\"1.0\"?>\n<rows>\n", ["an XML document", "CSV"]),
+            ("<!-- saved -->\n<HTML><table>", ["an HTML or XML document", "CSV"]),
+            ("<data>\n<row><x>1</x></row>\n</data>\n", ["an HTML or XML document", "CSV"]),
+            ("<svg xmlns=\"a\"><path d=\"M1,1\"/></svg>\n", ["an XML document", "CSV"]),
+            ("\\begin{tabular}{cc}\nx & y\n", ["LaTeX", "CSV"]),
+            ("\x7fELF\x02\x01\x01\0\0x,y\n", ["of no kind that is known here", "CSV"]),
             ("% x\n\n@RELATION run\n@DATA\n1,2\n", ["an ARFF file", "CSV"]),
             ("! x\n# GHz S RI R 50\n1 2 3\n", ["a Touchstone file", "skip lines"]),
             ("Title: x\nDate: y\nPlotname: z\n", ["a SPICE raw file", "wrdata FILE"]),
@@ -299,7 +329,9 @@ mod tests {
                 "{messages:?}"
             );
         }
-        for text in ["Title,x\nPlotname:,y\n", "# GHzx\n1\n", "<x,x\n1,y\n", "@relations,x\n1,y\n"] {
+        for text in
+            ["Title,x\nPlotname:,y\n", "# GHzx\n1\n", "<x,x\n1,y\n", "<DL,x\n1,y>\n", "@relations,x\n1,y\n"]
+        {
             assert!(messages(text.as_bytes()).iter().all(|message| !message.contains("this is")), "{text}");
         }
     }

@@ -89,6 +89,15 @@ impl Reader<'_> {
         if bytes.starts_with(REDUCTION_MARK.as_bytes()) {
             return Err(wrong(None, InputErrorKind::Reduction(ReductionError::NotHere)));
         }
+        let mut start =
+            text.trim_ascii_start().iter().take_while(|&&byte| byte != b'\n' && byte != b'\r').take(64);
+        if self.options.dialect.skip_lines == 0 && start.any(|&byte| byte == 0) {
+            let format = "a file of no kind that is known here, and no text";
+            return Err(wrong(
+                None,
+                InputErrorKind::BinaryTable { format, instead: "save its table as CSV" },
+            ));
+        }
         let text = without_blank_lines(text, self.options.dialect.delimiter);
         let text = &self.without_preamble(text);
         let delimiter = self.options.dialect.delimiter.unwrap_or_else(|| detect(text).unwrap_or(b','));

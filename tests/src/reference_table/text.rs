@@ -34,7 +34,7 @@ pub fn may_be_binary(bytes: &[u8]) -> bool {
     };
     // JSON, documents of other programs, and what has comments before what tells.
     let first = in_utf8.strip_prefix(BYTE_ORDER_MARK).unwrap_or(in_utf8).trim_ascii_start().first();
-    is_binary(bytes) || is_binary(in_utf8) || first.is_some_and(|first| b"{[<!@%#tT".contains(first))
+    is_binary(bytes) || is_binary(in_utf8) || first.is_some_and(|first| b"{[<!@%#tT\\".contains(first))
 }
 
 /// Returns whether bytes may be those of another text with a table: JSON, Octave's.

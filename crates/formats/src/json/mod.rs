@@ -78,7 +78,8 @@ pub(crate) fn scan_json<T: Send>(
     {
         return Err(InputError::of_file(name, InputErrorKind::OnlyOfText { asked, fits_sheets: true }));
     }
-    let wanted = WantedColumns::new(name, &names, columns, options)?;
+    let wanted =
+        WantedColumns::new(name, &names, columns, options).map_err(|error| other_shape(error, &part.0))?;
     let (mut rows, mut used, mut passed) = (0, 0, 0);
     let mut lacking = Lacking::default();
     let read = loop {
@@ -212,6 +213,18 @@ fn hand_out<T: Send>(
     let part = Part { table: &Texts(columns), wanted, before, lines };
     let used = part.hand_out(lines.len(), lacking, work, take).map_err(about_nested)?;
     Ok((lines.len(), used))
+}
+
+/// The error, that says rather that the columns are not those of records, where one of their values is an object or an array.
+fn other_shape(mut error: InputError, records: &Records) -> InputError {
+    let mut cells = records.iter().take(1).flatten();
+    if matches!(error.kind, InputErrorKind::UnknownColumn { .. })
+        && cells.any(|(_, text)| NESTED.contains(&text))
+    {
+        error.place.line = records.lines().first().copied();
+        error.kind = InputErrorKind::NestedJson;
+    }
+    error
 }
 
 /// The error, that says rather that an object or array stands where a number belongs.
