@@ -327,6 +327,7 @@ fn readers_ask_for_memory_before_they_take_it() {
     );
     let octave =
         format!("# name: x\n# type: matrix\n# rows: 20000\n# columns: 1\n{}\n", "1\n".repeat(20_000));
+    let names = "# name: a\n# type: scalar\n1\n\n\n".repeat(20_000);
     let empty = format!("[[\"x\",\"y\"],[{}\"\"]]", "\"\",".repeat(50_000));
     let ine = format!("H-representation\nbegin\n20000 3 integer\n{}end\n", "1 1 1\n".repeat(20_000));
     let window = repeated_behind(b"x,y\n1,1\n2,2\n3,4\n", b'\n', 60, 27);
@@ -336,6 +337,7 @@ fn readers_ask_for_memory_before_they_take_it() {
         ("a workbook", [b'P', b'K', 3, 4].repeat(100_000), FIT, "300KiB", "the workbook takes "),
         ("variables", matlab_zeros(100_000), FIT, "1MiB", "the variables that are asked for take "),
         ("numbers as text", octave.into_bytes(), FIT, "1MiB", "the variables that are asked for take "),
+        ("many variables", names.into_bytes(), FIT, "1MiB", "the variables that are asked for take "),
         ("records", empty.into_bytes(), FIT, "1MiB", "the records that are read together take "),
         ("half-planes", ine.into_bytes(), "polygon FILE", "5MiB", "error: bomb: the first "),
         ("a window", window, FIT, "4MiB", "unpacking takes "),

@@ -14,9 +14,13 @@ use crate::budget::HeldMemory;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::InputErrorKind;
 use crate::limits::SizeLimits;
+use crate::memory_use::MemoryUse;
 
 /// The memory of a number, whatever it takes in the file.
 const BYTES_PER_NUMBER: u64 = 8;
+
+/// The memory of what is known of a variable beside its texts, twice: a list grows in steps.
+const OF_A_VARIABLE: usize = 2 * size_of::<Found>();
 
 /// A column: numbers of a variable, from one of them on.
 #[derive(Clone)]
@@ -136,7 +140,7 @@ impl<'a> Search<'a> {
         let mut found = Found { variable, numbers: None, before: self.before, fields: Vec::new() };
         let is_wanted = self.admit(&mut found, read)?;
         self.before = self.before.saturating_add(found.variable.content.columns());
-        self.all.push(found);
+        self.hold(found)?;
         Ok(is_wanted)
     }
 
@@ -218,7 +222,7 @@ impl<'a> Search<'a> {
             Content::Numbers { .. } => {}
             Content::Struct => return self.fields(elements, found, nesting),
             Content::Other(_) => {
-                self.all.push(found);
+                self.hold(found)?;
                 return Ok(false);
             }
         }
@@ -228,7 +232,7 @@ impl<'a> Search<'a> {
             return Err(Damage::format(format!("{:?} goes on behind its numbers", found.variable.name)));
         }
         self.before = self.before.saturating_add(found.variable.content.columns());
-        self.all.push(found);
+        self.hold(found)?;
         Ok(is_wanted)
     }
 
@@ -247,7 +251,7 @@ impl<'a> Search<'a> {
         };
         found.fields = fields(elements)?;
         let (name, names) = (found.variable.name.clone(), found.fields.clone());
-        self.all.push(found);
+        self.hold(found)?;
         for field in names {
             let tag = elements.some_tag()?;
             if tag.kind != MATRIX {
@@ -265,6 +269,15 @@ impl<'a> Search<'a> {
             content.leave()?;
         }
         Ok(false)
+    }
+
+    /// Adds what was found of a variable, for which memory is asked.
+    fn hold(&mut self, found: Found) -> Result<(), Damage> {
+        let names = found.fields.iter().map(|field| size_of::<String>() + field.len());
+        let bytes = OF_A_VARIABLE + found.variable.name.len() + names.sum::<usize>();
+        self.memory.ask(bytes as u64, MemoryUse::Variables).map_err(Damage::Refused)?;
+        self.all.push(found);
+        Ok(())
     }
 
     /// Refuses one more variable of a name that is wanted: only one of them is held.
