@@ -146,7 +146,7 @@ fn the_fit_is_that_of_the_table_as_binary64() {
     assert_eq!(expected["input"]["reading"], "binary64");
     for file in ["fixtures/mat/transducer-v6.mat", "fixtures/mat/transducer-v7.mat"] {
         assert_eq!(transducer(file, &names), expected, "{file}");
-        assert_eq!(transducer(file, &[&names[..], &["--reading", "decimal"]].concat()), expected, "{file}");
+        assert_eq!(transducer(file, &[&names[..], &["--reading", "binary64"]].concat()), expected, "{file}");
     }
     let mut of_matrix = transducer("fixtures/mat/transducer-v7.mat", &["--x", "M(:,1)", "--y", "4"]);
     assert_eq!((&of_matrix["input"]["x"][0], &of_matrix["input"]["y"]), (&"M(:,1)".into(), &"M(:,2)".into()));

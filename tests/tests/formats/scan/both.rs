@@ -50,7 +50,7 @@ pub fn batches(
 pub fn found(scanned: Scanned, batches: &[Batch]) -> Found {
     let numbered = |row: TableRow| (row.row, row.numbers);
     let rows = batches.iter().flat_map(|batch| {
-        assert!(batch.rows.len() + batch.others.len() > 0);
+        assert!(batch.rows.len() + batch.others.len() + batch.keys_missing.len() > 0);
         assert!(batch.columns.iter().all(|column| column.len() == batch.rows.len()));
         batch.table_rows().map(numbered)
     });
