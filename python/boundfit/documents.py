@@ -1565,6 +1565,8 @@ class CheckInput(TypedDict):
     """The file as it was named; null for standard input."""
     table: Table | None
     """The format of the table as it was read; null for files that are neither text nor a sheet nor JSON."""
+    epsilon_from_least: NotRequired[FromLeast]
+    """The multiple of the least error bound that was asked for, as `1.2*min`; absent otherwise."""
 
 
 class Claim(TypedDict):

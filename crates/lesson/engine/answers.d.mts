@@ -1459,6 +1459,8 @@ export interface CheckInput {
   file: string | null;
   /** The format of the table as it was read; null for files that are neither text nor a sheet nor JSON. */
   table: Table | null;
+  /** The multiple of the least error bound that was asked for, as `1.2*min`; absent otherwise. */
+  epsilon_from_least?: FromLeast;
 }
 
 /** The answers of one source. */

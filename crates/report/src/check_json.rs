@@ -11,6 +11,7 @@ use crate::answer::check::{
 };
 use crate::answer::parts::TermJson;
 use crate::answer::table::TableJson;
+use crate::input_json::from_least;
 use crate::json::to_text;
 use crate::style::Style;
 
@@ -25,7 +26,11 @@ pub fn check_json(
 ) -> String {
     let report = CheckJson {
         schema: CheckJson::SCHEMA,
-        input: CheckInputJson { file, table: TableJson::of_measurements(measurements) },
+        input: CheckInputJson {
+            file,
+            table: TableJson::of_measurements(measurements),
+            epsilon_from_least: from_least(measurements, style),
+        },
         tolerance: style.given_number(&check.tolerance),
         digits_as_printed: check.as_printed,
         readings: ReadingsJson { asked: check.readings.asked, fitted: check.readings.fitted },

@@ -1,6 +1,8 @@
 //! The subject of a report, as JSON: the file, the rows, the model and the error bound.
 
-use boundfit_estimation::{ErrorBound, FractionCells, Model, MultipleOfLeast, Problem, Selection};
+use boundfit_estimation::{
+    ErrorBound, FractionCells, Measurements, Model, MultipleOfLeast, Problem, Selection,
+};
 use boundfit_exact::Foreign;
 use boundfit_exact::english::{split_unit, unit_by};
 
@@ -74,17 +76,21 @@ impl InputJson {
             epsilon_column,
             epsilon_law: measurements.law().map(|law| law.text().to_owned()),
             interval,
-            epsilon_from_least: measurements.multiple_of_least().map(|MultipleOfLeast { factor, least }| {
-                FromLeastJson {
-                    factor: style.number(factor),
-                    epsilon_min: style.upper_number(least),
-                    assumes: "that no error is larger: the bound was found from these very readings",
-                }
-            }),
+            epsilon_from_least: from_least(measurements, style),
             x_origin: (!form.x_origin.is_zero()).then(|| style.number(&form.x_origin)),
             r#where: problem.conditions.iter().map(|condition| condition.text().to_owned()).collect(),
         }
     }
+}
+
+/// The multiple of ε_min that bounds the errors, if it was asked for.
+pub(crate) fn from_least(measurements: &Measurements, style: &Style) -> Option<FromLeastJson> {
+    let MultipleOfLeast { factor, least } = measurements.multiple_of_least()?;
+    Some(FromLeastJson {
+        factor: style.number(factor),
+        epsilon_min: style.upper_number(least),
+        assumes: "that no error is larger: the bound was found from these very readings",
+    })
 }
 
 pub(crate) fn selection(selection: &Selection) -> Option<SelectionJson> {

@@ -26,6 +26,11 @@ fn the_bound_stands_in_every_format() {
         let read = printed(here, &format!("polygon set.{format}"));
         assert!(read.contains("polygon with 3 vertices"), "{read}");
     }
+    let check: serde_json::Value =
+        serde_json::from_str(&printed(here, &format!("check {FIT} --solver exact-simplex --format json")))
+            .unwrap();
+    let found = &check["input"]["epsilon_from_least"];
+    assert_eq!((&found["factor"]["exact"], &found["epsilon_min"]["exact"]), (&"6/5".into(), &"1/8".into()));
     // These formats have no place for it.
     for line in [
         "fit DATA --format wkt",

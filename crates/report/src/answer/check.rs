@@ -3,6 +3,7 @@
 use boundfit_exact::Foreign;
 use serde::Serialize;
 
+use crate::answer::input::FromLeastJson;
 use crate::answer::parts::TermJson;
 use crate::answer::table::TableJson;
 use crate::number::Number;
@@ -51,6 +52,9 @@ pub struct CheckInputJson<'a> {
     pub file: Option<Foreign<&'a str>>,
     /// The format of the table as it was read; null for files that are neither text nor a sheet nor JSON.
     pub table: Option<TableJson>,
+    /// The multiple of the least error bound that was asked for, as `1.2*min`; absent otherwise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub epsilon_from_least: Option<FromLeastJson>,
 }
 
 /// The worst verdict against one reading of the data.
