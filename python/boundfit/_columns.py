@@ -132,8 +132,6 @@ def regressors(x: Any) -> list[Any]:
     refuse_lazy(x, "x")
     if isinstance(x, tuple) and len(x) == 2 and not is_number(x[0]):
         return list(x)
-    if _holds_lists(x):
-        raise ValueError("x holds lists: expected one column of numbers, or two regressors as a tuple of two columns or an array of two")
     if isinstance(x, tuple):
         return [x]
     if getattr(x, "ndim", 1) == 2 or hasattr(x, "columns") or hasattr(x, "column_names"):
@@ -202,6 +200,8 @@ def in_memory(
         return quoted(columns[-1][0])
 
     phi = regressors(x)
+    if len(phi) == 1 and _holds_lists(phi[0]):
+        raise ValueError("x holds lists: expected one column of numbers, or two regressors as a tuple of two columns or an array of two")
     x_names = [add(own, default) for own, default in zip(phi, ["x"] if len(phi) == 1 else ["phi1", "phi2"])]
     y_name = add(y, "y")
     eps_name = None if is_number(eps) else add(eps, "eps")

@@ -375,7 +375,7 @@ def test_what_is_wrong_is_told() -> None:
         ('"x" has 3 numbers, but "y" has 2', lambda: boundfit.outliers(x, [0, 1], 1)),
         ("the bound on the errors is missing", lambda: boundfit.range(x, y)),
         ("row 2 of at: list is not a number", lambda: fit.predict(at=[1, [2], 3])),
-        (r"values: row 2, column 1 \(at\)", lambda: fit.predict(at=[1, math.nan])),
+        (r"^at: row 2, column 1 \(at\)", lambda: fit.predict(at=[1, math.nan])),
         ("nothing is to be predicted", lambda: fit.predict()),
         ("expected .from, to, steps.", lambda: fit.predict(grid=(1, 0, 5))),
         ("from_ and grid are about a line", lambda: planar.predict(from_=1)),
@@ -388,7 +388,7 @@ def test_what_is_wrong_is_told() -> None:
         ('format="pdf": expected "text"', lambda: fit.status().report("pdf")),
         ('by="y": expected x or row', lambda: fit.range(by="y")),  # type: ignore[arg-type]
         ("two regressors have no order of x", lambda: planar.range(by="x")),
-        ("say which with window or window_x", lambda: fit.windows()),
+        ("window or window_x says how far a window reaches back", lambda: fit.windows()),
         ("window=0: expected", lambda: fit.windows(0)),
         ("step=0: expected", lambda: fit.windows(2, step=0)),
         ("both say how far a window reaches back", lambda: fit.windows(2, window_x=1)),
