@@ -375,8 +375,8 @@ fn the_help_says_what_a_fleet_is_and_which_status_it_ends_with() {
     for part in [
         "--by <COL>\n",
         "--by sensor --x V --y level",
-        "one line of text,\n          JSON or CSV per group",
-        "3  the feasible parameter set is empty, with --by that of at least one group; the proof is printed",
+        "has a line\n          of text, JSON or CSV per group",
+        "3  the feasible parameter set is empty (with --by or a window, at least one set); the proof is",
     ] {
         assert!(help.contains(part), "{part}: {help}");
     }
