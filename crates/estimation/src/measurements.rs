@@ -412,6 +412,17 @@ impl Measurements {
         }
     }
 
+    /// The reason why the readings that decide ε_min are not known; `None` where they are. Cost: constant.
+    pub fn unknown_minimax(&self) -> Option<NoMinimax> {
+        match &self.readings {
+            Readings::Supporting { reduction: Reduction { minimax, .. }, .. } => match minimax {
+                DecidingMinimax::Kept | DecidingMinimax::Own(_) => None,
+                DecidingMinimax::Unknown(reason) => Some(*reason),
+            },
+            Readings::All(_) | Readings::Counted { .. } => None,
+        }
+    }
+
     /// Returns whether the reading that any θ, or the least-squares estimate at least, misses most is among those in memory.
     pub(crate) fn have_tightest(&self) -> bool {
         match &self.readings {

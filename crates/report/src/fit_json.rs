@@ -251,7 +251,7 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
         } else {
             NO_WIDTHS
         };
-        let unknown = problem.measurements.deciding_minimax().err();
+        let unknown = problem.measurements.unknown_minimax();
         reasons.insert("minimax", unknown.map_or_else(|| never.to_owned(), |reason| reason.to_string()));
     }
     if uniform_minimum(problem, fit).is_none() {

@@ -37,7 +37,7 @@ impl Report<'_> {
                 Text::from(what).then(style.upper_with_exact(&minimax.least)).words(".")
             }
         };
-        let is_known = self.problem.measurements.deciding_minimax().is_ok();
+        let is_known = self.problem.measurements.unknown_minimax().is_none();
         let help = self.swapped().map_or_else(|| is_known.then_some(help), |why| Some(why.into()));
         let mending = self.mending().into();
         [contradiction.into(), proof.words(".")].into_iter().chain(help).chain([mending]).collect()

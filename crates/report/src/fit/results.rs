@@ -50,7 +50,7 @@ impl Report<'_> {
             } else {
                 NO_WIDTHS
             };
-            let unknown = self.problem.measurements.deciding_minimax().err();
+            let unknown = self.problem.measurements.unknown_minimax();
             let reason =
                 unknown.map_or_else(|| format!("none: {never}"), |reason| format!("not known: {reason}"));
             return vec![(label, reason.into())];
