@@ -3,6 +3,7 @@
 //! ```sh
 //! cargo run -p boundfit --example teach --features lesson -- lesson.html
 //! ```
+#![expect(clippy::print_stdout, reason = "an example for people at a terminal")]
 
 use std::error::Error;
 use std::{env, fs};

@@ -252,7 +252,7 @@ fn cannot_write(name: &str, error: &io::Error) -> Failure {
             Failure::data(format_args!(
                 "{}: cannot write: there is no folder {}",
                 Foreign::of(name),
-                Foreign::of(&*folder)
+                Foreign::of(&folder)
             ))
         }
         _ => Failure::data(format_args!("{}: cannot write: {error}", Foreign::of(name))),
