@@ -209,12 +209,14 @@ pub(crate) fn refuse_document(file: &str, start: &[u8]) -> Result<(), InputError
     Err(InputError::of_file(file, InputErrorKind::BinaryTable { format, instead }))
 }
 
-/// Returns whether a text begins with an element or a comment that it also ends: "<DL" may be a name.
+/// Returns whether the first line of a text is a tag or a comment and no more: "<DL" and "<b>x</b>" may be names.
 fn is_marked_up(text: &str) -> bool {
-    let mut letters = text.strip_prefix('<').into_iter().flat_map(str::chars);
+    let line = text.lines().next().unwrap_or_default().trim_end();
+    let mut letters = line.strip_prefix('<').into_iter().flat_map(str::chars);
     let is_tag =
         letters.next().is_some_and(|first| first.is_ascii_alphabetic() || matches!(first, '!' | '?'));
-    is_tag && ["</", "/>", "-->", "?>"].iter().any(|end| text.contains(end))
+    let is_all = line.find('>') == line.len().checked_sub(1);
+    is_tag && is_all && ["</", "/>", "-->", "?>"].iter().any(|end| text.contains(end))
 }
 
 /// Returns whether the first line that is not blank begins like no text.
@@ -329,9 +331,14 @@ mod tests {
                 "{messages:?}"
             );
         }
-        for text in
-            ["Title,x\nPlotname:,y\n", "# GHzx\n1\n", "<x,x\n1,y\n", "<DL,x\n1,y>\n", "@relations,x\n1,y\n"]
-        {
+        for text in [
+            "Title,x\nPlotname:,y\n",
+            "# GHzx\n1\n",
+            "<x,x\n1,y\n",
+            "<DL,x\n1,y>\n",
+            "<b>x</b>,<i>y</i>\n1,z\n",
+            "@relations,x\n1,y\n",
+        ] {
             assert!(messages(text.as_bytes()).iter().all(|message| !message.contains("this is")), "{text}");
         }
     }
