@@ -1,10 +1,10 @@
 //! The fit of all readings.
 
 use boundfit_estimation::{
-    self as estimation, Bounds, Family, Keep, Measurement, MultipleOfLeast, Problem, fit,
+    self as estimation, Bounds, Family, Keep, Measurement, Measurements, MultipleOfLeast, Problem, fit,
 };
 use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_formats::{Source, TableNotes};
+use boundfit_formats::Source;
 use boundfit_questions::{Guarantee, times};
 use boundfit_report::{
     Document, InverseLine, NextStep, Theory, active_names, bound_found, brief_document, fit_csv,
@@ -217,12 +217,8 @@ impl Ask for Fit {
         self.read_listing(asked, source, shows, shows != Shows::Nothing)
     }
 
-    fn table<'a>(&self, asked: &'a Fittable) -> Option<&'a TableNotes> {
-        asked.problem.measurements.table()
-    }
-
-    fn rows_missing(&self, asked: &Fittable) -> usize {
-        asked.problem.measurements.rows_missing()
+    fn measurements<'a>(&self, asked: &'a Fittable) -> Option<&'a Measurements> {
+        Some(&asked.problem.measurements)
     }
 
     fn multiple_of_least<'a>(&self, asked: &'a Fittable, form: Form) -> Option<&'a MultipleOfLeast> {

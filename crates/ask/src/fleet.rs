@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use boundfit_estimation::{GroupFit, GroupLine, Question};
+use boundfit_estimation::{GroupFit, GroupLine, Measurements, Question};
 use boundfit_exact::english::counted;
 use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{ColumnSelector, Source, TableNotes};
@@ -188,12 +188,12 @@ impl Ask for Fleet {
         Groups::read(asked, source, &ColumnSelector::name_or_number(&self.by))
     }
 
-    fn table<'a>(&self, groups: &'a Groups) -> Option<&'a TableNotes> {
-        groups.fleet.table()
+    fn measurements<'a>(&self, _: &'a Groups) -> Option<&'a Measurements> {
+        None
     }
 
-    fn rows_missing(&self, _: &Groups) -> usize {
-        0
+    fn table<'a>(&self, groups: &'a Groups) -> Option<&'a TableNotes> {
+        groups.fleet.table()
     }
 
     fn answer(&self, _: &Groups) -> Result<(), Refusal> {

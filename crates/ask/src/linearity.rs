@@ -1,6 +1,6 @@
 //! The distance of a sensor from a straight line.
 
-use boundfit_estimation::Keep;
+use boundfit_estimation::{Keep, Measurements};
 use boundfit_exact::{Limits, Rational, Reading, Work};
 use boundfit_formats::{Again, ColumnSelector, Source, TableNotes, TableOptions};
 use boundfit_questions::{
@@ -151,6 +151,10 @@ impl Ask for Linearity {
         }
         work.check(times::LINEARITY, asked.most_work())?;
         Ok(Calibrated { calibration, columns, options, table: asked.options.table.clone(), again })
+    }
+
+    fn measurements<'a>(&self, _: &'a Calibrated) -> Option<&'a Measurements> {
+        None
     }
 
     fn table<'a>(&self, problem: &'a Calibrated) -> Option<&'a TableNotes> {

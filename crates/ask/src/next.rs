@@ -1,9 +1,9 @@
 //! The place where the next reading certainly makes the set smaller, and the x of a range that leaves the least at
 //! worst.
 
-use boundfit_estimation::{Fit, Keep, MultipleOfLeast, Problem, fit};
+use boundfit_estimation::{Fit, Keep, Measurements, Problem, fit};
 use boundfit_exact::{Limits, Rational};
-use boundfit_formats::{Source, TableNotes};
+use boundfit_formats::Source;
 use boundfit_questions::{FurtherError, Goal, NextReading, times};
 use boundfit_report::{NextReadingReport, next_reading_csv, next_reading_document, next_reading_json};
 use serde::Deserialize;
@@ -97,16 +97,8 @@ impl Ask for Next {
         Ok(NextProblem { problem, epsilon, within, goals })
     }
 
-    fn table<'a>(&self, asked: &'a NextProblem) -> Option<&'a TableNotes> {
-        asked.problem.measurements.table()
-    }
-
-    fn rows_missing(&self, asked: &NextProblem) -> usize {
-        asked.problem.measurements.rows_missing()
-    }
-
-    fn multiple_of_least<'a>(&self, asked: &'a NextProblem, _form: Form) -> Option<&'a MultipleOfLeast> {
-        asked.problem.measurements.multiple_of_least()
+    fn measurements<'a>(&self, asked: &'a NextProblem) -> Option<&'a Measurements> {
+        Some(&asked.problem.measurements)
     }
 
     fn answer(&self, asked: &NextProblem) -> Result<(Fit, Option<NextReading>), Refusal> {

@@ -1,8 +1,8 @@
 //! The fewest readings to leave out so that something is left.
 
-use boundfit_estimation::{Fit, MultipleOfLeast, Problem, fit};
+use boundfit_estimation::{Fit, Measurements, Problem, fit};
 use boundfit_exact::Reading;
-use boundfit_formats::{Source, TableNotes};
+use boundfit_formats::Source;
 use boundfit_questions::{Growth, NoOutliers, OutlierLimits, times};
 use boundfit_report::{
     NoOutliersProof, OutliersReport, Theory, kernel_outliers, outliers_csv, outliers_document, outliers_json,
@@ -61,16 +61,8 @@ impl Ask for Outliers {
         Ok(problem)
     }
 
-    fn table<'a>(&self, problem: &'a Problem) -> Option<&'a TableNotes> {
-        problem.measurements.table()
-    }
-
-    fn rows_missing(&self, problem: &Problem) -> usize {
-        problem.measurements.rows_missing()
-    }
-
-    fn multiple_of_least<'a>(&self, problem: &'a Problem, _form: Form) -> Option<&'a MultipleOfLeast> {
-        problem.measurements.multiple_of_least()
+    fn measurements<'a>(&self, problem: &'a Problem) -> Option<&'a Measurements> {
+        Some(&problem.measurements)
     }
 
     fn answer(&self, problem: &Problem) -> Result<Found, Refusal> {

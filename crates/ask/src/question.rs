@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use boundfit_estimation::MultipleOfLeast;
+use boundfit_estimation::{Measurements, MultipleOfLeast};
 use boundfit_exact::Reading;
 use boundfit_formats::{Source, TableNotes};
 use boundfit_report::{Document, Theory};
@@ -34,15 +34,22 @@ pub trait Ask {
     /// Why there is no answer.
     fn read(&self, asked: &Asked, source: Source, shows: Shows) -> Result<Self::Problem, Refusal>;
 
+    /// The readings, from which follows what is said beside every answer; `None` where they are no longer there, or are those of groups.
+    fn measurements<'a>(&self, problem: &'a Self::Problem) -> Option<&'a Measurements>;
+
     /// Returns the detected format of the table.
-    fn table<'a>(&self, problem: &'a Self::Problem) -> Option<&'a TableNotes>;
+    fn table<'a>(&self, problem: &'a Self::Problem) -> Option<&'a TableNotes> {
+        self.measurements(problem)?.table()
+    }
 
     /// The number of rows that are left out since they lack a number; 0 where the answer itself says so in every form.
-    fn rows_missing(&self, problem: &Self::Problem) -> usize;
+    fn rows_missing(&self, problem: &Self::Problem) -> usize {
+        self.measurements(problem).map_or(0, Measurements::rows_missing)
+    }
 
-    /// The multiple of ε_min that bounds the errors, if it was asked for; nothing where the answer itself says so in this form.
-    fn multiple_of_least<'a>(&self, _problem: &'a Self::Problem, _form: Form) -> Option<&'a MultipleOfLeast> {
-        None
+    /// The multiple of ε_min that bounds the errors, if it was asked for; `None` where the answer itself says so in this form.
+    fn multiple_of_least<'a>(&self, problem: &'a Self::Problem, _form: Form) -> Option<&'a MultipleOfLeast> {
+        self.measurements(problem)?.multiple_of_least()
     }
 
     /// Finds the answer. Exact.

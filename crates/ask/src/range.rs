@@ -1,8 +1,8 @@
 //! The runs of readings that some parameters agree with.
 
-use boundfit_estimation::{Fit, MultipleOfLeast, Problem, fit};
+use boundfit_estimation::{Fit, Measurements, Problem, fit};
 use boundfit_exact::Reading;
-use boundfit_formats::{Source, TableNotes};
+use boundfit_formats::Source;
 use boundfit_questions::{LinearRange, Order, times};
 use boundfit_report::{
     RangeReport, Theory, kernel_range, range_csv, range_document, range_json, range_proof,
@@ -84,16 +84,8 @@ impl Ask for Range {
         Ok(problem)
     }
 
-    fn table<'a>(&self, problem: &'a Problem) -> Option<&'a TableNotes> {
-        problem.measurements.table()
-    }
-
-    fn rows_missing(&self, problem: &Problem) -> usize {
-        problem.measurements.rows_missing()
-    }
-
-    fn multiple_of_least<'a>(&self, problem: &'a Problem, _form: Form) -> Option<&'a MultipleOfLeast> {
-        problem.measurements.multiple_of_least()
+    fn measurements<'a>(&self, problem: &'a Problem) -> Option<&'a Measurements> {
+        Some(&problem.measurements)
     }
 
     fn answer(&self, problem: &Problem) -> Result<Runs, Refusal> {

@@ -1,7 +1,7 @@
 //! The fits of the last readings as the window moves on.
 
-use boundfit_estimation::Problem;
-use boundfit_formats::{Source, TableNotes};
+use boundfit_estimation::{Measurements, MultipleOfLeast, Problem};
+use boundfit_formats::Source;
 use boundfit_questions::{Extent, Moving, Turn, times};
 use boundfit_report::{FleetTable, TableJson, WindowReport, WindowSummary, table_line, write_window_json};
 use serde::Deserialize;
@@ -87,8 +87,12 @@ impl Ask for Window {
         Ok((problem, moving))
     }
 
-    fn table<'a>(&self, (problem, _): &'a (Problem, Moving)) -> Option<&'a TableNotes> {
-        problem.measurements.table()
+    fn measurements<'a>(&self, (problem, _): &'a (Problem, Moving)) -> Option<&'a Measurements> {
+        Some(&problem.measurements)
+    }
+
+    fn multiple_of_least<'a>(&self, _: &'a (Problem, Moving), _form: Form) -> Option<&'a MultipleOfLeast> {
+        None
     }
 
     fn rows_missing(&self, _: &(Problem, Moving)) -> usize {
@@ -142,7 +146,7 @@ impl Ask for Window {
         let measurements = &problem.measurements;
         let multiple = measurements.multiple_of_least();
         let assumed = multiple.map(|multiple| assumed(&multiple.factor, "all readings"));
-        let bound = multiple.map(|multiple| format!(": {}", &multiple.factor * &multiple.least));
+        let bound = multiple.map(|multiple| format!(": {}", multiple.bound()));
         let remarks =
             remarks(measurements.rows_missing(), assumed.zip(bound).map(|(assumed, bound)| assumed + &bound));
         let to_text = summary.to_text(moving, &moved, style) + &remarks;

@@ -1,7 +1,7 @@
 //! The lines that agree with readings whose x have errors, too.
 
-use boundfit_estimation::{Fit, fit};
-use boundfit_formats::{Source, TableNotes};
+use boundfit_estimation::{Fit, Measurements, fit};
+use boundfit_formats::Source;
 use boundfit_questions::{XErrorFit, XErrorProblem};
 use boundfit_report::{x_error_csv, x_error_document, x_error_json, x_error_proof, x_error_wkt};
 use serde::Deserialize;
@@ -35,12 +35,8 @@ impl Ask for FitXErrors {
         asked.x_error_problem(source, Self::ROW_COST, shows, false)
     }
 
-    fn table<'a>(&self, problem: &'a XErrorProblem) -> Option<&'a TableNotes> {
-        problem.problem().measurements.table()
-    }
-
-    fn rows_missing(&self, problem: &XErrorProblem) -> usize {
-        problem.problem().measurements.rows_missing()
+    fn measurements<'a>(&self, problem: &'a XErrorProblem) -> Option<&'a Measurements> {
+        Some(&problem.problem().measurements)
     }
 
     fn answer(&self, problem: &XErrorProblem) -> Result<(XErrorFit, Fit), Refusal> {

@@ -88,6 +88,13 @@ pub struct MultipleOfLeast {
     pub least: Rational,
 }
 
+impl MultipleOfLeast {
+    /// The bound. Exact.
+    pub fn bound(&self) -> Rational {
+        &self.factor * &self.least
+    }
+}
+
 impl Meaning {
     /// Returns the meaning of numbers that are taken as they are.
     pub(crate) fn new(model: Model, response: Foreign, error_bound: ErrorBound) -> Self {

@@ -180,7 +180,7 @@ impl Measurements {
 
     /// These readings under a multiple of the least error bound, in the place of theirs.
     pub(crate) fn within_multiple(mut self, multiple: MultipleOfLeast) -> Self {
-        let epsilon = &multiple.factor * &multiple.least;
+        let epsilon = multiple.bound();
         let within = |rows: &mut Vec<Measurement>| {
             rows.iter_mut().for_each(|row| *row = row.clone().within(epsilon.clone()));
         };

@@ -1,6 +1,6 @@
 //! Several fits in one picture: what each is called, and what it looks like.
 
-use boundfit_estimation::{Fit, MultipleOfLeast, Problem};
+use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::{Foreign, Rounding};
 
 use crate::figure::PlotOptions;
@@ -72,8 +72,8 @@ impl Series<'_> {
         let name = if name.is_empty() { "\"\"".to_owned() } else { name };
         // The number is not known where it is asked for.
         let multiple = self.problem.measurements.multiple_of_least();
-        let bound = multiple.map_or_else(String::new, |MultipleOfLeast { factor, least }| {
-            format!(" (|e| ≤ {})", labels::number(&(factor * least), 5, Rounding::Up))
+        let bound = multiple.map_or_else(String::new, |multiple| {
+            format!(" (|e| ≤ {})", labels::number(&multiple.bound(), 5, Rounding::Up))
         });
         name + &bound
     }

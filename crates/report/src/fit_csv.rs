@@ -10,7 +10,8 @@ const COLUMNS: [&str; 8] =
 /// Estimates and intervals as a table, one row for each quantity of each parameter.
 ///
 /// The first row, `set,kind`, has the kind of the set as its `value_exact`, so that an empty set says that it is. A bound that
-/// is a multiple of ε_min follows as `error_bound`. The quantities are `least_squares`, `eui`, `pui`, `central`, `guaranteed_error` and `minimax`, as far as they exist.
+/// is a multiple of ε_min follows as `error_bound`. The quantities are `least_squares`, `eui`, `pui`, `central`,
+/// `guaranteed_error` and `minimax`, as far as they exist.
 /// The parameters are `theta1` and `theta2`, and for a line with an inverse also `gain` and `offset`. For gain and
 /// offset, `pui` is the range over the box of both intervals, and `fps` the range over the feasible set. Each has
 /// several rows if it has several parts. The last row is `least_error_bound`, or `least_factor` where the readings
@@ -19,8 +20,7 @@ const COLUMNS: [&str; 8] =
 pub fn fit_csv(problem: &Problem, fit: &Fit) -> String {
     let mut table = Table::new();
     table.text("set", "kind", fit.fps.polyhedron().region().kind().name());
-    if let Some(MultipleOfLeast { factor, least }) = problem.measurements.multiple_of_least() {
-        let epsilon = factor * least;
+    if let Some(epsilon) = problem.measurements.multiple_of_least().map(MultipleOfLeast::bound) {
         table.value("error_bound", "", epsilon.ceil_to_f64(), &epsilon);
     }
     if let Ok(estimate) = &fit.least_squares {

@@ -34,7 +34,7 @@ pub fn fit_script(problem: &Problem, fit: &Fit, names: &ActiveNames<'_>) -> Stri
     );
     text.push_str(&format!("program = {};\n", quoted(&ProgramJson::OWN.to_string())));
     if let Some(multiple) = problem.measurements.multiple_of_least() {
-        let epsilon = &multiple.factor * &multiple.least;
+        let epsilon = multiple.bound();
         text.push_str(&format!("% The error bound: {}.\n", bound_found(multiple)));
         text.push_str(&scalar("error_bound", Some((epsilon.ceil_to_f64(), epsilon.to_string()))));
     }

@@ -4,9 +4,9 @@ mod values;
 
 use std::io::{BufWriter, Write};
 
-use boundfit_estimation::{AskedBound, Fit, Keep, Law, MultipleOfLeast, Problem, fit};
+use boundfit_estimation::{AskedBound, Fit, Keep, Law, Measurements, Problem, fit};
 use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_formats::{Source, TableNotes};
+use boundfit_formats::Source;
 use boundfit_questions::{FurtherError, NoFurtherError, times};
 use boundfit_report::{
     AskedValues, Origin, Prediction, Theory, kernel_prediction, prediction_document, prediction_proof,
@@ -165,16 +165,8 @@ impl Ask for Predict {
         Ok(Predicted { problem, error, law, at, from })
     }
 
-    fn table<'a>(&self, asked: &'a Predicted) -> Option<&'a TableNotes> {
-        asked.problem.measurements.table()
-    }
-
-    fn rows_missing(&self, asked: &Predicted) -> usize {
-        asked.problem.measurements.rows_missing()
-    }
-
-    fn multiple_of_least<'a>(&self, asked: &'a Predicted, _form: Form) -> Option<&'a MultipleOfLeast> {
-        asked.problem.measurements.multiple_of_least()
+    fn measurements<'a>(&self, asked: &'a Predicted) -> Option<&'a Measurements> {
+        Some(&asked.problem.measurements)
     }
 
     fn answer(&self, asked: &Predicted) -> Result<Fit, Refusal> {

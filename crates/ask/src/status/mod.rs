@@ -4,9 +4,9 @@ mod looks;
 
 use std::cell::OnceCell;
 
-use boundfit_estimation::{Fit, Keep, Measurement, MultipleOfLeast, Seen, fit};
+use boundfit_estimation::{Fit, Keep, Measurement, Measurements, Seen, fit};
 use boundfit_exact::Reading;
-use boundfit_formats::{Source, TableNotes};
+use boundfit_formats::Source;
 use boundfit_questions::{Deciding, NoRepair, Others, Ranking, Repair, Standing, Statuses, times};
 use boundfit_report::{
     NewReadings, StatusCsv, StatusJson, StatusReport, Theory, kernel_status, status_document, status_proof,
@@ -195,16 +195,8 @@ impl Ask for Status {
         Ok(Judgeable::new(asked, problem, name, again))
     }
 
-    fn table<'a>(&self, asked: &'a Judgeable) -> Option<&'a TableNotes> {
-        asked.problem.measurements.table()
-    }
-
-    fn rows_missing(&self, asked: &Judgeable) -> usize {
-        asked.problem.measurements.rows_missing()
-    }
-
-    fn multiple_of_least<'a>(&self, asked: &'a Judgeable, _form: Form) -> Option<&'a MultipleOfLeast> {
-        asked.problem.measurements.multiple_of_least()
+    fn measurements<'a>(&self, asked: &'a Judgeable) -> Option<&'a Measurements> {
+        Some(&asked.problem.measurements)
     }
 
     fn answer(&self, asked: &Judgeable) -> Result<Judgement, Refusal> {

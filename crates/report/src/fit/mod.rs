@@ -126,8 +126,8 @@ pub(crate) fn empty_blocks(problem: &Problem, fit: &Fit, style: &Style) -> Vec<B
 }
 
 /// The error bound that was found from the readings themselves, in a line beside answers that have no place for assumptions.
-pub fn bound_found(MultipleOfLeast { factor, least }: &MultipleOfLeast) -> String {
-    let epsilon = factor * least;
+pub fn bound_found(multiple: &MultipleOfLeast) -> String {
+    let (factor, epsilon) = (&multiple.factor, multiple.bound());
     match *factor == Rational::one() {
         true => format!("|e| <= {epsilon}, which is eps_min of these very readings"),
         false => format!("|e| <= {epsilon}, {factor} times eps_min of these very readings"),
