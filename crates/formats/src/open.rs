@@ -1,5 +1,6 @@
 //! Chooses the reader of an input: the only place where formats are told apart.
 
+use std::any::Any;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 
@@ -11,14 +12,12 @@ use crate::budget::HeldMemory;
 use crate::columns::ColumnSelector;
 use crate::dialect::CommentMark;
 use crate::error::{InputError, InputErrorKind};
-use crate::fractions::Fractions;
 use crate::json::scan_json;
 #[cfg(feature = "matlab")]
 use crate::mat::scan_mat;
 use crate::memory::scan_memory;
 use crate::memory_use::MemoryUse;
-use crate::scan::{Batch, Progress, ScanOptions, Scanned, scan_text};
-use crate::selection::RowNumbers;
+use crate::scan::{Batch, Consumer, Progress, ScanOptions, Scanned, scan_text};
 use crate::source::{Content, Source};
 use crate::table::{Table, TableOptions, TableRow};
 #[cfg(feature = "spreadsheets")]
@@ -51,12 +50,28 @@ use crate::workbook::scan_workbook;
 ///
 /// # Errors
 /// The first thing wrong, with its place; by then batches before it may have been handed out.
-pub fn scan<T: Send>(
+pub fn scan<T: Send + 'static>(
     source: Source,
     columns: &[ColumnSelector],
     options: &ScanOptions,
     work: impl Fn(Batch) -> T + Sync,
     mut take: impl FnMut(T),
+) -> Result<Scanned, InputError> {
+    let work = |batch: Batch| -> Box<dyn Any + Send> { Box::new(work(batch)) };
+    let mut take = |made: Box<dyn Any + Send>| {
+        if let Ok(made) = made.downcast() {
+            take(*made);
+        }
+    };
+    scan_for(source, columns, options, Consumer::new(&work, &mut take, options.list_rows))
+}
+
+/// Reads as [`scan`] does, whatever the results of the work are.
+fn scan_for(
+    source: Source,
+    columns: &[ColumnSelector],
+    options: &ScanOptions,
+    mut consumer: Consumer,
 ) -> Result<Scanned, InputError> {
     let (name, content, packed) = source.into_parts();
     if let Some(packed) = &packed {
@@ -64,13 +79,8 @@ pub fn scan<T: Send>(
     }
     let hash = options.hash && packed.is_none();
     let inner = ScanOptions { hash, ..options.clone() };
-    let mut wanted = Wanted::default();
-    let work = |mut batch: Batch| (Wanted::of(&mut batch, options.list_rows), work(batch));
-    let take = |(rows, made): (Wanted, T)| {
-        wanted.append(rows);
-        take(made);
-    };
-    let scanned = scan_content(name.raw(), content, columns, &inner, work, take)?;
+    let scanned = scan_content(name.raw(), content, columns, &inner, &mut consumer)?;
+    let wanted = consumer.into_wanted();
     if wanted.count == 0 && !options.allow_nothing {
         let conditions =
             options.table.conditions.iter().map(|condition| Foreign::from(condition.text())).collect();
@@ -86,13 +96,12 @@ pub fn scan<T: Send>(
 }
 
 /// Hands the rows out by the reader of the format.
-fn scan_content<T: Send>(
+fn scan_content(
     name: &str,
     content: Content,
     columns: &[ColumnSelector],
     options: &ScanOptions,
-    work: impl Fn(Batch) -> T + Sync,
-    take: impl FnMut(T),
+    consumer: &mut Consumer,
 ) -> Result<Scanned, InputError> {
     #[cfg(feature = "spreadsheets")]
     let has_sheets = matches!(content, Content::Archive(_));
@@ -105,21 +114,19 @@ fn scan_content<T: Send>(
         .map_err(|problem| InputError::of_file(name, problem))?;
     match content {
         #[cfg(feature = "matlab")]
-        Content::Matlab(file) | Content::Octave(file) => scan_mat(name, file, columns, options, work, take),
+        Content::Matlab(file) | Content::Octave(file) => scan_mat(name, file, columns, options, consumer),
         // It refuses them by their names.
         #[cfg(not(feature = "matlab"))]
-        Content::Matlab(bytes) | Content::Octave(bytes) => {
-            scan_text(name, bytes, columns, options, work, take)
-        }
+        Content::Matlab(bytes) | Content::Octave(bytes) => scan_text(name, bytes, columns, options, consumer),
         #[cfg(feature = "arrow")]
-        Content::Columns(format, file) => scan_arrow(name, format, file, columns, options, work, take),
+        Content::Columns(format, file) => scan_arrow(name, format, file, columns, options, consumer),
         #[cfg(feature = "spreadsheets")]
-        Content::Archive(bytes) => scan_workbook(name, bytes, columns, options, work, take),
-        Content::Json(bytes) => scan_json(name, bytes, columns, options, work, take),
-        Content::Bytes(bytes) => scan_text(name, bytes, columns, options, work, take),
+        Content::Archive(bytes) => scan_workbook(name, bytes, columns, options, consumer),
+        Content::Json(bytes) => scan_json(name, bytes, columns, options, consumer),
+        Content::Bytes(bytes) => scan_text(name, bytes, columns, options, consumer),
         #[cfg(feature = "arrow")]
-        Content::Batches(reader) => scan_batches(name, reader, columns, options, work, take),
-        Content::Memory(table) => scan_memory(name, &table, columns, options, work, take),
+        Content::Batches(reader) => scan_batches(name, reader, columns, options, consumer),
+        Content::Memory(table) => scan_memory(name, &table, columns, options, consumer),
     }
 }
 
@@ -153,29 +160,6 @@ fn refuse_vain(content: &Content, has_sheets: bool, table: &TableOptions) -> Res
     match first(&of_text) {
         Some((_, asked)) => Err(InputErrorKind::OnlyOfText { asked, fits_sheets: false }),
         None => Ok(()),
-    }
-}
-
-/// The wanted rows of a batch, or of all so far.
-#[derive(Default)]
-struct Wanted {
-    count: usize,
-    /// The numbers of the rows, if they are asked for.
-    rows: RowNumbers,
-    fractions: Vec<Fractions>,
-}
-
-impl Wanted {
-    fn of(batch: &mut Batch, list: bool) -> Self {
-        let rows = if list { batch.rows.clone() } else { RowNumbers::default() };
-        Wanted { count: batch.rows.len(), rows, fractions: std::mem::take(&mut batch.fractions) }
-    }
-
-    fn append(&mut self, later: Wanted) {
-        self.count += later.count;
-        self.rows.append(&later.rows);
-        self.fractions.resize(self.fractions.len().max(later.fractions.len()), Fractions::default());
-        self.fractions.iter_mut().zip(later.fractions).for_each(|(own, later)| own.append(later));
     }
 }
 

@@ -45,7 +45,7 @@ impl Judgeable {
     }
 
     /// Shows every reading: from memory, or as the data are read once more.
-    pub(super) fn each<T: Send>(
+    pub(super) fn each<T: Send + 'static>(
         &self,
         see: impl Fn(&mut dyn Iterator<Item = Measurement>) -> T + Sync + Send,
         mut seen: impl FnMut(T),
@@ -61,7 +61,7 @@ impl Judgeable {
     }
 
     /// Another look at the data, without some rows.
-    pub(super) fn look<T: Send>(
+    pub(super) fn look<T: Send + 'static>(
         &self,
         without: &[usize],
         see: impl Fn(&Seen<'_>) -> T + Sync + Send,
@@ -85,7 +85,7 @@ impl Judgeable {
     }
 
     /// Reads further readings.
-    pub(super) fn see_new<T: Send>(
+    pub(super) fn see_new<T: Send + 'static>(
         &self,
         name: &str,
         see: impl Fn(&Seen<'_>) -> T + Sync + Send,
@@ -104,7 +104,7 @@ impl Judgeable {
         Ok(())
     }
 
-    fn scan<T: Send>(
+    fn scan<T: Send + 'static>(
         &self,
         source: Source,
         options: &ScanOptions,

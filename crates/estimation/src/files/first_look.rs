@@ -139,7 +139,7 @@ impl<'a> FirstLook<'a> {
     }
 
     /// Reads every row, and shows the readings: see [`Measurements::scan_and_see`](crate::Measurements::scan_and_see).
-    pub(super) fn take<T: Send>(
+    pub(super) fn take<T: Send + 'static>(
         &self,
         source: Source,
         see: impl Fn(&Seen<'_>) -> T + Sync + Send,

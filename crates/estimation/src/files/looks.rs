@@ -41,7 +41,7 @@ impl Looks<'_> {
 
     /// Calls `work` for the columns of some rows and their numbers, on the threads of the current pool, and `take`
     /// with its results, in order. The columns come from memory, or else from a file that is still the same.
-    pub(super) fn look<T: Send>(
+    pub(super) fn look<T: Send + 'static>(
         &self,
         work: impl Fn(&[Column], &RowNumbers) -> T + Sync + Send,
         mut take: impl FnMut(T),

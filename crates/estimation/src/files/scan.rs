@@ -50,7 +50,7 @@ impl Measurements {
     ///
     /// # Errors
     /// The errors of [`Measurements::scan`].
-    pub fn scan_and_see<T: Send>(
+    pub fn scan_and_see<T: Send + 'static>(
         source: Source,
         columns: &Columns,
         conditions: &[Condition],

@@ -20,7 +20,7 @@ use crate::hash::hexadecimal;
 use crate::lacking::Lacking;
 use crate::memory_use::MemoryUse;
 use crate::scan::check_rows;
-use crate::scan::{Batch, ScanOptions, Scanned, readable_rows};
+use crate::scan::{Batch, Consumer, ScanOptions, Scanned, readable_rows};
 use crate::selection::{RowNumbers, between};
 use crate::threads;
 use crate::wanted::WantedColumns;
@@ -51,14 +51,13 @@ const BYTES_PER_NUMBER: u64 = 8;
 ///
 /// # Errors
 /// The first thing wrong, with the row and column.
-pub(crate) fn scan_arrow<T: Send>(
+pub(crate) fn scan_arrow(
     name: &str,
     format: BinaryFormat,
     mut file: File,
     columns: &[ColumnSelector],
     options: &ScanOptions,
-    work: impl Fn(Batch) -> T + Sync,
-    take: impl FnMut(T),
+    consumer: &mut Consumer,
 ) -> Result<Scanned, InputError> {
     let fail = |problem: InputErrorKind| InputError::of_file(name, problem);
     let bytes = file.metadata().map_err(|error| fail(error.into()))?.len();
@@ -77,7 +76,7 @@ pub(crate) fn scan_arrow<T: Send>(
         Ok(batch)
     };
     // Clones of a file share their position; in Parquet it jumps between columns.
-    let scanned = rows.scan(next, || progress.at(file.stream_position().unwrap_or_default()), work, take)?;
+    let scanned = rows.scan(next, || progress.at(file.stream_position().unwrap_or_default()), consumer)?;
     progress.at(bytes).map_err(fail)?;
     Ok(Scanned { header: names, bytes, sha256, ..scanned })
 }
@@ -86,13 +85,12 @@ pub(crate) fn scan_arrow<T: Send>(
 ///
 /// # Errors
 /// The first thing wrong, with the row and column, or where they came from.
-pub(crate) fn scan_batches<T: Send>(
+pub(crate) fn scan_batches(
     name: &str,
     reader: Box<dyn RecordBatchReader>,
     columns: &[ColumnSelector],
     options: &ScanOptions,
-    work: impl Fn(Batch) -> T + Sync,
-    take: impl FnMut(T),
+    consumer: &mut Consumer,
 ) -> Result<Scanned, InputError> {
     let names: Vec<Foreign> =
         reader.schema().fields().iter().map(|field| Foreign::from(field.name())).collect();
@@ -102,7 +100,7 @@ pub(crate) fn scan_batches<T: Send>(
     let format = BinaryFormat::ArrowStream;
     let next = || guarded(format, || batches.next().transpose().map_err(|error| unreadable(format, error)));
     let mut progress = Follower { options, reported: 0 };
-    let scanned = rows.scan(next, || progress.at(0), work, take)?;
+    let scanned = rows.scan(next, || progress.at(0), consumer)?;
     Ok(Scanned { header: names, ..scanned })
 }
 
@@ -121,12 +119,11 @@ struct Rows<'a> {
 
 impl Rows<'_> {
     /// Hands the rows of record batches out, which have the columns that are read, in their order. `advanced` is called between them.
-    fn scan<T: Send>(
+    fn scan(
         &self,
         mut next: impl FnMut() -> Result<Option<RecordBatch>, InputErrorKind>,
         mut advanced: impl FnMut() -> Result<(), InputErrorKind>,
-        work: impl Fn(Batch) -> T + Sync,
-        mut take: impl FnMut(T),
+        consumer: &mut Consumer,
     ) -> Result<Scanned, InputError> {
         let options = self.wanted.options;
         let fail = |problem: InputErrorKind| InputError::of_file(self.wanted.file, problem);
@@ -152,15 +149,16 @@ impl Rows<'_> {
             // A record batch may have any number of rows.
             while !group.is_empty() {
                 let later = group.split_off(group.len().min(PARTS_PER_THREAD * threads::count()));
-                let decoded: Vec<Result<(T, usize, Lacking), InputError>> = threads::map(group, |part| {
+                let worker = consumer.worker;
+                let decoded: Vec<Result<_, InputError>> = threads::map(group, |part| {
                     let (batch, lacking) = self.decode(&part)?;
                     let used = batch.rows.len();
-                    Ok((work(batch), used, lacking))
+                    Ok((worker.work(batch), used, lacking))
                 });
                 for result in decoded {
                     match result {
                         Ok((made, rows, later)) => {
-                            take(made);
+                            consumer.take(made);
                             used += rows;
                             lacking.add(later);
                         }

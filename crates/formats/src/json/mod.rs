@@ -24,7 +24,7 @@ use crate::lacking::Lacking;
 use crate::memory::{BadNumber, Cells, Part, TextCells};
 use crate::notes::{HeaderNote, SheetLooks, Skipped, TableNotes};
 use crate::scan::check_rows;
-use crate::scan::{Batch, ScanOptions, Scanned};
+use crate::scan::{Consumer, ScanOptions, Scanned};
 use crate::wanted::WantedColumns;
 
 use records::Records;
@@ -51,13 +51,12 @@ pub(crate) fn is_json(start: &[u8]) -> bool {
 ///
 /// # Errors
 /// The first thing wrong, with its line and key.
-pub(crate) fn scan_json<T: Send>(
+pub(crate) fn scan_json(
     name: &str,
     bytes: Box<dyn Read>,
     columns: &[ColumnSelector],
     options: &ScanOptions,
-    work: impl Fn(Batch) -> T + Sync,
-    mut take: impl FnMut(T),
+    consumer: &mut Consumer,
 ) -> Result<Scanned, InputError> {
     let mut text = TextReader::new(bytes, options.hash);
     text.begin(options.table.dialect.encoding);
@@ -85,7 +84,7 @@ pub(crate) fn scan_json<T: Send>(
     let read = loop {
         let (records, failure) = part;
         let is_at_end = records.lines().is_empty();
-        let handed_out = hand_out(&records, &names, &wanted, rows, &mut lacking, &work, &mut take);
+        let handed_out = hand_out(&records, &names, &wanted, rows, &mut lacking, consumer);
         match handed_out {
             Ok(counts) => (rows, used) = (rows + counts.0, used + counts.1),
             Err(error) => break Err(error),
@@ -176,14 +175,13 @@ impl Cells<ColumnPlace> for Texts<'_> {
 }
 
 /// Hands out records that come after so many others; gives how many there are, and how many of them are used.
-fn hand_out<T: Send>(
+fn hand_out(
     records: &Records,
     names: &[Foreign],
     wanted: &WantedColumns,
     before: usize,
     lacking: &mut Lacking,
-    work: &(impl Fn(Batch) -> T + Sync),
-    take: &mut impl FnMut(T),
+    consumer: &mut Consumer,
 ) -> Result<(usize, usize), InputError> {
     let lines = records.lines();
     let mut columns: Vec<Option<Vec<&str>>> = vec![None; names.len()];
@@ -211,7 +209,7 @@ fn hand_out<T: Send>(
         }
     }
     let part = Part { table: &Texts(columns), wanted, before, lines };
-    let used = part.hand_out(lines.len(), lacking, work, take).map_err(about_nested)?;
+    let used = part.hand_out(lines.len(), lacking, consumer).map_err(about_nested)?;
     Ok((lines.len(), used))
 }
 

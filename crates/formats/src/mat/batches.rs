@@ -12,7 +12,7 @@ use crate::columns::{ColumnPlace, ColumnSelector, refuse_same};
 use crate::error::{InputError, InputErrorKind};
 use crate::memory::{BadNumber, Cells, Part};
 use crate::scan::check_rows;
-use crate::scan::{Batch, ScanOptions, Scanned};
+use crate::scan::{Consumer, ScanOptions, Scanned};
 use crate::selection::RowCondition;
 use crate::wanted::{Placed, WantedColumns};
 
@@ -37,13 +37,12 @@ fn refuse_twice(file: &str, selectors: &[ColumnSelector]) -> Result<(), InputErr
 ///
 /// # Errors
 /// The first thing wrong, with the variable, or the row and column.
-pub(crate) fn scan_mat<T: Send>(
+pub(crate) fn scan_mat(
     name: &str,
     file: Box<dyn Read>,
     columns: &[ColumnSelector],
     options: &ScanOptions,
-    work: impl Fn(Batch) -> T + Sync,
-    take: impl FnMut(T),
+    consumer: &mut Consumer,
 ) -> Result<Scanned, InputError> {
     let fail = |problem: InputErrorKind| InputError::of_file(name, problem);
     let conditions = &options.table.conditions;
@@ -68,7 +67,7 @@ pub(crate) fn scan_mat<T: Send>(
         meter: WorkMeter::default(),
     };
     let table = Variables { keep_text: options.keep_text };
-    let scanned = Part { table: &table, wanted: &wanted, before: 0, lines: &[] }.scan(rows, work, take)?;
+    let scanned = Part { table: &table, wanted: &wanted, before: 0, lines: &[] }.scan(rows, consumer)?;
     Ok(Scanned { bytes, sha256, ..scanned })
 }
 

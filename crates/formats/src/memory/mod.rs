@@ -13,7 +13,7 @@ use crate::cells::CellReader;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind};
 use crate::scan::check_rows;
-use crate::scan::{Batch, ScanOptions, Scanned, csv_line};
+use crate::scan::{Consumer, ScanOptions, Scanned, csv_line};
 use crate::wanted::WantedColumns;
 
 pub(crate) use numbers::BadNumber;
@@ -127,19 +127,18 @@ impl MemoryTable {
 ///
 /// # Errors
 /// The first thing wrong, with the row and column; columns that are not equally long.
-pub(crate) fn scan_memory<T: Send>(
+pub(crate) fn scan_memory(
     name: &str,
     table: &MemoryTable,
     columns: &[ColumnSelector],
     options: &ScanOptions,
-    work: impl Fn(Batch) -> T + Sync,
-    take: impl FnMut(T),
+    consumer: &mut Consumer,
 ) -> Result<Scanned, InputError> {
     let wanted = WantedColumns::new(name, &table.names, columns, options)?;
     let rows = table.rows();
     table.check_lengths(name)?;
     check_rows(name, rows, options)?;
-    let scanned = Part { table, wanted: &wanted, before: 0, lines: &[] }.scan(rows, work, take)?;
+    let scanned = Part { table, wanted: &wanted, before: 0, lines: &[] }.scan(rows, consumer)?;
     Ok(Scanned { header: table.names.clone(), ..scanned })
 }
 

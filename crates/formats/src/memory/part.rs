@@ -10,7 +10,7 @@ use crate::cells::CellReader;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::lacking::Lacking;
-use crate::scan::{Batch, Pieces, Scanned, csv_line, readable_rows};
+use crate::scan::{Batch, Consumer, Pieces, Scanned, csv_line, readable_rows};
 use crate::selection::{RowNumbers, between, in_batches};
 use crate::threads;
 use crate::wanted::{Placed, WantedColumns};
@@ -50,17 +50,12 @@ impl<T: Cells<C>, C: Placed + Sync> Part<'_, T, C> {
     ///
     /// # Errors
     /// The first cell that is no number, with its place.
-    pub(crate) fn scan<W: Send>(
-        &self,
-        rows: usize,
-        work: impl Fn(Batch) -> W + Sync,
-        mut take: impl FnMut(W),
-    ) -> Result<Scanned, InputError> {
+    pub(crate) fn scan(&self, rows: usize, consumer: &mut Consumer) -> Result<Scanned, InputError> {
         let mut lacking = Lacking::default();
         let [satisfying, found] = self.with_values(rows, &mut lacking)?;
         let used = found.iter().map(ExactSizeIterator::len).sum();
         let ((), rows_missing) = lacking.settle(Ok(()), used, self.wanted.options)?;
-        self.hand_out_rows(&satisfying, &found, rows, &work, &mut take)?;
+        self.hand_out_rows(&satisfying, &found, rows, consumer)?;
         Ok(self.wanted.scanned(rows, rows_missing))
     }
 
@@ -68,33 +63,31 @@ impl<T: Cells<C>, C: Placed + Sync> Part<'_, T, C> {
     ///
     /// # Errors
     /// The first cell that is no number, with its place.
-    pub(crate) fn hand_out<W: Send>(
+    pub(crate) fn hand_out(
         &self,
         rows: usize,
         lacking: &mut Lacking,
-        work: &(impl Fn(Batch) -> W + Sync),
-        take: &mut impl FnMut(W),
+        consumer: &mut Consumer,
     ) -> Result<usize, InputError> {
         let [satisfying, found] = self.with_values(rows, lacking)?;
-        self.hand_out_rows(&satisfying, &found, rows, work, take)?;
+        self.hand_out_rows(&satisfying, &found, rows, consumer)?;
         Ok(found.iter().map(ExactSizeIterator::len).sum())
     }
 
     /// Hands out the rows that were found, and those others of so many that are to be kept.
-    fn hand_out_rows<W: Send>(
+    fn hand_out_rows(
         &self,
         satisfying: &[Range<usize>],
         found: &[Range<usize>],
         rows: usize,
-        work: &(impl Fn(Batch) -> W + Sync),
-        take: &mut impl FnMut(W),
+        consumer: &mut Consumer,
     ) -> Result<(), InputError> {
         let options = self.wanted.options;
         for group in in_batches(found).chunks(threads::count()) {
-            let batch = |rows: Vec<Range<usize>>| self.batch(&rows).map(work);
-            let done: Vec<Result<W, InputError>> = threads::map(group.to_vec(), batch);
-            for result in done {
-                take(result?);
+            let worker = consumer.worker;
+            let made = |rows: Vec<Range<usize>>| self.batch(&rows).map(|batch| worker.work(batch));
+            for made in threads::map(group.to_vec(), made) {
+                consumer.take(made?);
             }
             if options.progress.as_deref().is_some_and(|progress| progress.is_cancelled()) {
                 return Err(InputError::of_file(self.wanted.file, InputErrorKind::Interrupted));
@@ -107,12 +100,12 @@ impl<T: Cells<C>, C: Placed + Sync> Part<'_, T, C> {
             let text = |row| self.table.key(key, self.index(row), options.table.reading).into();
             let mut keys_missing: Vec<String> = left_out.map(text).collect();
             keys_missing.dedup();
-            take(work(Batch { keys_missing, ..self.batch(&[])? }));
+            consumer.consume(Batch { keys_missing, ..self.batch(&[])? });
         }
         if options.table.keep_others && options.table.selects_rows() {
             let unwanted = between(satisfying, self.before + 1, self.before + rows + 1).into_iter();
             let others = unwanted.flat_map(|rows| readable_rows(rows, &|rows| self.batch(&[rows]))).collect();
-            take(work(Batch { others, ..self.batch(&[])? }));
+            consumer.consume(Batch { others, ..self.batch(&[])? });
         }
         Ok(())
     }

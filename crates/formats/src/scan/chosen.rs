@@ -9,7 +9,7 @@ use crate::chunks::{Chunk, ChunkReader};
 use crate::error::{InputError, InputErrorKind};
 use crate::notes::BlockNote;
 
-use super::batch::{Batch, ScanOptions};
+use super::batch::ScanOptions;
 use super::first_record::Position;
 use super::layout::Layout;
 use super::notes::Notes;
@@ -89,7 +89,7 @@ fn line_feeds(bytes: &[u8]) -> u64 {
     memchr_iter(b'\n', bytes).count() as u64
 }
 
-impl<T, W: Fn(Batch) -> T, K: FnMut(T)> Run<'_, W, K> {
+impl Run<'_, '_> {
     /// Reads the rows of a block from a position on, and passes over what comes behind it; gives how many rows there are.
     pub(super) fn read_chosen(
         &mut self,

@@ -8,6 +8,7 @@
 mod batch;
 mod builder;
 mod chosen;
+mod consumer;
 mod csv_line;
 mod first_record;
 mod lane;
@@ -37,6 +38,7 @@ use crate::table::TextLayout;
 pub(crate) use batch::check_rows;
 pub use batch::{Batch, Pieces, Progress, ScanOptions, Scanned};
 use chosen::Chosen;
+pub(crate) use consumer::Consumer;
 pub(crate) use csv_line::{csv_line, each_once};
 use first_record::FirstRecord;
 use notes::Notes;
@@ -44,13 +46,12 @@ pub(crate) use others::readable_rows;
 use run::Run;
 
 /// Reads columns of delimited text as [`scan`](crate::scan) says.
-pub(crate) fn scan_text<T: Send>(
+pub(crate) fn scan_text(
     file: &str,
     bytes: Box<dyn Read>,
     columns: &[ColumnSelector],
     options: &ScanOptions,
-    work: impl Fn(Batch) -> T + Sync,
-    take: impl FnMut(T),
+    consumer: &mut Consumer,
 ) -> Result<Scanned, InputError> {
     let mut reader = ChunkReader::new(bytes, options.chunk_bytes, options.table.sizes.line, options.hash);
     reader.start(file, options.table.dialect.encoding)?;
@@ -70,7 +71,7 @@ pub(crate) fn scan_text<T: Send>(
     let start = chosen.as_ref().map(|chosen| chosen.lines);
     let FirstRecord { mut layout, header_line, position } =
         FirstRecord::read(file, columns, options, &mut reader, start)?;
-    let mut run = Run { file, options, work, take };
+    let mut run = Run { file, options, consumer };
     let mut notes = Notes::default();
     let read = match chosen {
         Some(chosen) => run.read_chosen(&mut layout, &mut reader, position, &mut notes, chosen),

@@ -6,7 +6,7 @@ use crate::chunks::{Chunk, ChunkReader};
 use crate::error::InputError;
 use crate::threads;
 
-use super::batch::Batch;
+use super::consumer::{Made, Worker};
 use super::first_record::Position;
 use super::layout::Layout;
 use super::notes::Notes;
@@ -19,15 +19,15 @@ use super::values::Mark;
 const CHUNKS_PER_THREAD: usize = 4;
 
 /// The treatment of a group.
-struct Outcome<T> {
-    made: Vec<T>,
+struct Outcome {
+    made: Vec<Made>,
     /// The place where the next group starts.
     position: Position,
     /// The chunk that ends within quotes.
     open: Option<usize>,
 }
 
-impl<T: Send, W: Fn(Batch) -> T + Sync, K: FnMut(T)> Run<'_, W, K> {
+impl Run<'_, '_> {
     /// Reads all rows from a position on; returns how many there are with those before.
     pub(super) fn read_chunks(
         &mut self,
@@ -42,7 +42,7 @@ impl<T: Send, W: Fn(Batch) -> T + Sync, K: FnMut(T)> Run<'_, W, K> {
         while !group.is_empty() {
             let gap = notes.gap_behind().clone();
             let (outcome, mut next) = if reader.is_at_end() {
-                (read_group(&group, layout, ways.as_ref(), position, notes, &self.work), Vec::new())
+                (read_group(&group, layout, ways.as_ref(), position, notes, self.consumer.worker), Vec::new())
             } else {
                 self.read_group_and_next(&group, layout, ways.as_ref(), position, notes, reader)
             };
@@ -54,7 +54,7 @@ impl<T: Send, W: Fn(Batch) -> T + Sync, K: FnMut(T)> Run<'_, W, K> {
                 }
             };
             layout.mark = notes.mark_after(layout.mark);
-            made.into_iter().for_each(&mut self.take);
+            made.into_iter().for_each(|made| self.consumer.take(made));
             position = end;
             let rest = group.split_off(open.unwrap_or(group.len()));
             self.advance(group.iter().map(|chunk| chunk.len() as u64).sum())?;
@@ -80,10 +80,10 @@ impl<T: Send, W: Fn(Batch) -> T + Sync, K: FnMut(T)> Run<'_, W, K> {
         position: Position,
         notes: &mut Notes,
         reader: &mut ChunkReader,
-    ) -> (Result<Outcome<T>, InputError>, Vec<Chunk>) {
-        let work = &self.work;
+    ) -> (Result<Outcome, InputError>, Vec<Chunk>) {
+        let worker = self.consumer.worker;
         threads::beside(
-            move || read_group(group, layout, ways, position, notes, work),
+            move || read_group(group, layout, ways, position, notes, worker),
             || self.next_group(reader),
         )
     }
@@ -130,14 +130,14 @@ fn with_first_mark(
 }
 
 /// Reads the rows of a group that starts at a position, and works on them.
-fn read_group<T: Send>(
+fn read_group(
     group: &[Chunk],
     layout: &Layout,
     ways: Option<&Ways>,
     position: Position,
     notes: &mut Notes,
-    work: &(impl Fn(Batch) -> T + Sync),
-) -> Result<Outcome<T>, InputError> {
+    worker: Worker,
+) -> Result<Outcome, InputError> {
     let mut rows_before = vec![position.rows; group.len()];
     if !layout.options.table.rows.is_all() || position.rows == 0 {
         // The number of rows before decides which rows are wanted, and the words about the first one.
@@ -181,5 +181,5 @@ fn read_group<T: Send>(
             }
         }
     }
-    Ok(Outcome { made: threads::map(batches, work), position, open })
+    Ok(Outcome { made: threads::map(batches, |batch| worker.work(batch)), position, open })
 }

@@ -1,17 +1,17 @@
 //! A scan under way.
 
 use super::batch::ScanOptions;
+use super::consumer::Consumer;
 use crate::error::{InputError, InputErrorKind};
 
 /// A scan under way.
-pub(super) struct Run<'a, W, K> {
+pub(super) struct Run<'a, 'b> {
     pub(super) file: &'a str,
     pub(super) options: &'a ScanOptions,
-    pub(super) work: W,
-    pub(super) take: K,
+    pub(super) consumer: &'a mut Consumer<'b>,
 }
 
-impl<W, K> Run<'_, W, K> {
+impl Run<'_, '_> {
     pub(super) fn is_cancelled(&self) -> bool {
         self.options.progress.as_ref().is_some_and(|progress| progress.is_cancelled())
     }

@@ -6,7 +6,6 @@ use crate::blocks::Gap;
 use crate::chunks::{Chunk, ChunkReader};
 use crate::error::InputError;
 
-use super::batch::Batch;
 use super::builder::BatchBuilder;
 use super::first_record::Position;
 use super::layout::Layout;
@@ -14,7 +13,7 @@ use super::notes::Notes;
 use super::rows::RowReader;
 use super::run::Run;
 
-impl<T, W: Fn(Batch) -> T, K: FnMut(T)> Run<'_, W, K> {
+impl Run<'_, '_> {
     /// Reads all rows of these chunks, which start at a position, and of what the reader has after them. Returns how many
     /// rows there are with those before.
     pub(super) fn read_in_sequence(
@@ -58,7 +57,7 @@ impl<T, W: Fn(Batch) -> T, K: FnMut(T)> Run<'_, W, K> {
 
     pub(super) fn hand_out(&mut self, batch: BatchBuilder, bytes: u64) -> Result<(), InputError> {
         if let Some(batch) = batch.finish(0) {
-            (self.take)((self.work)(batch));
+            self.consumer.consume(batch);
         }
         self.advance(bytes)
     }

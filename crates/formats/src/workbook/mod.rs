@@ -27,7 +27,7 @@ use crate::hash::hexadecimal;
 use crate::memory_use::MemoryUse;
 use crate::notes::{SheetLooks, SheetNote, TableNotes};
 use crate::packing::most_unpacked;
-use crate::scan::{Batch, ScanOptions, Scanned, scan_text};
+use crate::scan::{Consumer, ScanOptions, Scanned, scan_text};
 
 use archive::{Archive, FORMAT, Kind};
 use text::Lines;
@@ -51,13 +51,12 @@ struct Sheet {
 ///
 /// # Errors
 /// The first thing wrong, with sheet and cell.
-pub(crate) fn scan_workbook<T: Send>(
+pub(crate) fn scan_workbook(
     file: &str,
     bytes: Box<dyn Read>,
     columns: &[ColumnSelector],
     options: &ScanOptions,
-    work: impl Fn(Batch) -> T + Sync,
-    take: impl FnMut(T),
+    consumer: &mut Consumer,
 ) -> Result<Scanned, InputError> {
     let fail = |problem: InputErrorKind| InputError::of_file(file, problem);
     // The digits that a cell shows are not those that it stores.
@@ -83,7 +82,7 @@ pub(crate) fn scan_workbook<T: Send>(
     let mut inner = ScanOptions { hash: false, progress: None, ..options.clone() };
     inner.table.dialect.delimiter = Some(text::DELIMITER);
     inner.table.dialect.encoding = None;
-    let scanned = scan_text(file, Box::new(Cursor::new(text)), columns, &inner, work, take);
+    let scanned = scan_text(file, Box::new(Cursor::new(text)), columns, &inner, consumer);
     let scanned = scanned.map_err(|error| match error.in_sheet(choice.name()) {
         InputError { kind: InputErrorKind::Empty, file, place } => {
             InputError { kind: InputErrorKind::EmptySheet { others: choice.others() }, file, place }
