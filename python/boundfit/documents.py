@@ -907,6 +907,25 @@ class Selection(TypedDict):
     """The conditions on cells, such as `V >= -6`."""
 
 
+class Sheet(TypedDict):
+    """The sheet that was read, and what a spreadsheet shows otherwise."""
+
+    name: str | None
+    """The name of the sheet; null in a workbook of one sheet."""
+    number: int
+    """The number of the sheet, from 1."""
+    total: int
+    """The number of sheets in the workbook."""
+    hidden: bool
+    """True if spreadsheets do not show the sheet."""
+    hidden_rows: int
+    """The number of rows that were read although spreadsheets do not show them."""
+    hidden_columns: int
+    """The number of columns that spreadsheets do not show."""
+    merged: int
+    """The number of areas of merged cells. Their first cell alone has a value."""
+
+
 class Skipped(TypedDict):
     """Lines that were passed over, and rows of another length."""
 
@@ -918,6 +937,8 @@ class Skipped(TypedDict):
     """Rows with fewer cells than the first one."""
     long_rows: int
     """Rows with more cells than the first one."""
+    headers: NotRequired[int]
+    """Rows that repeat the header; absent if there are none."""
 
 
 class Slope(TypedDict):
@@ -973,6 +994,8 @@ class Table(TypedDict):
     """The encoding of the text, such as `UTF-8`; null for sheets."""
     comment: str | None
     """The characters that start a comment line; null where there are none."""
+    sheet: NotRequired[Sheet]
+    """The sheet of a workbook; absent for other files."""
     blocks: Blocks | None
     """The blocks of the file, and which was read; null for a file of one block."""
     skipped: Skipped

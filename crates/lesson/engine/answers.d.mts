@@ -849,6 +849,24 @@ export interface Selection {
   where_row: string[];
 }
 
+/** The sheet that was read, and what a spreadsheet shows otherwise. */
+export interface Sheet {
+  /** The name of the sheet; null in a workbook of one sheet. */
+  name: string | null;
+  /** The number of the sheet, from 1. */
+  number: number;
+  /** The number of sheets in the workbook. */
+  total: number;
+  /** True if spreadsheets do not show the sheet. */
+  hidden: boolean;
+  /** The number of rows that were read although spreadsheets do not show them. */
+  hidden_rows: number;
+  /** The number of columns that spreadsheets do not show. */
+  hidden_columns: number;
+  /** The number of areas of merged cells. Their first cell alone has a value. */
+  merged: number;
+}
+
 /** Lines that were passed over, and rows of another length. */
 export interface Skipped {
   /** Lines before the table that were skipped because the names stand in a later one. */
@@ -859,6 +877,8 @@ export interface Skipped {
   short_rows: number;
   /** Rows with more cells than the first one. */
   long_rows: number;
+  /** Rows that repeat the header; absent if there are none. */
+  headers?: number;
 }
 
 /** A line at an end of the slopes. */
@@ -907,6 +927,8 @@ export interface Table {
   encoding: string | null;
   /** The characters that start a comment line; null where there are none. */
   comment: string | null;
+  /** The sheet of a workbook; absent for other files. */
+  sheet?: Sheet;
   /** The blocks of the file, and which was read; null for a file of one block. */
   blocks: Blocks | null;
   /** The lines and rows that are unusual. */

@@ -8,14 +8,14 @@ use boundfit_questions::LinearityInput;
 
 use crate::answer::table::TableJson;
 #[cfg(feature = "files")]
-use crate::answer::table::{BlocksJson, HeaderJson, SkippedJson};
+use crate::answer::table::{BlocksJson, HeaderJson, SheetJson, SkippedJson};
 use crate::document::Text;
 
 #[cfg(feature = "files")]
 impl TableJson {
     /// Returns the description in these notes.
     pub fn new(notes: &TableNotes) -> Self {
-        let TableNotes { header, dialect, is_sheet, is_records, block, skipped, sheet: _, looks: _ } = notes;
+        let TableNotes { header, dialect, is_sheet, is_records, block, skipped, sheet, looks } = notes;
         let Dialect { delimiter, notation, comment, encoding, .. } = dialect;
         let named = DELIMITERS.iter().find(|(_, byte)| byte == delimiter);
         let delimiter =
@@ -36,6 +36,15 @@ impl TableJson {
             thousands: notation.thousands.map(|mark| mark.mark()),
             encoding: (!is_sheet).then(|| encoding.name()),
             comment: marks,
+            sheet: is_sheet.then(|| SheetJson {
+                name: sheet.as_ref().map(|sheet| sheet.name.clone()),
+                number: sheet.as_ref().map_or(1, |sheet| sheet.number),
+                total: sheet.as_ref().map_or(1, |sheet| sheet.total),
+                hidden: sheet.as_ref().is_some_and(|sheet| sheet.is_hidden),
+                hidden_rows: looks.hidden_rows,
+                hidden_columns: looks.hidden_columns,
+                merged: looks.merged,
+            }),
             blocks: block.as_ref().map(|BlockNote { number, name, total }| BlocksJson {
                 total: *total,
                 read: *number,
@@ -46,6 +55,7 @@ impl TableJson {
                 comments: skipped.comments,
                 short_rows: skipped.short_rows,
                 long_rows: skipped.long_rows,
+                headers: skipped.headers,
             },
         }
     }

@@ -20,6 +20,9 @@ pub struct TableJson {
     pub encoding: Option<&'static str>,
     /// The characters that start a comment line; null where there are none.
     pub comment: Option<String>,
+    /// The sheet of a workbook; absent for other files.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sheet: Option<SheetJson>,
     /// The blocks of the file, and which was read; null for a file of one block.
     pub blocks: Option<BlocksJson>,
     /// The lines and rows that are unusual.
@@ -38,6 +41,27 @@ pub struct HeaderJson {
     pub open: bool,
     /// True if each row begins with a name, so that it has a cell more than the header.
     pub row_names: bool,
+}
+
+/// The sheet that was read, and what a spreadsheet shows otherwise.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SheetJson {
+    /// The name of the sheet; null in a workbook of one sheet.
+    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
+    pub name: Option<Foreign>,
+    /// The number of the sheet, from 1.
+    pub number: usize,
+    /// The number of sheets in the workbook.
+    pub total: usize,
+    /// True if spreadsheets do not show the sheet.
+    pub hidden: bool,
+    /// The number of rows that were read although spreadsheets do not show them.
+    pub hidden_rows: u64,
+    /// The number of columns that spreadsheets do not show.
+    pub hidden_columns: u64,
+    /// The number of areas of merged cells. Their first cell alone has a value.
+    pub merged: u64,
 }
 
 /// The blocks of a file.
@@ -65,4 +89,11 @@ pub struct SkippedJson {
     pub short_rows: u64,
     /// Rows with more cells than the first one.
     pub long_rows: u64,
+    /// Rows that repeat the header; absent if there are none.
+    #[serde(skip_serializing_if = "is_none")]
+    pub headers: u64,
+}
+
+fn is_none(count: &u64) -> bool {
+    *count == 0
 }
