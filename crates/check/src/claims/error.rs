@@ -1,5 +1,6 @@
 //! The errors of a claim.
 
+use boundfit_exact::english::counted;
 use boundfit_exact::{Foreign, Limit, ParseNumberError};
 use boundfit_judge::SolutionError;
 use boundfit_lp::PuiEnd;
@@ -40,7 +41,7 @@ pub enum ClaimError {
     #[error("the status is optimal, but there is neither \"pui\" nor \"points\"")]
     NoValue,
     /// A number of values other than four.
-    #[error("{0} values (expected four: LO1,HI1,LO2,HI2, each a number, inf or -inf)")]
+    #[error("{} (expected four: LO1,HI1,LO2,HI2, each a number, inf or -inf)", counted(*.0, "value", "values"))]
     Count(usize),
     /// Content of no known kind.
     #[error(
