@@ -54,6 +54,18 @@ for (const [name, options] of Object.entries(DATA)) {
   });
 }
 
+for (const name of ["wholeLine", "touchingStrips", "equalReadings"]) {
+  test(`${name}: half-planes are active along the sides of a set without vertices`, async () => {
+    const { page, complaints, close } = await openLesson(browser, SPECIAL[name]);
+    const active = fitReport(SPECIAL[name]).fps.boundaries.flatMap((side) => side.active);
+    const shown = await page.locator("#active .name").allTextContents();
+    const words = ({ row, bound }) => `${row} ${bound === "upper" ? "▾" : "▴"}`;
+    assert.deepEqual(shown.map((text) => text.replace(/\s/g, " ").trim()).sort(), active.map(words).sort());
+    assert.deepEqual(complaints, []);
+    await close();
+  });
+}
+
 for (const width of [360, 768, 1600]) {
   for (const colorScheme of ["light", "dark"]) {
     test(`${width} px wide, ${colorScheme}: nothing is cut off`, async () => {

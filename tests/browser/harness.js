@@ -42,6 +42,9 @@ export const SPECIAL = {
     csv("near", "x,y", ...["0,0", "1,15", "2,20", "3,35"].map((own) => own.replace(/\d+/g, (digits) => `1000000.${digits.padStart(12, "0")}`))),
     "--x", "x", "--y", "y", "--eps", "1e-11",
   ],
+  wholeLine: [csv("one", "x,y", "1,1"), "--x", "x", "--y", "y", "--eps", "0"],
+  touchingStrips: [csv("touching", "x,y", "1,1", "1,1.2"), "--x", "x", "--y", "y", "--eps", "0.1"],
+  equalReadings: [csv("equal", "x,y", "1,1", "1,1"), "--x", "x", "--y", "y", "--eps", "0.1"],
   noError: [straight, "--x", "x", "--y", "y", "--eps", "0"],
 };
 /** The options of `boundfit` for the data sets of the tests. */

@@ -84,6 +84,22 @@ impl<T: AsRef<str>> Foreign<T> {
         }
     }
 
+    /// The text as a label of a picture or a page shows it: on one line, with a space for blanks of any kind, and without soft
+    /// hyphens and the selectors behind emoji. Text that other programs wrote has these without anybody's intention.
+    ///
+    /// ```
+    /// use boundfit_exact::Foreign;
+    ///
+    /// assert_eq!(Foreign::of("U\u{a0}in\n V \u{1f321}\u{fe0f}").label(), "U in V \u{1f321}");
+    /// assert_eq!(Foreign::of("x\u{202e}y").label(), r"x\u{202e}y");
+    /// ```
+    pub fn label(&self) -> String {
+        let says_nothing = |character: char| matches!(character, '\u{ad}' | '\u{fe00}'..='\u{fe0f}');
+        let text = self.raw().replace(says_nothing, "");
+        let words: Vec<&str> = text.split_whitespace().collect();
+        Foreign(words.join(" ")).to_string()
+    }
+
     /// The text, made visible.
     fn visible(&self) -> Cow<'_, str> {
         let text = self.raw();

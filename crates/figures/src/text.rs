@@ -23,9 +23,7 @@ pub(crate) fn register() {
 /// A text from outside, fit for one line of a figure: with all of it visible but the blanks between words, and not longer than
 /// `most` characters.
 pub(crate) fn one_line(text: &Foreign, most: usize) -> String {
-    // Where a cell of a spreadsheet has a line end, a label has a blank.
-    let words = text.raw().split([' ', '\n', '\r', '\t']).filter(|word| !word.is_empty());
-    let words = Foreign::from(words.collect::<Vec<_>>().join(" ")).to_string();
+    let words = text.label();
     if words.chars().count() <= most {
         return words;
     }

@@ -155,12 +155,12 @@ fn file_name(file: &str) -> Foreign<&str> {
 fn default_title(file: Foreign<&str>, problem: &Problem) -> Message {
     let y = problem.measurements.response();
     let x = match problem.measurements.model() {
-        Model::Line { x } => vec![problem.measurements.line_form().abscissa(x).to_string()],
-        Model::TwoRegressors { regressors } => regressors.iter().map(ToString::to_string).collect(),
+        Model::Line { x } => vec![problem.measurements.line_form().abscissa(x).label()],
+        Model::TwoRegressors { regressors } => regressors.iter().map(Foreign::label).collect(),
     };
     // Readings that were typed, piped or linked have no file to name.
     if file.raw() == STANDARD_INPUT {
-        return text!("page.title-of-input", y: y.to_string(), x: Value::listed(x));
+        return text!("page.title-of-input", y: y.label(), x: Value::listed(x));
     }
-    text!("page.title", file: file.to_string(), y: y.to_string(), x: Value::listed(x))
+    text!("page.title", file: file.label(), y: y.label(), x: Value::listed(x))
 }

@@ -60,11 +60,11 @@ pub(crate) struct ConditionJson {
 }
 
 pub(crate) fn model(measurements: &Measurements) -> ModelJson {
-    let y = measurements.response().to_string();
+    let y = measurements.response().label();
     match measurements.model() {
-        Model::Line { x } => ModelJson::Line { x: measurements.line_form().abscissa(x).to_string(), y },
+        Model::Line { x } => ModelJson::Line { x: measurements.line_form().abscissa(x).label(), y },
         Model::TwoRegressors { regressors } => {
-            ModelJson::TwoRegressors { regressors: regressors.each_ref().map(Foreign::to_string), y }
+            ModelJson::TwoRegressors { regressors: regressors.each_ref().map(Foreign::label), y }
         }
     }
 }
@@ -74,7 +74,7 @@ pub(crate) fn epsilon(bound: &ErrorBound) -> EpsilonJson {
         ErrorBound::Uniform(epsilon) => {
             EpsilonJson { uniform: Some(STYLE.given_number(epsilon)), column: None }
         }
-        ErrorBound::Column(column) => EpsilonJson { uniform: None, column: Some(column.to_string()) },
+        ErrorBound::Column(column) => EpsilonJson { uniform: None, column: Some(column.label()) },
         ErrorBound::Law(law) => EpsilonJson { uniform: None, column: Some(law.text().to_string()) },
         ErrorBound::Interval { .. } => EpsilonJson { uniform: None, column: None },
     }

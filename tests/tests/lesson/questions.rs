@@ -216,3 +216,18 @@ fn why_there_is_no_least_squares_estimate_is_the_true_reason() {
         and a reading with one bound only has no middle to take instead.";
     assert!(page.contains(answer));
 }
+
+#[test]
+fn only_readings_with_two_bounds_are_met_exactly() {
+    let folder = directory_with(&[
+        ("some.csv", b"x,lo,hi\n1,1,\n2,1.5,2.5\n3,,3.5\n4,3,5\n"),
+        ("both.csv", b"x,lo,hi\n2,1.5,2.5\n4,3,5\n"),
+    ]);
+    let page = |file: &str| printed(folder.path(), &format!("lesson {file} --x x --lower lo --upper hi"));
+    let open = "passes exactly through every reading with two bounds and keeps every single bound, so nothing";
+    let closed = "passes exactly through every reading, so nothing";
+    for (file, said, unsaid) in [("some.csv", open, closed), ("both.csv", closed, open)] {
+        let page = page(file);
+        assert!(page.contains(said) && !page.contains(unsaid), "{file}");
+    }
+}

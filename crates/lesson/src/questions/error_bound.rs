@@ -48,7 +48,10 @@ fn symbol(uniform: bool) -> &'static str {
 fn zero(facts: &Facts<'_>, uniform: bool) -> Message {
     let answer = if facts.is_line() { "q.least.zero-line" } else { "q.least.zero-pair" };
     let conditions = facts.problem.conditions.len();
-    let answer = text!(answer, symbol: symbol(uniform), conditions: conditions);
+    // A reading with one bound has no middle.
+    let readings = facts.problem.measurements.all().unwrap_or_default();
+    let open = if readings.iter().all(|reading| reading.value().is_some()) { 1 } else { 2 };
+    let answer = text!(answer, symbol: symbol(uniform), open: open, conditions: conditions);
     sentences([Some(answer), present(facts, &Rational::zero(), uniform)].into_iter().flatten())
 }
 

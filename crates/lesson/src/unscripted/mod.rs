@@ -46,11 +46,11 @@ impl Facts<'_> {
     /// The names of the columns by what formulas call them.
     pub(crate) fn names(&self) -> Vec<(&'static str, String)> {
         let measurements = &self.problem.measurements;
-        let mut names = vec![("y", measurements.response().to_string())];
+        let mut names = vec![("y", measurements.response().label())];
         match measurements.model() {
-            Model::Line { x } => names.push(("x", measurements.line_form().abscissa(x).to_string())),
+            Model::Line { x } => names.push(("x", measurements.line_form().abscissa(x).label())),
             Model::TwoRegressors { regressors: [u, v] } => {
-                names.extend([("u", u.to_string()), ("v", v.to_string())]);
+                names.extend([("u", u.label()), ("v", v.label())]);
             }
         }
         names

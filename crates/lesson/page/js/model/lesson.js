@@ -259,6 +259,29 @@ export function activeAt(lesson, region, index) {
 }
 
 /**
+ * @param {HalfPlane} one
+ * @param {HalfPlane} other
+ */
+function isParallel(one, other) {
+  return one.a[0].times(other.a[1]).equals(one.a[1].times(other.a[0]));
+}
+
+/**
+ * Names of the half-planes whose boundary is the whole line that bounds a region without vertices.
+ * @param {Lesson} lesson
+ * @param {Region} region
+ * @param {number} index one of these half-planes
+ */
+export function activeAlong(lesson, region, index) {
+  const side = lesson.halfPlanes[index];
+  const point = pointOnBoundary(side, region.s);
+  return halfPlanesOf(lesson, region)
+    .filter((h) => !h.a.every((a) => a.isZero()) && isParallel(h, side))
+    .filter((h) => dot(h.a, point).equals(rightHandSide(h, region.s)))
+    .map((h) => h.name);
+}
+
+/**
  * The half-planes that cannot hold together, with the multipliers that prove it; [] when the FPS is not empty.
  * @param {Lesson} lesson
  */

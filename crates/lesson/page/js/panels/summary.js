@@ -4,7 +4,7 @@
 import { byId, element, patch } from "../dom.js";
 import { ONE, Rational, ZERO, evaluate } from "../model/rational.js";
 import { boundClass, boundMark, decimal, endText, kindText, shortFraction, switchedOff, thetaName } from "../model/format.js";
-import { activeAt, partOf } from "../model/lesson.js";
+import { activeAlong, activeAt, partOf } from "../model/lesson.js";
 import { boundAtStop } from "../model/sweep.js";
 import { numberText, rich, said, t } from "../texts.js";
 
@@ -119,11 +119,12 @@ function shoelace(region) {
  * @param {Scene} scene
  */
 function activeNames(lesson, scene) {
-  const found = new Map();
-  scene.region.vertices.forEach((_, index) => {
-    for (const name of activeAt(lesson, scene.region, index)) found.set(`${name.row} ${name.bound}`, name);
-  });
-  for (const index of scene.region.boundaries) found.set(`side ${index}`, lesson.halfPlanes[index].name);
+  const { region } = scene;
+  const active = [
+    ...region.vertices.flatMap((_, index) => activeAt(lesson, region, index)),
+    ...region.boundaries.flatMap((index) => activeAlong(lesson, region, index)),
+  ];
+  const found = new Map(active.map((name) => [`${name.row} ${name.bound}`, name]));
   return [...found.values()].sort(
     (p, q) => (p.row ?? Infinity) - (q.row ?? Infinity) || (p.bound < q.bound ? 1 : -1),
   );
