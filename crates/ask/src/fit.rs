@@ -15,7 +15,7 @@ use serde::Deserialize;
 
 use crate::asked::Asked;
 use crate::form::{Form, Paper, Shows, Written};
-use crate::given::Given;
+use crate::given::{Given, ends};
 use crate::misuse::{Misuse, NoProof};
 use crate::question::{Ask, Out, document, put};
 use crate::refusal::{Refusal, ValueProblem};
@@ -99,7 +99,7 @@ impl Factors {
                 refuse(ValueProblem::Part { part: part.trim().to_owned(), error, expected: EXPECTED })
             })
         };
-        let (from, to) = text.split_once("..").ok_or_else(|| refuse(ValueProblem::Expected(EXPECTED)))?;
+        let (from, to) = ends(text).ok_or_else(|| refuse(ValueProblem::Expected(EXPECTED)))?;
         let factors = Factors { from: number(from)?, to: number(to)? };
         match factors.from.is_negative() || factors.to < factors.from {
             true => Err(refuse(ValueProblem::Expected(EXPECTED))),

@@ -22,6 +22,12 @@ pub enum Given {
     Integer(i64),
 }
 
+/// The texts of both ends of a range such as `-10..10`. A third point could belong to either end, as in `0...10`; there is no range
+/// then.
+pub fn ends(text: &str) -> Option<(&str, &str)> {
+    text.split_once("..").filter(|(_, upper)| !upper.starts_with('.'))
+}
+
 impl Given {
     /// Returns the reading of the number, where those of the table are read like that.
     pub(crate) fn reading(&self, reading: Reading) -> Reading {

@@ -69,7 +69,10 @@ impl Next {
 }
 
 /// The error bound that the fitted readings have in common.
-fn common_bound(problem: &Problem) -> Result<Rational, Refusal> {
+///
+/// # Errors
+/// [`Refusal::NextError`] where they have none.
+pub fn common_bound(problem: &Problem) -> Result<Rational, Refusal> {
     let error = FurtherError::of(&problem.measurements);
     let error = error.map_err(|reason| Refusal::NextError(reason.to_string()))?;
     let of_law = || {

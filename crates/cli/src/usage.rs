@@ -16,6 +16,9 @@ const MEANT: [(&str, &str); 3] = [("-x", "--x"), ("-y", "--y"), ("-e", "--eps")]
 /// The answer to a request for y at other x.
 const PREDICTED: &str = "'boundfit predict ... --at X' answers this";
 
+/// The answer to a range of x where none is asked for.
+const WITHIN: &str = "'--x-range LO..HI' is the x that a figure shows; 'boundfit next ... --within LO..HI' looks for the best x";
+
 /// The answer to a fit without an error bound.
 const UNBOUNDED: &str = "--eps 0.5 says that no error exceeds 0.5; if you know no bound, --eps '1.2*min' takes one from the readings, \
                          which guarantees nothing";
@@ -91,6 +94,12 @@ fn with_tips(mut error: clap::Error) -> clap::Error {
                 error.remove(ContextKind::SuggestedArg);
                 let tip = format!("limits have one option: '--limit {}=N'", Foreign::of(limit_of(name)));
                 error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![StyledStr::from(tip)]));
+            }
+            // Of plot; `next` has it.
+            if asked == "--within" || asked.starts_with("--within=") {
+                error.remove(ContextKind::SuggestedArg);
+                let tip = StyledStr::from(WITHIN);
+                error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
             }
             if asked.starts_with("--predict") {
                 error.remove(ContextKind::SuggestedArg);

@@ -30,9 +30,21 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     let epsilon = FurtherError::of(&problem.measurements).ok().and_then(|own| own.uniform().cloned());
     let next = Next::new(fit.fps.polyhedron(), epsilon.clone().unwrap_or_default()).filter(|_| is_line);
     let sheet = Sheet { problem, next, is_known: epsilon.is_some(), options };
-    let panel = sheet.panel();
+    let (panel, has_curve) = sheet.panel();
     let names = |panel: &Panel| [0, 1].map(|axis| panel.axes[axis].name.clone());
     let [across, up] = asked_for(&described(options), names(&panel));
+    let mut legend = vec![
+        LegendEntry::new(Swatch::line(TWICE), "2ε: as far as a reading is known"),
+        LegendEntry::new(Swatch::inside(UNSURE), "a reading may leave the set as it is"),
+        LegendEntry::new(Swatch::area(CERTAIN, CERTAIN_EDGE), "a reading certainly makes the set smaller"),
+        LegendEntry::new(Swatch::line(READINGS), "from the first to the last x of the readings"),
+    ];
+    if has_curve {
+        legend.insert(
+            0,
+            LegendEntry::new(Swatch::line(WIDTH), "distance of the lowest and the highest feasible line"),
+        );
+    }
     let mut notes = Vec::new();
     if fit.is_empty() {
         notes.push(Conflict::of(problem, fit).sentence());
@@ -48,16 +60,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         description: format!("{title}. Horizontal axis: {across}. Vertical axis: {up}. {}", notes.join(" ")),
         height: panel.frame.top + panel.frame.height + BOTTOM_LABELS + 8.0,
         panels: vec![panel],
-        legend: vec![
-            LegendEntry::new(Swatch::line(WIDTH), "distance of the lowest and the highest feasible line"),
-            LegendEntry::new(Swatch::line(TWICE), "2ε: as far as a reading is known"),
-            LegendEntry::new(Swatch::inside(UNSURE), "a reading may leave the set as it is"),
-            LegendEntry::new(
-                Swatch::area(CERTAIN, CERTAIN_EDGE),
-                "a reading certainly makes the set smaller",
-            ),
-            LegendEntry::new(Swatch::line(READINGS), "from the first to the last x of the readings"),
-        ],
+        legend,
         notes,
     }
 }
@@ -103,7 +106,8 @@ impl Sheet<'_> {
         places.filter_map(|x| Some([x.clone(), next.width(x)?])).collect()
     }
 
-    fn panel(&self) -> Panel {
+    /// The panel, and whether the curve is in it.
+    fn panel(&self) -> (Panel, bool) {
         let ends = self.ends();
         let mut across = Extent::default();
         self.readings()
@@ -129,9 +133,10 @@ impl Sheet<'_> {
         ];
         let mut panel = Panel::new(frame, axes, false);
         self.regions(&mut panel, &ends);
-        let curve: Vec<Place> = curve.iter().map(|[x, width]| panel.place([x, width])).collect();
         // A set that goes on in a direction has a width at one x at most.
-        if curve.len() > 1 {
+        let has_curve = curve.first().zip(curve.last()).is_some_and(|([first, _], [last, _])| first < last);
+        let curve: Vec<Place> = curve.iter().map(|[x, width]| panel.place([x, width])).collect();
+        if has_curve {
             panel.line(&curve, WIDTH);
         }
         if let Some([first, last]) = self.readings().filter(|[first, last]| first < last) {
@@ -139,7 +144,7 @@ impl Sheet<'_> {
             let ends = [first, last].map(|x| panel.place([x, &zero]));
             panel.line(&ends, READINGS);
         }
-        panel
+        (panel, has_curve)
     }
 
     /// Shades where a reading certainly helps, and where it may not.

@@ -83,12 +83,16 @@ impl FleetSummary {
     pub fn to_text(&self) -> String {
         let FleetSummary { groups, rows, empty, unbounded, degenerate, first_empty } = self;
         let polygons = groups - empty - unbounded - degenerate;
-        let mut text = format!(
-            "{}, {}: {}, {unbounded} unbounded, {degenerate} degenerate (point or segment), {empty} empty\n",
-            counted(*groups, "group", "groups"),
-            counted(*rows, "row", "rows"),
-            counted(polygons, "polygon", "polygons"),
-        );
+        let kinds = [
+            (polygons, counted(polygons, "polygon", "polygons")),
+            (*unbounded, format!("{unbounded} unbounded")),
+            (*degenerate, format!("{degenerate} degenerate (point or segment)")),
+            (*empty, format!("{empty} empty")),
+        ];
+        let present: Vec<String> =
+            kinds.into_iter().filter(|(count, _)| *count > 0).map(|(_, words)| words).collect();
+        let [groups, rows] = [counted(*groups, "group", "groups"), counted(*rows, "row", "rows")];
+        let mut text = format!("{groups}, {rows}: {}\n", present.join(", "));
         if self.has_empty() {
             let more = empty - first_empty.len();
             let more = if more > 0 { format!(" and {more} more") } else { String::new() };
@@ -124,7 +128,7 @@ mod tests {
         whole.append(part(&["c", "d", "e", "f"], 7));
         assert_eq!(
             whole.to_text(),
-            "16 groups, 160 rows: 7 polygons, 2 unbounded, 0 degenerate (point or segment), 7 empty\n\
+            "16 groups, 160 rows: 7 polygons, 2 unbounded, 7 empty\n\
              No theta meets every bound of: a, \"\", \"b\\n\", c, d and 2 more\n"
         );
         assert!(whole.has_empty() && !FleetSummary::default().has_empty());

@@ -17,7 +17,7 @@ fn refused(table: &str, options: &str) -> String {
 
 #[test]
 fn what_is_no_bound_is_refused_with_advice() {
-    let neither = "the row has neither a lower nor an upper bound (expected a number in a column of bounds)";
+    let neither = "the row has neither a lower nor an upper bound (expected a number in a column of bounds, or the file without this row)";
     let table = "t,y,lo,up\n0,1,0,1\n1,1,,\n";
     let place = "data.csv: line 3, column 3 (lo): \"\"";
     for options in [BOTH, "--x t --lower lo", "--x t --lower lo --upper up --by y"] {

@@ -91,7 +91,8 @@ fn damaged_tables_are_refused_and_advice_works() {
         (
             "fit one.csv --x x --y y --eps 2",
             "one.csv: line 2, column 2 (y): \"mA\": not a number, nor is any other cell of this row that is asked for \
-             (expected a row of numbers); --units-row passes over a row of units",
+             (expected a row of numbers); --units-row passes over a row of units, --skip-lines N passes over lines \
+             before the table",
         ),
         (
             "fit torn.csv --x x --y y --eps 100",

@@ -59,6 +59,8 @@ fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
         ("undivided.csv", b"Device: X\n\nx;y\n1;2\n"),
         ("blanks.txt", b"x y\n1 2\n"),
         ("date.csv", b"x;y\n1,5;2\n"),
+        ("grouped.csv", b"Zeit;Weg;Temp\n500;1;20,4\n1.000;2;20,5\n2.000;3;20,6\n"),
+        ("decimals.csv", b"Zeit;Weg;Temp\n0.500;1;20,4\n1.250;2;20,5\n"),
     ]);
     for (line, message) in [
         (
@@ -79,12 +81,17 @@ fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
         (
             "fit units.csv --x U --y I --eps 1",
             "units.csv: line 2, column 1 (U): \"mV\": not a number, nor is any other cell of this row that is asked for \
-             (expected a row of numbers); --units-row passes over a row of units",
+             (expected a row of numbers); --units-row passes over a row of units, --skip-lines N passes over lines before the table",
         ),
         (
             "fit mixed.csv --x 1 --y 2 --eps 1",
             "mixed.csv: line 4, column 1: \"4.5\": a number with a decimal point, where those before have a decimal comma \
              (expected one decimal mark); --decimal comma|point says which, --thousands CHARACTER says what groups digits",
+        ),
+        (
+            "fit grouped.csv --x Zeit --y Weg --eps 1",
+            "grouped.csv: line 3, column 3 (Temp): \"20,5\": a number with a decimal comma, where those before have a decimal \
+             point (expected one decimal mark); --decimal comma|point says which, --thousands CHARACTER says what groups digits",
         ),
         (
             "fit asked.csv --x x --y y --eps 1 --decimal comma",
@@ -109,6 +116,13 @@ fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
         ),
     ] {
         refuses(directory.path(), line, 1, message);
+    }
+    for line in [
+        "fit grouped.csv --x Zeit --y Weg --eps 1 --decimal point",
+        "fit grouped.csv --x Zeit --y Weg --eps 500 --thousands . --decimal comma",
+        "fit decimals.csv --x Zeit --y Weg --eps 1",
+    ] {
+        assert_eq!(boundfit(directory.path(), line).status, 0, "{line}");
     }
     for (line, said) in [
         ("fit date.csv --x x --y y --eps 1,5", "invalid value '1,5' for '--eps"),

@@ -183,6 +183,10 @@ fn what_makes_no_question_is_refused() {
             "invalid value '3' for '--within <LO..HI>': expected LO..HI, two numbers such as -10..10",
         ),
         (
+            "--within 0...10",
+            "invalid value '0...10' for '--within <LO..HI>': expected LO..HI, two numbers such as -10..10",
+        ),
+        (
             "--within 3..1",
             "invalid value '3..1' for '--within <LO..HI>': expected two numbers, the lower one first, such as -10 and 10",
         ),
@@ -206,4 +210,46 @@ fn what_makes_no_question_is_refused() {
         "the error bound of the next reading is needed, and each reading has an error bound of its own, and a further one has none \
          yet: say it with '--new-eps'",
     );
+}
+
+#[test]
+fn the_figure_is_refused_where_the_question_is() {
+    let of = |options: &str| {
+        boundfit(
+            &root(),
+            &format!("plot fixtures/steam-generator/steam_generator.csv --y y --figure next {options}"),
+        )
+    };
+    for (options, message) in [
+        ("--x x,eps --eps 10", "error: 'next' is about a line: with two regressors there is no single x\n"),
+        (
+            "--x x --eps-column eps",
+            "error: '--figure next' needs one error bound on both sides of all readings, which the next one has too; 'boundfit \
+             next ... --new-eps NUM' takes another\n",
+        ),
+    ] {
+        let run = of(options);
+        assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{options}");
+        assert!(run.stderr.starts_with(message), "{}", run.stderr);
+    }
+    let run = boundfit(&root(), &format!("plot {TRANSDUCER} --figure next --within -20..20"));
+    assert!(
+        run.status == 2 && run.stderr.contains("tip: '--x-range LO..HI' is the x that a figure shows"),
+        "{}",
+        run.stderr
+    );
+    assert!(!run.stderr.contains("a similar argument exists"), "{}", run.stderr);
+}
+
+#[test]
+fn the_legend_names_what_the_figure_shows() {
+    let distance = "distance of the lowest and the highest feasible line";
+    for (table, is_drawn) in [("x,y\n5,2\n5,2.5\n", false), ("x,y\n5,2\n6,2.5\n", true)] {
+        let run = boundfit_with_input(
+            &root(),
+            "plot - --x x --y y --eps 0.7 --figure next --format tikz",
+            table.as_bytes(),
+        );
+        assert_eq!((run.status, run.stdout.contains(distance)), (0, is_drawn), "{table}");
+    }
 }

@@ -101,7 +101,7 @@ fn what_does_not_belong_together_is_refused() {
     let fits = [
         ("fit - --x y --y x --eps 1", "the column of x in the reduction is \"x\", not \"y\""),
         ("fit - --x x --y y --eps-column x", "error bounds from one bound for all readings, not x"),
-        ("fit - --x x --y y --eps 10%*|y|", "error bounds from one bound for all readings, not 10%*|y|"),
+        ("fit - --x x --y y --eps 10%*|y|", "error bounds from one bound for all readings, not \"10%*|y|\""),
         ("fit - --x x --y y --eps 1 --rows 1..2", "no rows of a reduction can be picked"),
         ("fit - --x x,y --y y --eps 1", "the model of the reduction is a line, not two regressors"),
         ("lesson - --x x --y y --eps 1", "this is a reduction, and here every reading is wanted"),
@@ -269,7 +269,7 @@ fn what_fixed_bounds_do_not_serve_is_refused() {
             "--x u,v --y y --eps 5%*|y|",
             "fit F --x u,v --y y --eps 6%*|y|",
             1,
-            "error bounds from 1/20*|y|, not 6%*|y|",
+            "error bounds from 1/20*|y|, not \"6%*|y|\"",
         ),
         (
             "--x u --y y --eps +1/-5%*|x|",

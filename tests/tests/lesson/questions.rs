@@ -224,7 +224,8 @@ fn only_readings_with_two_bounds_are_met_exactly() {
         ("both.csv", b"x,lo,hi\n2,1.5,2.5\n4,3,5\n"),
     ]);
     let page = |file: &str| printed(folder.path(), &format!("lesson {file} --x x --lower lo --upper hi"));
-    let open = "passes exactly through every reading with two bounds and keeps every single bound, so nothing";
+    let open =
+        "passes exactly through every reading with two bounds and keeps every single bound, so nothing";
     let closed = "passes exactly through every reading, so nothing";
     for (file, said, unsaid) in [("some.csv", open, closed), ("both.csv", closed, open)] {
         let page = page(file);

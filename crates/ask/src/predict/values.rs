@@ -6,6 +6,7 @@ use boundfit_exact::{Column, Limit, Limits, Rational, Reading, Work};
 use boundfit_formats::{Batch, ColumnSelector, HeldRows, ScanOptions, scan};
 
 use crate::asked::Asked;
+use crate::given;
 use crate::refusal::{Refusal, ValueProblem};
 
 /// The most values of a grid: JSON has 2 kB about each, and nobody types them one by one.
@@ -94,7 +95,7 @@ impl Values {
         let bad = || refuse(ValueProblem::Expected(EXPECTED));
         // The last stroke stands before N: both ends may be fractions.
         let (ends, count) = text.rsplit_once('/').ok_or_else(bad)?;
-        let (from, to) = ends.split_once("..").ok_or_else(bad)?;
+        let (from, to) = given::ends(ends).ok_or_else(bad)?;
         let number = |text: &str| {
             let number = Reading::Decimal.read(text.trim(), limits);
             number.map_err(|error| {

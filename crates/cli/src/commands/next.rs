@@ -59,7 +59,7 @@ impl NextArguments {
     fn question(&self) -> Result<Next, Failure> {
         let exact = |text: &str| Given::Exact { exact: text.trim().to_owned() };
         let within = self.within.as_deref().map(|text| {
-            let ends = text.split_once("..").map(|(lower, upper)| [exact(lower), exact(upper)]);
+            let ends = boundfit_ask::ends(text).map(|(lower, upper)| [exact(lower), exact(upper)]);
             let problem = "expected LO..HI, two numbers such as -10..10";
             ends.ok_or_else(|| Failure::value("--within <LO..HI>", text, problem))
         });

@@ -193,7 +193,7 @@ fn parse_length(text: &str, [least, most]: [f64; 2]) -> Option<u32> {
 /// Two ends of an axis, the lower one first.
 fn parse_range(text: &str) -> Result<[Rational; 2], String> {
     const EXPECTED: &str = "expected LOWER..UPPER, two numbers as in -1.5..2";
-    let (lower, upper) = text.split_once("..").ok_or(EXPECTED)?;
+    let (lower, upper) = boundfit_ask::ends(text).ok_or(EXPECTED)?;
     let number = |text: &str| {
         let number = Reading::Decimal.read(text, &Limits::default());
         number.map_err(|error| ValueProblem::Number { error, expected: EXPECTED }.words())

@@ -546,7 +546,10 @@ impl InputErrorKind {
                 way(Setting::Thousands, "CHARACTER", "says what groups digits"),
             ],
             InputErrorKind::NoNumberInFirstRow => {
-                vec![way(Setting::UnitsRow, "", "passes over a row of units")]
+                vec![
+                    way(Setting::UnitsRow, "", "passes over a row of units"),
+                    way(Setting::SkipLines, "N", "passes over lines before the table"),
+                ]
             }
             InputErrorKind::Missing { .. } => vec![way(Setting::Missing, "skip", "leaves such rows out")],
             _ => self.limit().map(Way::raises).into_iter().collect(),
@@ -644,7 +647,9 @@ impl InputErrorKind {
                 "a decimal such as 1.30e-2 or a fraction such as 7/19".to_owned()
             }
             InputErrorKind::NegativeErrorBound => "a number that is at least 0".to_owned(),
-            InputErrorKind::NoBound => "a number in a column of bounds".to_owned(),
+            InputErrorKind::NoBound => {
+                "a number in a column of bounds, or the file without this row".to_owned()
+            }
             InputErrorKind::NoLastDigit => "a decimal such as 1.30e-2".to_owned(),
             InputErrorKind::NoDigits { .. } => {
                 "a bound as a number, such as 0.005, or a law without 'written'".to_owned()

@@ -72,7 +72,7 @@ pub enum ReductionError {
     #[error("no rows of a reduction can be picked: it does not have the numbers that they had")]
     NoRowNumbers,
     /// A reduction of something else than what is asked for.
-    #[error("{what} {has}, not {asked}")]
+    #[error("{what} {has}, not {asked}; reduce the data again for what you ask")]
     NotAsked {
         /// The meaning, as the sentence begins.
         what: &'static str,

@@ -73,7 +73,7 @@ impl ReducedModel {
             }
         }
         if !self.bounds.serve(&model.bounds) {
-            let asked = bounds.as_ref().map_or_else(|| model.bounds.words(), Foreign::to_string);
+            let asked = bounds.as_ref().map_or_else(|| model.bounds.words(), Foreign::quoted);
             return differ("the reduction is about error bounds from", self.bounds.words(), asked);
         }
         if self.response != model.response {

@@ -318,6 +318,7 @@ impl<'a> Layout<'a> {
     ) -> Result<Row, InputError> {
         let mut values = Vec::with_capacity(self.places.len());
         let mut lacks = None;
+        let was_open = *mark == Mark::Open;
         let mut tell =
             |mark: &mut Mark, found: Option<DecimalMark>, error: &dyn Fn(InputErrorKind) -> InputError| {
                 if let Some(found) = found {
@@ -365,10 +366,24 @@ impl<'a> Layout<'a> {
                 Err(problem) => return Err(error(problem)),
             }
         }
+        if was_open && *mark == Mark::Found(DecimalMark::Point) {
+            self.check_group_points(record, line)?;
+        }
         if lacks.is_none() && self.wants_presence() && !self.has_presence(&values) {
             return Err(self.no_bound(record, line));
         }
         Ok(lacks.map_or(Row::Values(values), Row::Lacks))
+    }
+
+    /// Refuses points that may group digits, as in `1.000`, beside a decimal comma in a column that nobody asked for.
+    fn check_group_points(&self, record: &Record, line: u64) -> Result<(), InputError> {
+        let mut pointed = self.places.iter().map(|place| record.cell(place.position - 1));
+        let may_all_group = pointed.all(|cell| !cell.contains(&b'.') || self.numbers.has_group_points(cell));
+        let comma = || (0..record.len()).find(|&index| self.numbers.tells_comma(record.cell(index)));
+        let Some(index) = may_all_group.then(comma).flatten() else { return Ok(()) };
+        let name = self.header.get(index).cloned();
+        let problem = InputErrorKind::AnotherDecimalMark { before: DecimalMark::Point };
+        Err(ColumnPlace { position: index + 1, name }.error(self.file, line, record.cell(index), problem))
     }
 
     /// Adds a number to the work on all of them, and refuses what passes the limit.

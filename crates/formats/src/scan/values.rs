@@ -170,11 +170,25 @@ impl<'a> Numbers<'a> {
         self.read_marked(cell, mark).is_ok() && !(mark == DecimalMark::Comma && self.may_be_grouped(cell))
     }
 
+    /// Returns whether a cell has a decimal comma, which alone can be meant.
+    pub(super) fn tells_comma(&self, cell: &[u8]) -> bool {
+        !self.has_comma_cells && cell.contains(&b',') && self.tells(cell, DecimalMark::Comma)
+    }
+
+    /// Returns whether the points of a cell may group its digits: `1.000`, but neither `12.5` nor `0.125`.
+    pub(super) fn has_group_points(&self, cell: &[u8]) -> bool {
+        cell.contains(&b'.') && self.is_grouped(cell, DecimalMark::Comma, Thousands::Point)
+    }
+
     /// Returns whether the commas of a cell may group its digits: `1,234`, but neither `12,5` nor `0,125`.
     fn may_be_grouped(&self, cell: &[u8]) -> bool {
-        let grouped = Notation { decimal: DecimalMark::Point, thousands: Some(Thousands::Comma) };
+        self.has_comma_cells && self.is_grouped(cell, DecimalMark::Point, Thousands::Comma)
+    }
+
+    fn is_grouped(&self, cell: &[u8], decimal: DecimalMark, thousands: Thousands) -> bool {
+        let grouped = Notation { decimal, thousands: Some(thousands) };
         let is_number = |cell| Reading::Decimal.read_written(cell, grouped, &self.options.limits).is_ok();
-        self.has_comma_cells && decode(cell).is_ok_and(is_number)
+        decode(cell).is_ok_and(is_number)
     }
 
     fn read_marked(&self, cell: &[u8], decimal: DecimalMark) -> Result<Value, InputErrorKind> {

@@ -2,7 +2,7 @@
 
 use boundfit_estimation::{BoundName, ErrorBound, Measurement, mending_rows};
 use boundfit_exact::Rational;
-use boundfit_exact::english::listed;
+use boundfit_exact::english::{counted, listed};
 
 use super::Report;
 use crate::document::Text;
@@ -51,10 +51,10 @@ impl Report<'_> {
             |row: &&Measurement| row.lower().zip(row.upper()).is_some_and(|(lower, upper)| lower > upper);
         let count = rows.iter().filter(is_swapped).count();
         // Rows that are not kept may or may not contradict each other.
-        let which = if measurements.all().is_some() { "rows" } else { "rows kept" };
-        (count > 0).then(|| {
-            format!("In {count} of {} {which} the lower bound is above the upper one: swapped?", rows.len())
-        })
+        let kept = if measurements.all().is_some() { "" } else { " kept" };
+        let rows = counted(rows.len(), "row", "rows");
+        (count > 0)
+            .then(|| format!("In {count} of {rows}{kept} the lower bound is above the upper one: swapped?"))
     }
 
     /// Names the single rows without which the set is not empty.

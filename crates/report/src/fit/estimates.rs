@@ -176,7 +176,10 @@ fn note(report: &Report) -> String {
         None => format!("Rounded to {} digits or more", report.style.significant()),
     };
     match report.style.ends {
-        EndRounding::Outward => format!("{digits}, ends and errors outward; shorter numbers are exact."),
+        // With --digits an estimate may have fewer digits, too, and still be rounded.
+        EndRounding::Outward => format!(
+            "{digits}, ends and errors outward; shorter ones are exact. Estimates stop at the last place of their errors."
+        ),
         EndRounding::Nearest => {
             format!("{digits}, to nearest: a printed interval may be too narrow by half a unit.")
         }

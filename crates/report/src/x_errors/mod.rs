@@ -178,7 +178,7 @@ impl<'a> XErrorReport<'a> {
         let note = if self.style.exact {
             "All numbers are exact."
         } else {
-            "Decimals are rounded, ends and errors outward; short ones are exact."
+            "Ends and errors are rounded outward; short ones are exact. Estimates stop at the last place of their errors."
         };
         vec![
             Block::Space,

@@ -59,7 +59,7 @@ fn options_that_make_no_sense() {
     let cases = [
         ("--claim-pui 1,2,3", value("1,2,3", ends, &format!("3 values {count}"))),
         ("--claim-pui 1,2,3,4,5", value("1,2,3,4,5", ends, &format!("5 values {count}"))),
-        ("--claim-pui ''", value("", ends, &format!("1 values {count}"))),
+        ("--claim-pui ''", value("", ends, &format!("1 value {count}"))),
         (
             "--claim-pui 1,2,3,x",
             value("1,2,3,x", ends, "\"x\" is not a number: unexpected character 'x' at character 1"),

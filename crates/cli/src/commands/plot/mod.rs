@@ -5,8 +5,8 @@ mod several;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
-use boundfit_ask::{Factors, Refusal};
-use boundfit_estimation::{Family, Keep, Problem, fit};
+use boundfit_ask::{Factors, Misuse, Refusal, common_bound};
+use boundfit_estimation::{Family, Keep, Model, Problem, fit};
 use boundfit_exact::Foreign;
 use boundfit_figures::{
     Figure, FigureError, Picture, PictureFormat, PlotOptions, draw, draw_boxes, draw_outliers, draw_sweep,
@@ -169,6 +169,10 @@ impl Figures {
     }
 }
 
+/// The refusal of the figure 'next' where no error bound is that of the next reading.
+const NEXT_OF_ONE_BOUND: &str = "'--figure next' needs one error bound on both sides of all readings, which the next one has too; \
+                                 'boundfit next ... --new-eps NUM' takes another";
+
 /// The destination of pictures.
 enum Destination<'a> {
     /// One picture to a file, or to standard output.
@@ -245,6 +249,15 @@ impl Job<'_> {
         if problem.measurements.is_of_reductions() && matches!(self.figure, Figure::Status | Figure::Range) {
             let refusal = Refusal::Reduction { ask: self.figure.name() };
             return Err(Failure::of(&refusal, self.arguments.data.file_name()));
+        }
+        if self.figure == Figure::Next {
+            let refuse = |refusal| Failure::of(&refusal, self.arguments.data.file_name());
+            if matches!(problem.measurements.model(), Model::TwoRegressors { .. }) {
+                return Err(refuse(Refusal::Misuse(Misuse::NextOfTwoRegressors)));
+            }
+            if common_bound(&problem).is_err() {
+                return Err(Failure::Usage(NEXT_OF_ONE_BOUND.to_owned()));
+            }
         }
         self.draw(&problem)
     }
