@@ -3,17 +3,25 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{
-    Bounds, ErrorBound, Family, Fps, Measurement, Measurements, Model, Piece, Problem, Section, fit,
+    Bounds, Breakpoint, ErrorBound, Family, Fps, Measurement, Measurements, Model, Piece, Problem, Section,
+    fit,
 };
 use boundfit_exact::{Endpoint, Rational};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::definitions::section;
 use boundfit_tests::generate::seeded;
-use boundfit_tests::readings::{in_intervals, noisy_line, problem, rebuilt, with_rows, y_and_epsilon};
+use boundfit_tests::readings::{
+    in_intervals, line, noisy_line, parse_condition, problem, rebuilt, with_rows, y_and_epsilon,
+};
 use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
 
 /// The set with every error bound multiplied, computed afresh.
 fn fresh(problem: &Problem, s: &Rational) -> Section {
+    section(&fresh_fps(problem, s))
+}
+
+fn fresh_fps(problem: &Problem, s: &Rational) -> Fps {
     let scaled = |row: &Measurement| row.clone().within(y_and_epsilon(row).1 * s);
     let rows = problem.measurements.kept().iter().map(scaled).collect();
     let error_bound = match problem.measurements.error_bound() {
@@ -21,11 +29,15 @@ fn fresh(problem: &Problem, s: &Rational) -> Section {
         per_row => per_row.clone(),
     };
     let problem = rebuilt(problem, rows, error_bound);
-    section(&Fps::of_every_half_plane(&problem.measurements, &problem.conditions))
+    Fps::of_every_half_plane(&problem.measurements, &problem.conditions)
 }
 
 /// The set of readings that are intervals, each of them about its middle a factor as wide.
 fn fresh_intervals(problem: &Problem, s: &Rational) -> Section {
+    section(&fresh_intervals_fps(problem, s))
+}
+
+fn fresh_intervals_fps(problem: &Problem, s: &Rational) -> Fps {
     let scaled = |row: &Measurement| {
         let mut row = row.clone();
         if let Bounds::Between { lower: Some(lower), upper: Some(upper), .. } = &mut row.bounds
@@ -38,7 +50,7 @@ fn fresh_intervals(problem: &Problem, s: &Rational) -> Section {
     };
     let rows = problem.measurements.kept().iter().map(scaled).collect();
     let problem = with_rows(problem, rows);
-    section(&Fps::of_every_half_plane(&problem.measurements, &problem.conditions))
+    Fps::of_every_half_plane(&problem.measurements, &problem.conditions)
 }
 
 /// Returns the content of a piece without its ends: two neighbours that agree in this should have been one.
@@ -218,4 +230,101 @@ fn a_part_of_the_range_says_the_same() {
         assert_eq!(single.at(&Rational::zero()), None);
         assert_eq!(single.at(&Rational::from(2)), None);
     }
+}
+
+/// Readings of which several do something at one factor: symmetric about an axis or a point, on few lines, or equal. Every
+/// fifth problem has those of a smooth curve with 15 decimals, each of which decides.
+fn regular(rng: &mut ChaCha8Rng, case: usize) -> Problem {
+    let half = rng.random_range(2..=8_i64);
+    let epsilon = Rational::ratio(rng.random_range(1..=4), 2);
+    let steps = -half..=half;
+    let mut problem = match case % 5 {
+        0 => {
+            let bend = rng.random_range(0..=2);
+            line(steps.map(|x| (Rational::from(x), Rational::from(x * x * bend + x))), epsilon)
+        }
+        1 => line(steps.map(|x| (Rational::from(x), Rational::from(x.abs().min(half - 1)))), epsilon),
+        2 => {
+            let equal = steps.map(|x| (Rational::from(x.rem_euclid(3)), Rational::from(x.rem_euclid(2))));
+            line(equal, epsilon)
+        }
+        3 => {
+            let curve = (0..4 * half).map(|x| {
+                let root = (1.0 + x as f64 / 1000.0).sqrt();
+                (Rational::ratio(x, 1000), Rational::scientific((root * 1e15).round() as i64, -15))
+            });
+            line(curve, Rational::ratio(1, 20))
+        }
+        _ => {
+            let corner = |u: i64, v: i64| [Rational::from(u), Rational::from(v)];
+            let regressors = steps.flat_map(|u| [corner(u, half - u.abs()), corner(u, -half)]);
+            let rows = (1..).zip(regressors);
+            let rows = rows.map(|(row, own)| {
+                Measurement::around(row, own, Rational::from(row as i64 % 2), epsilon.clone())
+            });
+            let model = Model::TwoRegressors { regressors: ["u".into(), "v".into()] };
+            let bound = ErrorBound::Uniform(epsilon.clone());
+            let measurements = Measurements::new(model, "y".into(), bound, rows.collect());
+            Problem { measurements, conditions: Vec::new() }
+        }
+    };
+    let conditions = ["theta1 >= 0", "theta1 + theta2 <= 1", "theta1 = theta2", "theta2 <= 3", "theta1 <= 2"];
+    let wanted = conditions.iter().filter(|_| rng.random_bool(0.15));
+    problem.conditions = wanted.map(|text| parse_condition(text)).collect();
+    problem
+}
+
+/// The readings with one of their bounds alone, where chance says so: its half-plane stays, as in a fit without the other.
+fn with_one_bound(problem: &Problem, rng: &mut ChaCha8Rng) -> Problem {
+    let mut rows = problem.measurements.kept().to_vec();
+    for row in &mut rows {
+        let (y, epsilon) = y_and_epsilon(row);
+        let (lower, upper) = (Some(y - epsilon), Some(y + epsilon));
+        let (lower, upper) = [(lower.clone(), upper.clone()), (lower, None), (None, upper)]
+            .into_iter()
+            .nth(rng.random_range(0..6_usize).saturating_sub(3))
+            .unwrap_or_default();
+        row.bounds = Bounds::Between { lower, upper, response: None };
+    }
+    let columns = ErrorBound::Interval { lower: Some("low".into()), upper: Some("high".into()) };
+    rebuilt(problem, rows, columns)
+}
+
+#[test]
+fn shapes_that_change_in_one_place_or_in_several_equal_fresh_fits() {
+    let mut rng = seeded(47);
+    let (mut single, mut several) = (0, 0);
+    for case in 0..200 {
+        let around = regular(&mut rng, case);
+        let between = with_one_bound(&around, &mut rng);
+        type Fresh = fn(&Problem, &Rational) -> Fps;
+        for (problem, fresh) in [(around, fresh_fps as Fresh), (between, fresh_intervals_fps as Fresh)] {
+            let family = Family::new(&problem, Rational::zero(), Rational::from(8));
+            check_structure(&family, case);
+            for piece in family.pieces() {
+                let s = &piece.from + (&piece.to - &piece.from) * Rational::ratio(2, 7);
+                let fps = fresh(&problem, &s);
+                if piece.kind == RegionKind::Polygon {
+                    let shaping = fps.polyhedron().irredundant().into_iter().map(|index| fps.name(index));
+                    assert_eq!(piece.shaped_by, shaping.collect::<Vec<_>>(), "case {case} at s = {s}");
+                }
+                let expected = section(&fps);
+                let area = expected.measures().area().map(|area| area.exact());
+                assert_eq!(family.at(&s), Some(expected), "case {case} at s = {s}");
+                let moving = piece.area().map(|area| {
+                    area.constant().exact() + (area.slope().exact() + area.quadratic().exact() * &s) * &s
+                });
+                assert_eq!(
+                    moving,
+                    area.filter(|_| piece.kind != RegionKind::Empty),
+                    "case {case} at s = {s}"
+                );
+            }
+            for Breakpoint { s, section, entering, leaving } in family.breakpoints() {
+                assert_eq!(*section, self::section(&fresh(&problem, s)), "case {case} at s = {s}");
+                *(if entering.len() + leaving.len() == 1 { &mut single } else { &mut several }) += 1;
+            }
+        }
+    }
+    assert!(single > 1_000 && several > 500, "{single} change in one place, {several} in several or none");
 }

@@ -3,6 +3,9 @@
 use std::ops::{Add, Sub};
 
 use boundfit_exact::Rational;
+use boundfit_geometry::Direction;
+
+use crate::ties::ActiveBounds;
 
 /// `constant + slope·s`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
@@ -13,10 +16,31 @@ pub struct Linear {
     pub slope: Rational,
 }
 
+/// A vertex as a function of s.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MovingVertex {
+    /// The place of the vertex.
+    pub theta: [Linear; 2],
+    /// The bounds met with equality.
+    pub active: ActiveBounds,
+}
+
+/// The line normal·θ = offset as a function of s, on the boundary of normal·θ ≤ offset.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MovingBoundary {
+    /// The outer normal.
+    pub normal: Direction,
+    /// The right-hand side.
+    pub offset: Linear,
+    /// The bounds met with equality.
+    pub active: ActiveBounds,
+}
+
 impl Linear {
     /// The value at s. Exact.
     pub fn at(&self, s: &Rational) -> Rational {
-        &self.constant + &self.slope * s
+        // Of two lines that move alike the corner keeps a coordinate, and a sum would copy it with more effort.
+        if self.slope.is_zero() { self.constant.clone() } else { &self.constant + &self.slope * s }
     }
 
     /// Returns where the function is zero; `None` for a constant.

@@ -1,6 +1,6 @@
 //! The half-planes of a fit as functions of the factor s.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Integer, Rational};
 use boundfit_geometry::{Inequality, Multiplier, Polyhedron, System};
 
 use super::functions::Linear;
@@ -14,17 +14,20 @@ use crate::problem::Problem;
 use crate::ties::{ActiveBounds, TiedReading, Ties};
 
 /// Half-planes a·θ ≤ b(s) with their names: the bounds of the readings move, conditions stay.
+#[derive(Default)]
 pub(super) struct GrowingSystem {
     names: Vec<BoundName>,
     forms: Vec<[Rational; 2]>,
     bounds: Vec<Linear>,
+    /// The form, and the constant and the slope of the bound, as integers with a common positive factor.
+    scaled: Vec<[Integer; 4]>,
+    speeds: Vec<[Rational; 2]>,
     ties: Ties,
 }
 
 impl GrowingSystem {
     pub(super) fn new(problem: &Problem) -> Self {
-        let mut system =
-            GrowingSystem { names: Vec::new(), forms: Vec::new(), bounds: Vec::new(), ties: Ties::default() };
+        let mut system = GrowingSystem::default();
         let known = problem.measurements.ties().cloned().unwrap_or_default();
         let tied = |row: &Measurement| TiedReading { reading: row.clone(), rows: known.of(row.row) };
         let mut rows: Vec<TiedReading> = problem.measurements.kept().iter().map(tied).collect();
@@ -45,6 +48,13 @@ impl GrowingSystem {
     }
 
     fn push(&mut self, name: BoundName, at_zero: Inequality, slope: Rational) {
+        let [a1, a2] = &at_zero.a;
+        self.scaled.push(Rational::over_common_denominator([a1, a2, &at_zero.b, &slope]).0);
+        // The boundary runs along (-a2, a1).
+        self.speeds.push(match slope.checked_div(a2) {
+            Some(quotient) => [-quotient, Rational::zero()],
+            None => [Rational::zero(), slope.checked_div(a1).unwrap_or_default()],
+        });
         self.names.push(name);
         self.forms.push(at_zero.a);
         self.bounds.push(Linear { constant: at_zero.b, slope });
@@ -57,6 +67,20 @@ impl GrowingSystem {
     /// The right-hand side of a half-plane.
     pub(super) fn bound(&self, index: usize) -> &Linear {
         &self.bounds[index]
+    }
+
+    /// A multiple of a half-plane: the coefficients of its form, and the constant and the slope of its right-hand side.
+    pub(super) fn scaled(&self, index: usize) -> &[Integer; 4] {
+        &self.scaled[index]
+    }
+
+    /// The growth of the bound over a coefficient of the form, for the change of either coordinate along the boundary.
+    pub(super) fn speed(&self, index: usize) -> &[Rational; 2] {
+        &self.speeds[index]
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.names.len()
     }
 
     /// The right-hand side of a combination of half-planes.

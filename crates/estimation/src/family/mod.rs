@@ -6,8 +6,10 @@
 //! *Management Science* 18, 1972.)
 
 mod area;
+mod crossing;
 mod functions;
 mod growing;
+mod neighbours;
 mod piece;
 mod section;
 mod shape;
@@ -19,10 +21,11 @@ use crate::minimax::Minimax;
 use crate::problem::Problem;
 
 pub use area::{AreaGrowth, MovingArea};
-pub use functions::Linear;
-pub use piece::{MovingBoundary, MovingVertex, Piece};
+pub use functions::{Linear, MovingBoundary, MovingVertex};
+pub use piece::Piece;
 pub use section::{Section, SectionBoundary, SectionVertex};
 
+use crossing::Crossing;
 use growing::GrowingSystem;
 use shape::Shape;
 
@@ -51,8 +54,10 @@ impl Family {
     /// The family for s from `from` to `to`. Exact. Negative factors have no meaning: the range is cut at 0; an end
     /// before the start makes a range of one factor.
     ///
-    /// Cost: for each piece one intersection of all half-planes, O(N log N), and a look at each half-plane. For a
-    /// line under a uniform error bound, only half-planes whose readings are on a hull count.
+    /// Cost: for each piece the number of its vertices, and a look at the half-planes between those by angle that become
+    /// neighbours. Where several things happen at one vertex, or the sets are no polygons, a piece takes an intersection
+    /// of all half-planes, O(N log N). For a line under a uniform error bound, only half-planes whose readings are on a
+    /// hull count.
     pub fn new(problem: &Problem, from: Rational, to: Rational) -> Self {
         let from = from.max(Rational::zero());
         let to = to.max(from.clone());
@@ -68,35 +73,29 @@ impl Family {
         let born = least
             .as_ref()
             .map_or_else(|| to.clone(), |least| least.clone().max(from.clone()).min(to.clone()));
-        let mut pieces = Vec::new();
+        let mut found = Vec::new();
         if from < born {
-            pieces.push(Piece::empty(from.clone(), born.clone()));
+            found.push((Piece::empty(from.clone(), born.clone()), None));
         }
         if least.is_some() {
-            pieces.extend(pieces_between(&system, born, to));
+            found.extend(pieces_between(&system, born, to));
         }
-        let cuts: Vec<Rational> =
-            [from].into_iter().chain(pieces.iter().map(|piece| piece.to.clone())).collect();
-        let breakpoints = (0..cuts.len())
-            .map(|number| {
-                let shaping = |piece: Option<&Piece>| piece.map(|piece| piece.shaped_by.clone());
-                let below = shaping(number.checked_sub(1).and_then(|below| pieces.get(below)));
-                let above = shaping(pieces.get(number));
-                let only = |some: &[BoundName], others: &[BoundName]| {
-                    some.iter().filter(|name| others.binary_search(name).is_err()).copied().collect()
-                };
-                let (entering, leaving) = match below.zip(above) {
-                    Some((below, above)) => (only(&above, &below), only(&below, &above)),
-                    None => (Vec::new(), Vec::new()),
-                };
-                Breakpoint {
-                    s: cuts[number].clone(),
-                    section: system.section(&cuts[number]),
-                    entering,
-                    leaving,
-                }
-            })
-            .collect();
+        let (pieces, ends): (Vec<Piece>, Vec<Option<Section>>) = found.into_iter().unzip();
+        let cuts = pieces.iter().map(|piece| piece.to.clone()).zip(ends);
+        let breakpoints = [(from, None)].into_iter().chain(cuts).enumerate().map(|(number, (s, section))| {
+            let below = number.checked_sub(1).and_then(|below| pieces.get(below));
+            let only = |some: &Piece, others: &Piece| {
+                let is_new = |name: &&BoundName| others.shaped_by.binary_search(name).is_err();
+                some.shaped_by.iter().filter(is_new).copied().collect()
+            };
+            let (entering, leaving) = match below.zip(pieces.get(number)) {
+                Some((below, above)) => (only(above, below), only(below, above)),
+                None => (Vec::new(), Vec::new()),
+            };
+            let section = section.unwrap_or_else(|| system.section(&s));
+            Breakpoint { s, section, entering, leaving }
+        });
+        let breakpoints = breakpoints.collect();
         Family { least, breakpoints, pieces }
     }
 
@@ -135,30 +134,51 @@ fn between(from: &Rational, to: &Rational) -> Rational {
     decimals.find(is_near).unwrap_or(middle)
 }
 
-/// The pieces from one factor to another, ascending. The sets between them must not be empty.
+/// The pieces from one factor to another, ascending, each with the set at its end where that follows from it. The
+/// sets between them must not be empty.
 ///
-/// A sample in the middle of a gap shows the shape there; its half-planes tell how far that shape reaches, and what is
-/// left on both sides are smaller gaps.
-fn pieces_between(system: &GrowingSystem, from: Rational, to: Rational) -> Vec<Piece> {
+/// A sample in the middle of a gap shows the shape there; its half-planes tell how far that shape reaches, and often
+/// the shapes behind it. What is left on both sides are smaller gaps.
+fn pieces_between(system: &GrowingSystem, from: Rational, to: Rational) -> Vec<(Piece, Option<Section>)> {
     let mut pieces = Vec::new();
-    let mut shape = Shape::default();
+    let mut shape = Shape::new(system);
     let mut gaps = vec![(from, to)];
     while let Some((from, to)) = gaps.pop() {
         if from >= to {
             continue;
         }
         let sample = between(&from, &to);
-        let (piece, reach) = Piece::around(system, &mut shape, &sample);
+        let polyhedron = system.polyhedron(&sample);
+        let mut spokes = polyhedron.irredundant_by_angle().to_vec();
+        shape.sort(&mut spokes);
+        let reach = shape.reach(&spokes);
+        debug_assert!(reach.from <= sample, "a shape that is not there at its own sample");
         let starts = reach.from.max(from.clone());
-        let ends = reach.to.map_or_else(|| to.clone(), |end| end.min(to.clone()));
+        let mut ends = reach.to.map_or_else(|| to.clone(), |end| end.min(to.clone()));
         // A sample that is itself a breakpoint has no piece around it: starts and ends are both there, or one is.
-        if starts < sample && sample < ends {
-            pieces.push(Piece { from: starts.clone(), to: ends.clone(), ..piece });
-            gaps.extend([(from, starts), (ends, to)]);
-        } else {
+        if starts >= sample || ends <= sample {
             gaps.extend([(from, sample.clone()), (sample, to)]);
+            continue;
         }
+        let mut next =
+            Some(Piece::around(&mut shape, &polyhedron, &spokes).within(starts.clone(), ends.clone()));
+        while let Some(piece) = next.take() {
+            let crossing = Crossing::new(&mut shape, &piece, &spokes);
+            let (section, behind) = crossing.map(|crossing| (crossing.section, crossing.spokes)).unzip();
+            pieces.push((piece, section));
+            if let Some(behind) = behind.filter(|_| ends < to)
+                && let Some(piece) = Piece::polygon(&mut shape, &behind)
+            {
+                spokes = behind;
+                let reach = shape.reach(&spokes);
+                debug_assert!(reach.from == ends, "a shape that does not begin where the one before it ends");
+                let starts = ends;
+                ends = reach.to.map_or_else(|| to.clone(), |end| end.min(to.clone()));
+                next = Some(piece.within(starts, ends.clone()));
+            }
+        }
+        gaps.extend([(from, starts), (ends, to)]);
     }
-    pieces.sort_by(|piece, other| piece.from.cmp(&other.from));
+    pieces.sort_by(|(piece, _), (other, _)| piece.from.cmp(&other.from));
     pieces
 }

@@ -4,12 +4,11 @@ use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::{Direction, Point, Polyhedron, RegionKind, Support};
 
 use super::area::{AreaGrowth, MovingArea};
-use super::functions::Linear;
+use super::functions::{Linear, MovingBoundary, MovingVertex};
 use super::growing::GrowingSystem;
 use super::section::{Section, SectionBoundary, SectionVertex};
-use super::shape::{Reach, Shape};
+use super::shape::{Shape, around};
 use crate::bound_name::BoundName;
-use crate::ties::ActiveBounds;
 
 /// The sets strictly between two factors: the same half-planes meet in the same order.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -36,26 +35,6 @@ pub struct Piece {
     pub growth: AreaGrowth,
 }
 
-/// A vertex as a function of s.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct MovingVertex {
-    /// The place of the vertex.
-    pub theta: [Linear; 2],
-    /// The bounds met with equality.
-    pub active: ActiveBounds,
-}
-
-/// The line normal·θ = offset as a function of s, on the boundary of normal·θ ≤ offset.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct MovingBoundary {
-    /// The outer normal.
-    pub normal: Direction,
-    /// The right-hand side.
-    pub offset: Linear,
-    /// The bounds met with equality.
-    pub active: ActiveBounds,
-}
-
 impl Piece {
     /// No set at all.
     pub(super) fn empty(from: Rational, to: Rational) -> Self {
@@ -73,35 +52,65 @@ impl Piece {
         }
     }
 
-    /// The shape at a sample, at which the set must not be empty, and how far it reaches. The ends of the piece are
-    /// left to the caller; where the sample is an end of its own reach, the shape is that of a breakpoint, no piece.
-    pub(super) fn around(system: &GrowingSystem, shape: &mut Shape, sample: &Rational) -> (Self, Reach) {
-        let polyhedron = system.polyhedron(sample);
-        let reach = shape.reach(system, &polyhedron, sample);
-        let region = polyhedron.region();
-        let vertices = moving_vertices(system, &polyhedron, shape);
+    /// The piece around a factor, from the set there, whose half-planes by angle come last. The ends of the piece are
+    /// left to the caller.
+    pub(super) fn around(shape: &mut Shape, polyhedron: &Polyhedron, spokes: &[usize]) -> Self {
+        let (system, region) = (shape.system, polyhedron.region());
+        if region.kind() == RegionKind::Polygon
+            && let Some(polygon) = Piece::polygon(shape, spokes)
+        {
+            return polygon;
+        }
+        let vertices = moving_vertices(polyhedron, shape);
         let boundaries = region.boundaries().iter().filter_map(|boundary| {
             let normal = boundary.half_plane().normal();
             let first = *boundary.active().first()?;
             let offset = system.bound(first).times(&length(system.form(first), &normal)?.recip()?);
             Some(MovingBoundary { normal, offset, active: system.active(boundary.active()) })
         });
-        let piece = Piece {
-            from: sample.clone(),
-            to: sample.clone(),
+        Piece {
             kind: region.kind(),
             vertices,
             rays: region.rays(),
             lines: region.lines(),
             boundaries: boundaries.collect(),
-            pui: Some([0, 1].map(|axis| ends(system, &polyhedron, axis))),
-            shaped_by: system.named(polyhedron.irredundant_by_angle()),
-            growth: match region.kind() {
-                RegionKind::Polygon => shape.growth(system, polyhedron.irredundant_by_angle()),
-                _ => AreaGrowth::default(),
-            },
+            pui: Some([0, 1].map(|axis| ends(system, polyhedron, axis))),
+            shaped_by: system.named(spokes),
+            ..Piece::empty(Rational::zero(), Rational::zero())
+        }
+    }
+
+    /// The polygons that have edges along these half-planes, by angle from behind that of (-1, 0). `None` if they
+    /// shape no polygon. The ends of the piece are left to the caller.
+    pub(super) fn polygon(shape: &mut Shape, spokes: &[usize]) -> Option<Self> {
+        let corners = around(spokes).map(|[before, spoke, _]| shape.neighbours(before, spoke).corner.clone());
+        let vertices = corners.collect::<Option<Vec<MovingVertex>>>()?;
+        // The vertex furthest in a direction: the half-planes up to that angle come before it, the others behind it.
+        let end = |axis: usize, is_before: fn(&[Rational; 2]) -> bool| {
+            let number = spokes.partition_point(|&spoke| is_before(shape.system.form(spoke)));
+            Some(vertices[number % spokes.len()].theta[axis].clone())
         };
-        (piece, reach)
+        let upper1 = |[a1, a2]: &[Rational; 2]| a2.is_negative() || a2.is_zero() && a1.is_positive();
+        let pui = [
+            [end(0, |_| false), end(0, upper1)],
+            [
+                end(1, |[a1, a2]| a2.is_negative() && !a1.is_positive()),
+                end(1, |[a1, a2]| a2.is_negative() || !a1.is_negative()),
+            ],
+        ];
+        Some(Piece {
+            kind: RegionKind::Polygon,
+            pui: Some(pui),
+            vertices,
+            shaped_by: shape.system.named(spokes),
+            growth: shape.growth(spokes),
+            ..Piece::empty(Rational::zero(), Rational::zero())
+        })
+    }
+
+    /// The piece from one factor to another.
+    pub(super) fn within(self, from: Rational, to: Rational) -> Self {
+        Piece { from, to, ..self }
     }
 
     /// The set at a factor within the piece.
@@ -132,7 +141,7 @@ impl Piece {
 
 /// The moving corner at each vertex: that of two irredundant half-planes, next to each other by angle, which are both active
 /// there. Vertices and corners go around the set in the same way.
-fn moving_vertices(system: &GrowingSystem, polyhedron: &Polyhedron, shape: &mut Shape) -> Vec<MovingVertex> {
+fn moving_vertices(polyhedron: &Polyhedron, shape: &mut Shape) -> Vec<MovingVertex> {
     let spokes = polyhedron.irredundant_by_angle();
     let mut next = 0;
     let mut found = Vec::with_capacity(spokes.len());
@@ -140,11 +149,11 @@ fn moving_vertices(system: &GrowingSystem, polyhedron: &Polyhedron, shape: &mut 
         let is_active = |index: usize| vertex.active().binary_search(&index).is_ok();
         let theta = (next..next + spokes.len()).find_map(|number| {
             let (f, g) = (spokes[number % spokes.len()], spokes[(number + 1) % spokes.len()]);
-            let theta = (is_active(f) && is_active(g)).then(|| shape.corner(system, f, g)).flatten()?;
+            let corner = (is_active(f) && is_active(g)).then(|| shape.neighbours(f, g).corner.as_ref());
             next = number + 1;
-            Some(theta.clone())
+            Some(corner.flatten()?.theta.clone())
         });
-        found.extend(theta.map(|theta| MovingVertex { theta, active: system.active(vertex.active()) }));
+        found.extend(theta.map(|theta| MovingVertex { theta, active: shape.system.active(vertex.active()) }));
     }
     found
 }
