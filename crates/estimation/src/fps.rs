@@ -11,7 +11,7 @@ use crate::condition::Condition;
 use crate::deciding::OnGrid;
 use crate::hulls::{Extremes, Touching};
 use crate::least_growth::GrowingInequality;
-use crate::measurement::Measurement;
+use crate::measurement::{Bounds, Measurement};
 use crate::measurements::Measurements;
 use crate::ties::{ActiveBounds, Ties};
 
@@ -191,8 +191,12 @@ impl Fps {
 /// # Panics
 /// When there are fewer readings than that.
 pub fn bounds_of_reading(rows: &[Measurement], position: usize) -> Range<usize> {
-    let start = rows[..position].iter().map(|row| half_planes(row).count()).sum();
-    start..start + half_planes(&rows[position]).count()
+    let count = |row: &Measurement| match &row.bounds {
+        Bounds::Around { .. } => 2,
+        Bounds::Between { lower, upper, .. } => usize::from(lower.is_some()) + usize::from(upper.is_some()),
+    };
+    let start = rows[..position].iter().map(count).sum();
+    start..start + count(&rows[position])
 }
 
 /// The position of the reading that a half-plane of [`Fps::of_every_half_plane`] is a bound of; `None` for a condition.

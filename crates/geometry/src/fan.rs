@@ -214,7 +214,7 @@ fn normal(half_plane: &HalfPlane) -> (&Integer, &Integer) {
 }
 
 /// The half-plane of an index that came from an active set: those have a normal.
-fn normal_of(system: &System, index: usize) -> &HalfPlane {
+pub(crate) fn normal_of(system: &System, index: usize) -> &HalfPlane {
     system.half_plane(index).expect("an active inequality without a normal")
 }
 

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use boundfit_estimation::{Fit, Problem, bounds_of_reading};
 use boundfit_exact::{Endpoint, Interval, Rational};
-use boundfit_geometry::{Polyhedron, Region};
+use boundfit_geometry::{LeavingOut, Region};
 use boundfit_lp::End;
 use boundfit_report::{Number, RangeJson, Style};
 use serde::Serialize;
@@ -42,16 +42,17 @@ pub(crate) struct Moved {
     pub(crate) by_and_to: Option<(Rational, Rational)>,
 }
 
-/// The set without each reading in turn. Exact. Cost: O(N log N), and as much for each reading with an irredundant half-plane.
+/// The set without each reading in turn. Exact. Cost: O(N log N), and for each reading the number of vertices; where it has an
+/// irredundant half-plane of a set that is no polygon, O(N log N).
 pub(crate) fn leave_one_out(problem: &Problem, fit: &Fit) -> Vec<Without> {
     let rows = problem.measurements.kept();
     let needed = irredundant(problem, fit);
     let whole = fit.fps.polyhedron();
-    let pui = whole.bounding_box();
+    let (pui, leaving_out) = (whole.bounding_box(), LeavingOut::new(whole));
     let without_one = |position: usize| {
         let bounds = bounds_of_reading(rows, position);
         if needed.iter().any(|index| bounds.contains(index)) {
-            return without(fit, rows[position].row, bounds);
+            return without(fit, &leaving_out, rows[position].row, bounds);
         }
         // The irredundant half-planes are all there, and leave the same.
         Without {
@@ -66,17 +67,14 @@ pub(crate) fn leave_one_out(problem: &Problem, fit: &Fit) -> Vec<Without> {
     (0..rows.len()).map(without_one).collect()
 }
 
-fn without(fit: &Fit, row: usize, bounds: Range<usize>) -> Without {
-    let whole = fit.fps.polyhedron();
-    let rest = Polyhedron::intersect(whole.system().without(bounds.clone()));
-    let pui = rest.bounding_box();
+fn without(fit: &Fit, leaving_out: &LeavingOut, row: usize, bounds: Range<usize>) -> Without {
+    let (region, pui) = leaving_out.without(bounds.clone());
     let moved = match (fit.pui_intervals(), &pui) {
         (Some(before), Some(after)) => moved(&before, after),
         _ => Vec::new(),
     };
-    let region = rest.region();
-    let matters = !same_set(region, whole.region());
-    Without { row, matters, region: region.clone(), lacking: bounds, pui, moved }
+    let matters = !same_set(&region, fit.fps.polyhedron().region());
+    Without { row, matters, region, lacking: bounds, pui, moved }
 }
 
 fn moved(before: &[Interval; 2], after: &[Interval; 2]) -> Vec<Moved> {

@@ -2,6 +2,7 @@
 //! half-planes.
 
 mod large;
+mod leaving_out;
 mod long_sums;
 mod measures;
 mod membership;
