@@ -7,6 +7,7 @@
 
 use boundfit_exact::{Integer, Rational, Sign};
 
+use crate::active::Active;
 use crate::constructions::foot;
 use crate::fan::{FanSupport, NormalFan};
 use crate::half_plane::{Constraint, HalfPlane};
@@ -74,18 +75,14 @@ pub fn steps(system: &System, order: &[usize]) -> Vec<Step> {
         .iter()
         .map(|&index| {
             let redundant = clipper.redundancy(index, &before);
-            clipper.clip(index);
-            let after = clipper.region();
-            let step = Step {
-                index,
-                born: missing_in(&after, &before),
-                lost: missing_in(&before, &after),
-                redundant,
-                before: before.clone(),
-                after: after.clone(),
-            };
-            before = after;
-            step
+            // Most steps leave everything as it is.
+            let changed = clipper.clip(index).then(|| clipper.region());
+            let [born, lost] = changed.as_ref().map_or_else(Default::default, |after| {
+                [missing_in(after, &before), missing_in(&before, after)]
+            });
+            let after = changed.unwrap_or_else(|| before.clone());
+            let before = std::mem::replace(&mut before, after.clone());
+            Step { index, born, lost, redundant, before, after }
         })
         .collect()
 }
@@ -109,7 +106,7 @@ fn missing_in(region: &Region, other: &Region) -> Vec<Point> {
 enum Node {
     /// An ordinary point with the half-planes active there. A point in the middle of an edge (a *knot*) keeps every
     /// edge shorter than a half turn.
-    Finite { point: Point, active: Vec<usize> },
+    Finite { point: Point, active: Active },
     /// A point at infinity.
     Ideal(Direction),
 }
@@ -180,19 +177,24 @@ impl<'a> Clipper<'a> {
         Clipper { system, state: State::Plane, nodes: nodes.collect() }
     }
 
-    fn clip(&mut self, index: usize) {
+    /// Adds an inequality, and returns false if that leaves the region and the half-planes active at its points as they are.
+    fn clip(&mut self, index: usize) -> bool {
         match &self.system.constraints()[index] {
-            _ if matches!(self.state, State::Empty(_)) => {}
-            Constraint::Always => {}
+            _ if matches!(self.state, State::Empty(_)) => return false,
+            Constraint::Always => return false,
             Constraint::Never => {
                 self.state = State::Empty(Farkas::new(vec![Multiplier { index, value: Rational::one() }]));
             }
-            Constraint::HalfPlane(half_plane) => self.clip_by(index, half_plane),
+            Constraint::HalfPlane(half_plane) => return self.clip_by(index, half_plane),
         }
+        true
     }
 
-    fn clip_by(&mut self, index: usize, half_plane: &HalfPlane) {
+    fn clip_by(&mut self, index: usize, half_plane: &HalfPlane) -> bool {
         let signs: Vec<Sign> = self.nodes.iter().map(|node| node.sign(half_plane)).collect();
+        if signs.iter().all(|sign| *sign == Sign::Negative) {
+            return false;
+        }
         if signs.contains(&Sign::Positive) {
             // A finite point on the near side, or a direction that leads there, shows that something is left.
             let survives = self.nodes.iter().zip(&signs).any(|(node, sign)| match node {
@@ -203,23 +205,25 @@ impl<'a> Clipper<'a> {
                 self.state = State::Empty(
                     NormalFan::of(self.system, &self.region()).contradiction(self.system, index),
                 );
-                return;
+                return true;
             }
             self.state = State::Cut;
-            self.cut(half_plane, &signs);
         }
-        for node in &mut self.nodes {
-            if let Node::Finite { point, active } = node
-                && side(half_plane, point) == Side::Boundary
-                && let Err(position) = active.binary_search(&index)
-            {
-                active.insert(position, index);
+        for (node, _) in self.nodes.iter_mut().zip(&signs).filter(|(_, sign)| **sign == Sign::Zero) {
+            if let Node::Finite { active, .. } = node {
+                active.push(index);
+                active.settle();
             }
         }
+        if signs.contains(&Sign::Positive) {
+            self.cut((index, half_plane), &signs);
+        }
+        true
     }
 
     /// Keeps what lies on the near side: nodes that do, and a new node wherever an edge crosses.
-    fn cut(&mut self, half_plane: &HalfPlane, signs: &[Sign]) {
+    fn cut(&mut self, cut: (usize, &HalfPlane), signs: &[Sign]) {
+        let (index, half_plane) = cut;
         let mut kept: Vec<Node> = Vec::with_capacity(self.nodes.len() + 2);
         for (position, (node, &sign)) in self.nodes.iter().zip(signs).enumerate() {
             let next = (position + 1) % self.nodes.len();
@@ -227,7 +231,7 @@ impl<'a> Clipper<'a> {
                 kept.push(node.clone());
             }
             if let (Sign::Negative, Sign::Positive) | (Sign::Positive, Sign::Negative) = (sign, signs[next]) {
-                kept.extend(self.crossing(node, &self.nodes[next], half_plane));
+                kept.extend(self.crossing(node, &self.nodes[next], cut));
             }
         }
         kept.dedup_by(|next, node| node.same_place(next));
@@ -242,14 +246,14 @@ impl<'a> Clipper<'a> {
         });
         if let Some(position) = gap {
             let point = foot(half_plane);
-            let active = self.touching(self.nodes.iter().flat_map(Node::active), &point);
+            let active = self.touching(self.nodes.iter().flat_map(Node::active).chain([&index]), &point);
             kept.insert(position + 1, Node::Finite { point, active });
         }
         self.nodes = kept;
     }
 
     /// Returns where the edge between two nodes on different sides meets the boundary.
-    fn crossing(&self, from: &Node, to: &Node, half_plane: &HalfPlane) -> Option<Node> {
+    fn crossing(&self, from: &Node, to: &Node, (index, half_plane): (usize, &HalfPlane)) -> Option<Node> {
         let ((from_excess, p), (to_excess, q)) = (from.excess(half_plane), to.excess(half_plane));
         let (from_weight, to_weight) = (to_excess.abs(), from_excess.abs());
         let [x, y, w] = [0, 1, 2].map(|i| &p[i] * &from_weight + &q[i] * &to_weight);
@@ -257,19 +261,19 @@ impl<'a> Clipper<'a> {
             return Direction::new(x, y).map(Node::Ideal);
         }
         let point = Point::from_homogeneous(x, y, w)?;
-        let active = self.touching(from.active().iter().chain(to.active()), &point);
+        let active = self.touching(from.active().iter().chain(to.active()).chain([&index]), &point);
         Some(Node::Finite { point, active })
     }
 
     /// Returns the candidates whose boundary passes through the point, ascending.
-    fn touching<'b>(&self, candidates: impl Iterator<Item = &'b usize>, point: &Point) -> Vec<usize> {
+    fn touching<'b>(&self, candidates: impl Iterator<Item = &'b usize>, point: &Point) -> Active {
         let touches = |index: &usize| {
             self.system.half_plane(*index).is_some_and(|half_plane| side(half_plane, point) == Side::Boundary)
         };
         let mut touching: Vec<usize> = candidates.copied().filter(touches).collect();
         touching.sort_unstable();
         touching.dedup();
-        touching
+        touching.into()
     }
 
     fn redundancy(&self, index: usize, region: &Region) -> Option<StepRedundancy> {
@@ -309,7 +313,7 @@ impl<'a> Clipper<'a> {
             match node {
                 Node::Ideal(direction) => ideal.push(direction),
                 Node::Finite { point, active } => match self.line_through(active) {
-                    None => vertices.push(Vertex { point: point.clone(), active: active.clone().into() }),
+                    None => vertices.push(Vertex { point: point.clone(), active: active.clone() }),
                     Some(line) => lines.push(line),
                 },
             }

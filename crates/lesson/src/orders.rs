@@ -68,7 +68,15 @@ fn order(
 ) -> OrderJson {
     let steps = steps(system, indices);
     let note = text!("order.note", note: note, outcome: outcome(&steps));
-    OrderJson { id, name, note, steps: steps.iter().map(|step| step_json(step, points)).collect() }
+    let mut written: Vec<StepJson> = Vec::with_capacity(steps.len());
+    for step in &steps {
+        let before = written.last().map(|step| &step.region).filter(|_| step.redundant.is_some());
+        // The same set: only its whole lines may now be those of another half-plane.
+        let same = before.filter(|region| region.has_no_boundaries()).cloned();
+        let region = same.unwrap_or_else(|| IndexedRegion::new(&step.after, points));
+        written.push(step_json(step, region, points));
+    }
+    OrderJson { id, name, note, steps: written }
 }
 
 /// Half-planes by the angle of their normals, ties by index; those without a normal last.
@@ -115,10 +123,10 @@ fn outcome(steps: &[Step]) -> Message {
     }
 }
 
-fn step_json(step: &Step, points: &mut Points) -> StepJson {
+fn step_json(step: &Step, region: IndexedRegion, points: &mut Points) -> StepJson {
     StepJson {
         half_plane: step.index,
-        region: IndexedRegion::new(&step.after, points),
+        region,
         born: step.born.iter().map(|point| points.index(point)).collect(),
         lost: step.lost.iter().map(|point| points.index(point)).collect(),
         redundant: step.redundant.as_ref().map(redundant),

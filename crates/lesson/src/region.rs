@@ -9,7 +9,7 @@ use crate::points::Points;
 
 /// A region. Vertices are indices of points, counter-clockwise; rays and lines are exact integer directions; boundaries
 /// are half-planes, one for each whole line that bounds a region without vertices.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 pub(crate) struct IndexedRegion {
     kind: &'static str,
     vertices: Vec<usize>,
@@ -29,6 +29,11 @@ impl IndexedRegion {
             lines: region.lines().iter().map(direction).collect(),
             boundaries: region.boundaries().iter().filter_map(first_active).collect(),
         }
+    }
+
+    /// Returns whether no whole line bounds the region.
+    pub(crate) fn has_no_boundaries(&self) -> bool {
+        self.boundaries.is_empty()
     }
 
     /// This region of a system that lacks these half-planes, by the indices of the whole one.
