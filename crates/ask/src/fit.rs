@@ -3,8 +3,8 @@
 use boundfit_estimation::{
     self as estimation, Bounds, Family, Keep, Measurement, Measurements, MultipleOfLeast, Problem, fit,
 };
-use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_formats::Source;
+use boundfit_exact::{Foreign, Limits, Rational, Reading};
+use boundfit_formats::{InputError, InputErrorKind, MemoryUse, Source};
 use boundfit_questions::{Guarantee, times};
 use boundfit_report::{
     Document, InverseLine, NextStep, Theory, active_names, bound_found, brief_document, fit_csv,
@@ -52,8 +52,16 @@ pub struct Factors {
 pub struct Fittable {
     /// The problem.
     pub problem: Problem,
-    sweep: Option<Factors>,
+    sweep: Option<Sweep>,
     confidence: Option<Rational>,
+}
+
+/// The sets for a range of factors of readings in a file.
+#[derive(Clone)]
+struct Sweep {
+    factors: Factors,
+    file: Foreign,
+    most_memory: u64,
 }
 
 /// A fit, with what else was asked.
@@ -117,6 +125,22 @@ impl Factors {
         }
         Ok(problem.work(&[&self.to]).check(times::SWEEP * problem.looks(), most_work)?)
     }
+
+    /// Returns the sets for these factors, of readings in this file.
+    ///
+    /// # Errors
+    /// When they take more than so many bytes of memory.
+    pub fn family(&self, problem: &Problem, file: &str, most_memory: u64) -> Result<Family, Refusal> {
+        /// Bytes for each vertex of a set, with what is written of it: 1,000 readings of a curve have 10⁶ and took 360 MB.
+        const OF_A_VERTEX: u64 = 400;
+        let most = usize::try_from(most_memory / OF_A_VERTEX).unwrap_or(usize::MAX);
+        let family = Family::within(problem, self.from.clone(), self.to.clone(), most);
+        family.ok_or_else(|| {
+            let needed = most_memory.saturating_add(OF_A_VERTEX);
+            let problem = InputErrorKind::TooMuchMemory { what: MemoryUse::Sets, needed, limit: most_memory };
+            Refusal::Input(InputError::of_file(file, problem))
+        })
+    }
 }
 
 impl Fit {
@@ -153,7 +177,9 @@ impl Fit {
             return Err(Refusal::Misuse(Misuse::InverseOfTwoRegressors));
         }
         let limits = &asked.options.table.limits;
-        let sweep = self.sweep.as_deref().map(|text| Factors::parse(text, limits)).transpose()?;
+        let factors = self.sweep.as_deref().map(|text| Factors::parse(text, limits)).transpose()?;
+        let (file, most_memory) = (source.name().clone(), asked.options.table.sizes.memory.limit());
+        let sweep = factors.map(|factors| Sweep { factors, file, most_memory });
         let confidence = self.confidence(limits)?;
         // Where the bounds are going to move, those that decide under these are not enough.
         let keeps_all = shows >= Shows::Readings || sweep.is_some() && !asked.question.columns.are_open();
@@ -161,8 +187,8 @@ impl Fit {
         let usual = if is_usual && !lists_all { Keep::DECIDING } else { Keep::default() };
         let keep = Keep { eui: !self.no_eui, ..if keeps_all { Keep::EVERY } else { usual } };
         let problem = asked.scanned(source, (Asked::ROW_COST, shows), keep)?;
-        if let Some(sweep) = &sweep {
-            sweep.check(&problem, asked.most_work())?;
+        if let Some(Sweep { factors, .. }) = &sweep {
+            factors.check(&problem, asked.most_work())?;
         }
         if confidence.is_some() && problem.measurements.error_bound().has_middles() {
             return Err(Refusal::Misuse(Misuse::ConfidenceOfIntervals));
@@ -228,11 +254,12 @@ impl Ask for Fit {
 
     fn answer(&self, asked: &Fittable) -> Result<Fitted, Refusal> {
         let problem = &asked.problem;
-        let family = |Factors { from, to }: &Factors| Family::new(problem, from.clone(), to.clone());
+        let family =
+            |Sweep { factors, file, most_memory }: &Sweep| factors.family(problem, file.raw(), *most_memory);
         let guarantee = |confidence| Guarantee::new(&problem.measurements, confidence);
         Ok(Fitted {
             fit: fit(problem),
-            family: asked.sweep.as_ref().map(family),
+            family: asked.sweep.as_ref().map(family).transpose()?,
             guarantee: asked.confidence.as_ref().and_then(guarantee),
             verdict: None,
             next_words: None,

@@ -23,6 +23,8 @@ pub enum MemoryUse {
     Unpacking,
     /// A text that is read whole.
     Text,
+    /// The sets for all factors of a range.
+    Sets,
 }
 
 impl fmt::Display for MemoryUse {
@@ -44,6 +46,7 @@ impl fmt::Display for MemoryUse {
             MemoryUse::Batches => "the record batches that are read together take",
             MemoryUse::Unpacking => "unpacking takes",
             MemoryUse::Text => "the text takes",
+            MemoryUse::Sets => "the sets for all factors take",
         })
     }
 }

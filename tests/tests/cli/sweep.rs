@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use boundfit_tests::cli::numbers::{exact, exact_or_null, pair, rational};
 use boundfit_tests::cli::refusals::refuses_options;
-use boundfit_tests::cli::{FIT_TRANSDUCER, words};
+use boundfit_tests::cli::{FIT_TRANSDUCER, boundfit, directory_with, words};
 
 fn report(line: &str) -> Value {
     let words = words(&format!("{line} --format json"));
@@ -143,4 +143,21 @@ fn ranges_that_are_none_are_refused() {
     for (options, message) in &cases {
         refuses_options(2, &[(options, message)]);
     }
+}
+
+/// Readings of a curve have as many pieces as vertices.
+#[test]
+fn the_sets_of_a_sweep_keep_to_the_memory() {
+    let rows: String = (0..300).map(|x| format!("{x},{}\n", x * x)).collect();
+    let directory = directory_with(&[("curve.csv", format!("x,y\n{rows}").as_bytes())]);
+    let of = |line: &str| {
+        boundfit(directory.path(), &format!("{line} curve.csv --x x --y y --eps 12500 --limit memory=5MiB"))
+    };
+    let run = of("fit --sweep 0..3");
+    let message = "error: curve.csv: the sets for all factors take 5.1 MiB of memory, more than 5 MiB (the limit); --limit memory=N \
+                   raises it\n";
+    assert_eq!((run.status, run.stdout.as_str(), run.stderr.as_str()), (1, "", message));
+    let plot = of("plot --sweep 0..3");
+    assert_eq!((plot.status, plot.stderr.as_str()), (1, message));
+    assert_eq!(of("fit --sweep 2.9..3").status, 0);
 }

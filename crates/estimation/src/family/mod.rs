@@ -59,6 +59,18 @@ impl Family {
     /// of all half-planes, O(N log N). For a line under a uniform error bound, only half-planes whose readings are on a
     /// hull count.
     pub fn new(problem: &Problem, from: Rational, to: Rational) -> Self {
+        Family::begun(problem, from, to, usize::MAX).0
+    }
+
+    /// The family as [`new`](Family::new) gives it; `None` if its pieces and breakpoints have more than so many
+    /// vertices together, of which no more are made. Readings of a curve have a piece for each, with as many vertices.
+    pub fn within(problem: &Problem, from: Rational, to: Rational, most_vertices: usize) -> Option<Self> {
+        let (family, is_whole) = Family::begun(problem, from, to, most_vertices);
+        is_whole.then_some(family)
+    }
+
+    /// The family, and whether it is whole: it ends early where it has more than so many vertices.
+    fn begun(problem: &Problem, from: Rational, to: Rational, most_vertices: usize) -> (Self, bool) {
         let from = from.max(Rational::zero());
         let to = to.max(from.clone());
         let system = GrowingSystem::new(problem);
@@ -77,8 +89,13 @@ impl Family {
         if from < born {
             found.push((Piece::empty(from.clone(), born.clone()), None));
         }
+        let mut is_whole = true;
         if least.is_some() {
-            found.extend(pieces_between(&system, born, to));
+            let (pieces, all) = pieces_between(&system, born, to, most_vertices);
+            (found, is_whole) = (found.into_iter().chain(pieces).collect(), all);
+        }
+        if !is_whole {
+            return (Family { least, breakpoints: Vec::new(), pieces: Vec::new() }, false);
         }
         let (pieces, ends): (Vec<Piece>, Vec<Option<Section>>) = found.into_iter().unzip();
         let cuts = pieces.iter().map(|piece| piece.to.clone()).zip(ends);
@@ -96,7 +113,7 @@ impl Family {
             Breakpoint { s, section, entering, leaving }
         });
         let breakpoints = breakpoints.collect();
-        Family { least, breakpoints, pieces }
+        (Family { least, breakpoints, pieces }, true)
     }
 
     /// s_min, the smallest factor, at least 0, that leaves a feasible parameter, in the range or not; `None` when no
@@ -138,8 +155,15 @@ fn between(from: &Rational, to: &Rational) -> Rational {
 /// sets between them must not be empty.
 ///
 /// A sample in the middle of a gap shows the shape there; its half-planes tell how far that shape reaches, and often
-/// the shapes behind it. What is left on both sides are smaller gaps.
-fn pieces_between(system: &GrowingSystem, from: Rational, to: Rational) -> Vec<(Piece, Option<Section>)> {
+/// the shapes behind it. What is left on both sides are smaller gaps. Returns false beside them if they have more than so
+/// many vertices, and are not all.
+fn pieces_between(
+    system: &GrowingSystem,
+    from: Rational,
+    to: Rational,
+    most_vertices: usize,
+) -> (Vec<(Piece, Option<Section>)>, bool) {
+    let mut vertices = 0;
     let mut pieces = Vec::new();
     let mut shape = Shape::new(system);
     let mut gaps = vec![(from, to)];
@@ -165,7 +189,12 @@ fn pieces_between(system: &GrowingSystem, from: Rational, to: Rational) -> Vec<(
         while let Some(piece) = next.take() {
             let crossing = Crossing::new(&mut shape, &piece, &spokes);
             let (section, behind) = crossing.map(|crossing| (crossing.section, crossing.spokes)).unzip();
+            // The set at its end has about as many.
+            vertices += 2 * piece.vertices.len();
             pieces.push((piece, section));
+            if vertices > most_vertices {
+                return (pieces, false);
+            }
             if let Some(behind) = behind.filter(|_| ends < to)
                 && let Some(piece) = Piece::polygon(&mut shape, &behind)
             {
@@ -180,5 +209,5 @@ fn pieces_between(system: &GrowingSystem, from: Rational, to: Rational) -> Vec<(
         gaps.extend([(from, starts), (ends, to)]);
     }
     pieces.sort_by(|(piece, _), (other, _)| piece.from.cmp(&other.from));
-    pieces
+    (pieces, true)
 }

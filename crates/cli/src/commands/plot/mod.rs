@@ -6,7 +6,7 @@ use std::io::{self, IsTerminal};
 use std::path::Path;
 
 use boundfit_ask::{Factors, Misuse, Refusal, common_bound};
-use boundfit_estimation::{Family, Keep, Model, Problem, fit};
+use boundfit_estimation::{Keep, Model, Problem, fit};
 use boundfit_exact::Foreign;
 use boundfit_figures::{
     Figure, FigureError, Picture, PictureFormat, PlotOptions, draw, draw_boxes, draw_outliers, draw_sweep,
@@ -305,8 +305,9 @@ impl Job<'_> {
         let problem = problem(self.arguments, 1, usize::MAX)?;
         let checked = factors.check(&problem, data.table.limits.sizes().work);
         checked.map_err(|refusal| Failure::of(&refusal, data.file_name()))?;
-        let Factors { from, to } = factors;
-        let family = while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()));
+        let most = data.table.limits.sizes().memory.limit();
+        let family = while_working("sweeping", || factors.family(&problem, data.file_name().raw(), most));
+        let family = family.map_err(|refusal| Failure::of(&refusal, data.file_name()))?;
         let options = options(self.arguments, &problem);
         let draw = || match self.figure {
             Figure::Corridor => draw_sweep_of_corridors(&problem, &fit(&problem), &family, &options),
