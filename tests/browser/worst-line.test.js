@@ -1,7 +1,9 @@
 // The worst acceptable lines: laid by hand with mouse, finger and keys, and judged against the readings themselves.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 
 import { Rational, decimalPower } from "../../crates/lesson/page/js/model/rational.js";
@@ -111,6 +113,73 @@ test("is there any line? not for the course's current before 263/80 mA", async (
   agreesWithReadings(await byHand(page), readingsOf(CURRENT), Rational.parseDecimal("1.5"));
   await page.locator("#worst-exact").click();
   assert.match(await page.locator("#worst-sentence").textContent(), /No line passes through all error bars.* ε is 3\.2875 \(exactly 263\/80\)/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+/** Three readings on the line y = x, corner to corner from slope 9/10 to 11/10, with conditions. */
+function straight(...conditions) {
+  const file = join(tmpdir(), `boundfit-worst-${process.pid}.csv`);
+  writeFileSync(file, "x,y\n1,1\n2,2\n3,3\n");
+  return [file, "--x", "x", "--y", "y", "--eps", "0.1", ...conditions.flatMap((condition) => ["--where", condition])];
+}
+
+/** What the tab says in three languages once the exact lines are shown: the sentence, and all below. */
+async function told(page) {
+  await page.locator("#tab-worst-line").click();
+  await page.locator("#worst-exact").click();
+  const words = {};
+  for (const language of ["en", "de", "it"]) {
+    await page.locator("#language").selectOption(language);
+    words[language] = [await page.locator("#worst-sentence").textContent(), await page.locator("#worst-line-story").textContent()];
+  }
+  await page.locator("#language").selectOption("en");
+  return words;
+}
+
+test("a line through all bars that breaks a condition is told so, in every language", async () => {
+  const { page, complaints, close } = await openLesson(browser, straight("theta1 <= 1"));
+  const { en, de, it } = await told(page);
+  assert.match((await byHand(page))[0].words, /breaks condition 1/);
+  assert.match(en[0], /until both pass through all error bars and keep condition 1,/);
+  assert.match(en[1], /too steep by 0\.1: no line through all bars that keeps condition 1 is like that/);
+  assert.match(en[1], /not a result yet: a line breaks condition 1\./);
+  assert.doesNotMatch(en[1], /contradicts a reading/);
+  assert.match(en[1], /No line through all bars that keeps condition 1 is shallower/);
+  assert.match(de[1], /So steil ist keine Gerade durch alle Balken, die Bedingung 1 erfüllt/);
+  assert.match(it[1], /nessuna retta per tutte le barre che soddisfa la condizione 1 è così ripida/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("an empty set is laid to the bars only where they contradict each other", async () => {
+  const cases = [
+    [straight("theta1 >= 2"), /^No line that keeps condition 1 passes through all error bars: any line that is drawn misses one or breaks a condition\./],
+    [straight("theta1 >= 1", "theta1 <= 0"), /^No line keeps conditions 1 and 2 together/],
+    [[...CURRENT, "--eps", "1.5", "--where", "theta1 >= 0"], /^No line passes through all error bars: .* The first one that keeps condition 1 appears when ε is/],
+  ];
+  for (const [options, sentence] of cases) {
+    const { page, complaints, close } = await openLesson(browser, options);
+    const { en, de, it } = await told(page);
+    assert.match(en[0], sentence);
+    assert.ok(sentence.source.includes("through all error bars: .*") || /Bedingung/.test(de[0]) && /condizion/.test(it[0]));
+    assert.deepEqual(complaints, []);
+    await close();
+  }
+});
+
+test("a line as steep as the steepest that misses a bar is not called less steep by 0", async () => {
+  const { page, complaints, close } = await openLesson(browser, straight());
+  await page.locator("#tab-worst-line").click();
+  for (const side of [0, 1]) {
+    await page.locator(`[data-handle="steepest"][data-side="${side}"]`).focus();
+    await page.keyboard.press("PageUp");
+  }
+  const { en, de, it } = await told(page);
+  assert.match(en[1], /as steep as the steepest one, but it misses readings 2 and 3/);
+  assert.match(de[1], /so steil wie die steilste, aber sie verfehlt die Messungen 2 und 3/);
+  assert.match(it[1], /ha la pendenza della più ripida, ma manca le letture 2 e 3/);
+  for (const [, story] of [en, de, it]) assert.doesNotMatch(story, /by 0\.(?!\d)|um 0 |di 0 /);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -2,7 +2,7 @@
 // The worst acceptable lines in words: what the lines by hand miss, and how far they are from the exact ones.
 
 import { byId, element, patch } from "../dom.js";
-import { activeAt } from "../model/lesson.js";
+import { activeAt, conflict } from "../model/lesson.js";
 import { boundMark, conditionNumber, decimal, endText, thetaName } from "../model/format.js";
 import { HALF, Rational } from "../model/rational.js";
 import { WORST, cornerToCorner, faultsOf, gripsOf, lineByHand, worstVertex } from "../model/worst-line.js";
@@ -34,32 +34,44 @@ function linesByHand(lesson, state) {
 /** @typedef {ReturnType<typeof linesByHand>[number]} ByHand */
 
 /**
+ * The numbers of all conditions, as a value for sentences that hold only for lines that keep them.
+ * @param {Lesson} lesson
+ */
+const conditionsOf = ({ data }) => ({ list: data.conditions.map((_, k) => k + 1) });
+
+/**
+ * The numbers of the conditions that a line breaks; an equation can be broken on one side only.
+ * @param {ByHand} line
+ */
+const brokenBy = ({ broken }) => [...new Set(broken.map(({ name }) => conditionNumber(name)))];
+
+/**
  * Which bars a line misses and which conditions it breaks.
  * @param {ByHand} line
  */
-function verdict({ missed, broken, passes }) {
+function verdict(line) {
+  const { missed, passes } = line;
   if (passes) return t("worst.passes");
   const rows = missed.map(({ reading }) => reading.row);
   const worst = missed.reduce((most, one) => (one.excess.compare(most.excess) > 0 ? one : most), missed[0]);
   const words = missed.length === 0 ? [] : [t("worst.misses", { rows: { list: rows.slice(0, MOST_MISSED), more: Math.max(0, rows.length - MOST_MISSED) }, most: { number: decimal(worst.excess, 3) } })];
-  const numbers = [...new Set(broken.map(({ name }) => conditionNumber(name)))];
-  return [...words, ...numbers.map((number) => t("worst.breaks", { number }))].join("; ");
+  return [...words, ...brokenBy(line).map((number) => t("worst.breaks", { number }))].join("; ");
 }
 
 /**
- * How far the slope by hand is from the one that no line through all bars exceeds.
+ * How far the slope by hand is from the one that no feasible line exceeds.
  * @param {Lesson} lesson
  * @param {ByHand} line
  */
-function distance(lesson, { name, theta, passes }) {
+function distance(lesson, line) {
+  const { name, theta, passes } = line;
   const index = worstVertex(lesson, name);
   if (index === null) return lesson.fps.kind === "empty" ? "" : t(`worst.endless.${name}`);
   const exact = lesson.fps.vertices[index].theta[0];
   const short = name === "steepest" ? exact.minus(theta[0]) : theta[0].minus(exact);
-  if (short.isZero() && passes) return t(`worst.reached.${name}`);
-  const values = { by: { number: decimal(short.absolute(), 3) } };
-  if (short.sign() >= 0) return t(`worst.short.${name}`, values);
-  return t(`worst.beyond.${name}`, values);
+  const values = { conditions: conditionsOf(lesson), by: { number: decimal(short.absolute(), 3) } };
+  if (short.isZero()) return passes ? t(`worst.reached.${name}`, values) : t(`worst.equal.${name}`, { verdict: verdict(line) });
+  return t(`worst.${short.sign() > 0 ? "short" : "beyond"}.${name}`, values);
 }
 
 /**
@@ -73,7 +85,9 @@ function result(lesson, lines, isShown) {
   const middle = steepest.plus(shallowest).times(HALF);
   const half = steepest.minus(shallowest).times(HALF);
   const words = [t("worst.result", { middle: { number: decimal(middle) }, half: { number: decimal(half, 3) } })];
-  if (lines.some(({ passes }) => !passes)) words.push(t("worst.none-counts"));
+  const broken = [...new Set(lines.flatMap(brokenBy))].sort((p, q) => p - q);
+  if (lines.some(({ missed }) => missed.length > 0)) words.push(t("worst.none-counts"));
+  else if (broken.length > 0) words.push(t("worst.broken-counts", { broken: { list: broken } }));
   else if (half.sign() < 0) words.push(t("worst.swapped"));
   const ends = WORST.map((name) => worstVertex(lesson, name));
   if (isShown && ends.every((index) => index !== null)) {
@@ -87,16 +101,21 @@ function result(lesson, lines, isShown) {
 }
 
 /**
- * Why there is no line through all bars, and when there is one.
+ * Why there is no line through all bars, and when there is one. The conditions are named where the contradiction needs them.
  * @param {Lesson} lesson
  */
 function noLine(lesson) {
   if (lesson.fps.kind !== "empty") return "";
   const { minimax } = lesson.data.fit;
   const least = lesson.data.sweep?.least ?? null;
-  const words = [t("worst.no-line")];
-  if (lesson.epsilon !== null && minimax?.epsilon) words.push(t("worst.least-epsilon", { epsilon: { number: minimax.epsilon.decimal }, exact: minimax.epsilon.exact }));
-  else if (least !== null) words.push(t("worst.least-factor", { factor: { number: least.decimal }, exact: least.exact }));
+  const parts = conflict(lesson).map(({ index }) => lesson.halfPlanes[index]);
+  const numbers = [...new Set(parts.flatMap(({ name, reading }) => (reading === null ? [conditionNumber(name)] : [])))].sort((p, q) => p - q);
+  const needed = { conditions: { list: numbers } };
+  if (parts.length > 0 && parts.every(({ reading }) => reading === null)) return t("worst.no-line-at-all", needed);
+  const words = [numbers.length > 0 ? t("worst.no-line-within", needed) : t("worst.no-line")];
+  const conditions = conditionsOf(lesson);
+  if (lesson.epsilon !== null && minimax?.epsilon) words.push(t("worst.least-epsilon", { conditions, epsilon: { number: minimax.epsilon.decimal }, exact: minimax.epsilon.exact }));
+  else if (least !== null) words.push(t("worst.least-factor", { conditions, factor: { number: least.decimal }, exact: least.exact }));
   return words.join(" ");
 }
 
@@ -139,7 +158,7 @@ export function drawWorstLine(lesson, state) {
   }
   const lines = linesByHand(lesson, state);
   const good = lines.every(({ passes }) => passes);
-  byId("worst-sentence").textContent = (state.exactLines && noLine(lesson)) || (good ? t("worst.both-pass") : t("worst.task"));
+  byId("worst-sentence").textContent = (state.exactLines && noLine(lesson)) || (good ? t("worst.both-pass") : t("worst.task", { conditions: conditionsOf(lesson) }));
   const byHand = lines.map((line) =>
     row(t(`worst.${line.name}`), line.theta, verdict(line), {
       "data-by-hand": line.name,
