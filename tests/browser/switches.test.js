@@ -92,3 +92,44 @@ test("without a contradiction there is nothing to leave out", async () => {
   assert.equal(await page.locator("#outliers").textContent(), "");
   await close();
 });
+
+test("a point is judged by the half-planes that are there: without readings switched off, and as far as clipping went", async () => {
+  const file = join(tmpdir(), `boundfit-judged-${process.pid}.csv`);
+  writeFileSync(file, "x,y\n1,1\n2,2\n3,5\n4,4\n");
+  const { page, complaints, close } = await openLesson(browser, [file, "--x", "x", "--y", "y", "--eps", "0.1", "--where", "theta1 <= 1"]);
+  /** Chooses a point with small whole numbers as its parameters. */
+  const choose = (theta, changes) => page.evaluate(([own, others]) => {
+    const one = boundfit.store.lesson().fps.s;
+    const times = (count) => Array.from({ length: Math.abs(count) }, () => (count < 0 ? one.negated() : one)).reduce((sum, next) => sum.plus(next), one.minus(one));
+    boundfit.store.change({ ...others, selection: { kind: "point", theta: own.map(times) } });
+  }, [theta, changes]);
+  const told = async () => {
+    const place = page.locator("#violations");
+    const violated = await page.locator(".reading.violated").evaluateAll((marks) => marks.map(({ dataset }) => dataset.reading).join());
+    return [await place.getAttribute("data-count"), await place.textContent(), violated];
+  };
+  await choose([1, 0], { mode: "explore" });
+  assert.deepEqual(await told(), ["1", "Not feasible: 1 of 4 readings lies farther than ε from its line: reading 3 (above).", "3"]);
+  await choose([1, 0], { mode: "leave-one-out", without: [3] });
+  assert.deepEqual(await told(), ["0", "Feasible without reading 3: it agrees with everything else.", ""]);
+  await page.locator("#language").selectOption("de");
+  assert.equal((await told())[1], "Zulässig ohne Messung 3: Er passt zu allem anderen.");
+  await page.locator("#language").selectOption("it");
+  assert.equal((await told())[1], "Ammissibile senza la lettura 3: è compatibile con tutto il resto.");
+  await page.locator("#language").selectOption("en");
+  await choose([1, 0], { mode: "leave-one-out", without: [2, 3] });
+  assert.match((await told())[1], /^Feasible without readings 2 and 3:/);
+  await choose([2, 0], { mode: "leave-one-out", without: [2, 3] });
+  assert.deepEqual((await told()).slice(0, 2), ["2", "Not feasible: 2 of 2 readings lie farther than ε from its line: readings 1 (below) and 4 (below); it breaks theta1 <= 1."]);
+  // What was not added yet cuts nothing off.
+  await choose([2, 0], { mode: "clip", without: [], order: 0, step: 0 });
+  assert.deepEqual(await told(), ["0", "Feasible so far: it agrees with all half-planes that were added.", ""]);
+  const steps = await page.evaluate(() => boundfit.store.lesson().data.orders[0].steps.map(({ half_plane: index }) => boundfit.store.lesson().halfPlanes[index].name));
+  const upper = steps.findIndex(({ row, bound }) => row === 1 && bound === "upper");
+  await choose([2, 0], { mode: "clip", step: upper });
+  assert.equal(steps.slice(0, upper).some(({ row, bound }) => row === 1 && bound === "lower") || (await told())[2].split(",").includes("1"), false);
+  await choose([2, 0], { mode: "clip", step: upper + 1 });
+  assert.ok((await told())[2].split(",").includes("1"));
+  assert.deepEqual(complaints, []);
+  await close();
+});

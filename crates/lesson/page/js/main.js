@@ -226,7 +226,7 @@ function start() {
     if (choice?.kind !== "point") return withActive(lesson, scene, choice);
     return {
       ...choice,
-      violated: new Set(violations(lesson, choice.theta, scene.s).map(({ reading }) => reading.row)),
+      violated: new Set(violations(lesson, choice.theta, scene.region).map(({ reading }) => reading.row)),
     };
   }
 

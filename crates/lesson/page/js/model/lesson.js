@@ -352,15 +352,20 @@ export function shapingHalfPlanes(lesson, region) {
 }
 
 /**
- * The readings that a parameter point violates when every error bound is multiplied by s, and by how much.
+ * The readings that a parameter point violates by their half-planes in a region, with its error bounds, and by how much.
  * @param {Lesson} lesson
  * @param {Pair} theta
- * @param {Rational} s
+ * @param {Region} region
  */
-export function violations(lesson, theta, s) {
+export function violations(lesson, theta, region) {
+  const { s, without } = region;
+  const among = region.among === null ? null : new Set(region.among);
   return lesson.readings.flatMap((reading) => {
+    if (without.includes(reading.row)) return [];
+    /** @param {"upper" | "lower"} bound */
+    const end = (bound) => (among !== null && !among.has(reading.halfPlanes[bound] ?? -1) ? null : boundAt(reading, bound, s));
     const value = dot(reading.phi, theta);
-    const [upper, lower] = [boundAt(reading, "upper", s), boundAt(reading, "lower", s)];
+    const [upper, lower] = [end("upper"), end("lower")];
     const over = upper === null ? ZERO : value.minus(upper);
     const under = lower === null ? ZERO : lower.minus(value);
     const above = under.compare(over) > 0;

@@ -58,7 +58,7 @@ export function faultsOf(lesson, theta) {
   const broken = lesson.halfPlanes.filter(
     (halfPlane) => halfPlane.reading === null && dot(halfPlane.a, theta).compare(rightHandSide(halfPlane, ONE)) > 0,
   );
-  return { missed: violations(lesson, theta, ONE), broken };
+  return { missed: violations(lesson, theta, lesson.fps), broken };
 }
 
 /**

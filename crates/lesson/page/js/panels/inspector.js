@@ -2,7 +2,7 @@
 // What is under the pointer, the focus or the last click, explained.
 
 import { byId, element, patch } from "../dom.js";
-import { activeAt, boundAt, conflict, demands, hopeless, readingOfRow, violations } from "../model/lesson.js";
+import { activeAt, boundAt, conflict, demands, halfPlanesOf, hopeless, readingOfRow, violations } from "../model/lesson.js";
 import { boundText, conditionNumber, decimal, digitsFor, enumeration, plain, shortFraction, shortList, theBound, thetaName, vertexName } from "../model/format.js";
 import { numberWithFraction } from "./summary.js";
 import { ONE, dot } from "../model/rational.js";
@@ -121,21 +121,32 @@ function aboutReading(lesson, scene, row) {
 }
 
 /**
+ * What a feasible point agrees with: of the half-planes of the lesson those that are in the region.
+ * @param {Lesson} lesson
+ * @param {Region} region
+ */
+function feasible(lesson, { without, among, s }) {
+  if (among !== null) return t("point.feasible-so-far");
+  if (without.length > 0) return t("point.feasible-without", { rows: shortList(without) });
+  return t(s.equals(ONE) ? "point.feasible" : "point.feasible-here", { demands: demands(lesson) });
+}
+
+/**
  * @param {Lesson} lesson
  * @param {Scene} scene
  * @param {PointChoice} choice
  */
 function aboutPoint(lesson, scene, choice) {
-  const broken = violations(lesson, choice.theta, scene.s);
-  const conditions = lesson.halfPlanes.filter(
-    (h) => h.reading === null && dot(h.a, choice.theta).compare(h.b) > 0,
-  );
+  const { region } = scene;
+  const broken = violations(lesson, choice.theta, region);
+  const there = halfPlanesOf(lesson, region);
+  const conditions = there.filter((h) => h.reading === null && dot(h.a, choice.theta).compare(h.b) > 0);
   const rows = broken
     .slice(0, MOST_ROWS)
     .map(({ reading, above }) => t(above ? "point.above" : "point.below", { row: reading.row }));
   const far = t(lesson.isLine ? "point.far-line" : "point.far-two", {
     count: broken.length,
-    all: lesson.readings.length,
+    all: new Set(there.flatMap((h) => h.reading ?? [])).size,
     rows: { list: rows, more: Math.max(0, broken.length - MOST_ROWS) },
   });
   const breaks = t("point.breaks", { conditions: { list: conditions.map((h) => inequality(lesson, h, scene.s)) } });
@@ -148,7 +159,7 @@ function aboutPoint(lesson, scene, choice) {
       { id: "violations", "data-count": broken.length },
       faults.length > 0
         ? t("point.infeasible", { faults: faults.join("; ") })
-        : t(scene.s.equals(ONE) ? "point.feasible" : "point.feasible-here", { demands: demands(lesson) }),
+        : feasible(lesson, region),
     ),
   ];
 }
