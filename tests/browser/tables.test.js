@@ -289,6 +289,85 @@ test("what a table was taken for is said, where it is asked about and where it i
   await close();
 });
 
+test("1.500 is asked back where the page shows decimal commas, whatever was typed first", async () => {
+  /** @param {[number, number, string][]} typed */
+  const told = async (language, typed) => {
+    const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
+    await page.locator("#language").selectOption(language);
+    for (const [row, column, text] of typed) {
+      await page.locator(`[data-cell="${row} ${column}"]`).fill(text);
+      await page.locator(`[data-cell="${row} ${column}"]`).press("Tab");
+      await settled(page);
+    }
+    const problem = page.locator("#sheet-problem");
+    const words = (await problem.count()) === 0 ? "" : await problem.textContent();
+    const readings = await page.locator("#data-plane [data-reading]").count();
+    assert.deepEqual(complaints, []);
+    await close();
+    return [words, readings];
+  };
+  const asked = /^„1\.500“: ein Punkt, aber das Dezimalzeichen ist hier das Komma/;
+  for (const typed of [
+    [[0, 0, "1.500"], [0, 1, "2"], [1, 0, "2.500"], [1, 1, "4"]],
+    [[0, 1, "2,5"], [0, 0, "1.500"]],
+    [[0, 0, "1.500"], [0, 1, "2,5"]],
+  ]) {
+    const [words, readings] = await told("de", typed);
+    assert.match(words, asked);
+    assert.equal(readings, 0);
+  }
+  // A point that can only be a decimal mark says what the others are.
+  assert.deepEqual(await told("de", [[0, 0, "1.5"], [0, 1, "2"], [1, 0, "2.500"], [1, 1, "4"]]), ["", 2]);
+  assert.deepEqual(await told("de", [[0, 0, "1500"], [0, 1, "0.125"]]), ["", 1]);
+  assert.deepEqual(await told("en", [[0, 0, "1.500"], [0, 1, "2"]]), ["", 1]);
+});
+
+test("cells that are pasted with 1.500 and 1.25 have decimal points; with 1.500 alone they are asked back", async () => {
+  for (const [text, count] of [["1.500\t2\n2.25\t4", 2], ["2.25\t4\n1.500\t2", 2], ["1.500\t2\n2.250\t4", 0]]) {
+    const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
+    await page.locator("#language").selectOption("it");
+    await WAYS.cells(page, text);
+    await settled(page);
+    assert.equal(await page.locator("#data-plane [data-reading]").count(), count, text);
+    assert.equal(await page.locator("#sheet-problem").count(), count === 0 ? 1 : 0, text);
+    assert.deepEqual(complaints, []);
+    await close();
+  }
+});
+
+test("a header with digits that is pasted into a cell has the names of columns", async () => {
+  for (const names of [["U1", "I1"], ["x1", "y"], ["CO2", "T (°C)"], ["θ₁", "U/V 2"]]) {
+    const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
+    await WAYS.cells(page, `${names.join("\t")}\n1\t2\n2\t4.1\n3\t6\n`);
+    await page.waitForFunction((own) => boundfit.editor.sheet().columns[0] === own, names[0]);
+    await settled(page);
+    assert.deepEqual(await cells(page), ["1", "2", "2", "4.1", "3", "6"]);
+    assert.deepEqual(complaints, []);
+    await close();
+  }
+  const { page, close } = await openLesson(browser, PLAYGROUND);
+  await WAYS.cells(page, "1e3\t2e3\n2e3\t4e3");
+  await settled(page);
+  assert.deepEqual((await cells(page)).slice(0, 4), ["1e3", "2e3", "2e3", "4e3"], "numbers are no names");
+  await close();
+});
+
+test("names without rows are refused, and the readings stay", async () => {
+  const { page, complaints, close } = await openLesson(browser, WRITTEN);
+  await page.locator("#edit-toggle").click();
+  await page.locator("#paste summary").click();
+  await WAYS.box(page, "hello world");
+  await page.locator("#import-problem").waitFor();
+  assert.match(await page.locator("#import-problem").textContent(), /^There are names but no rows of numbers/);
+  await page.locator("#language").selectOption("de");
+  assert.match(await page.locator("#import-problem").textContent(), /^Es gibt Namen, aber keine Zeile mit Zahlen/);
+  assert.deepEqual(await cells(page), CELLS);
+  await page.locator("#import-cancel").click();
+  assert.equal(await page.locator("#undo").getAttribute("aria-disabled"), "true");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("a file that is no text is refused with the page's way out", async () => {
   const { page, close } = await openLesson(browser, PLAYGROUND);
   const file = join(tmpdir(), `boundfit-tables-${process.pid}.xlsx`);

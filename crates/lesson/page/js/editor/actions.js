@@ -213,6 +213,8 @@ export async function applyImport(bench) {
   try {
     const { sheet, notes } = await imported(bench.engine, from, bench.session.sheet());
     if (bench.pending !== from) return;
+    // The engine makes a lesson of names alone, for the empty page; here they would take the place of readings.
+    if (sheet.rows.length === 0) throw Object.assign(new Error(), { refusal: { kind: "no-rows", words: "" } });
     bench.pending = null;
     bench.taken = notes === null ? "" : notesOf(notes);
     bench.session.edit(sheet, t("edit.did.import", { file: from.file }));

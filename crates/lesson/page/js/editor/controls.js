@@ -12,6 +12,9 @@ import { refusalOf, sentenceOf } from "./refusals.js";
 import { usedRows, withBlock } from "./sheet.js";
 import { t } from "../texts.js";
 
+// A number with an exponent or a unit begins with a digit; names such as U1 and CO2 have theirs after a letter.
+const NAME = /^[^\p{L}\d.,]*\p{L}/u;
+
 /**
  * Connects the controls.
  * @param {Workbench} bench
@@ -147,7 +150,7 @@ function onPaste(bench, event) {
   event.preventDefault();
   bench.typing = null;
   const [at, k] = place.split(" ").map(Number);
-  const hasHeader = block.length > 1 && block[0].every((cell) => /\p{L}/u.test(cell) && !/\d/.test(cell));
+  const hasHeader = block.length > 1 && block[0].every((cell) => NAME.test(cell));
   const width = session.sheet().columns.length;
   const isOtherText = block.every((line) => line.length === 1) && /[;,|]|\S\s+\S/.test(block[0][0]) && width > 1;
   // What finds no column is asked about.
@@ -155,7 +158,7 @@ function onPaste(bench, event) {
   if (hasHeader || isOtherText || isTooWide) return void startImport(bench, text, t("edit.pasted"));
   let sheet = session.sheet();
   const cells = block.map((line) => line.map((cell) => {
-    const typed = typedIn(sheet, cell);
+    const typed = typedIn(sheet, cell, block.flat());
     sheet = typed.sheet;
     return typed.text;
   }));

@@ -50,16 +50,25 @@ export function withDecimalMark(cell, mark, sheet) {
 }
 
 /**
- * The sheet, and the text of a cell, once it is typed or pasted where the page shows decimal commas: 1,234 is no thousands there.
+ * The sheet, and the text of a cell, once it is typed or pasted where the page shows decimal commas: 1,234 is no thousands there, and
+ * 1.234 is asked back unless the cells have decimal points.
  * @param {Sheet} sheet
  * @param {string} text
+ * @param {string[]} [beside] the cells that are pasted with it
  * @returns {{ sheet: Sheet, text: string }}
  */
-export function typedIn(sheet, text) {
-  if (markIn(text) !== "," || !hasDecimalComma()) return { sheet, text };
+export function typedIn(sheet, text, beside = []) {
+  const mark = markIn(text);
+  if (mark === "" || !hasDecimalComma()) return { sheet, text };
+  const withComma = { ...sheet, request: { ...sheet.request, decimal: /** @type {DecimalMark} */ ("comma") } };
   const hasPoint = cellsIn(sheet).some((cell) => markIn(cell) === ".");
-  if (!hasPoint) return { sheet: { ...sheet, request: { ...sheet.request, decimal: "comma" } }, text };
-  return { sheet, text: markOf(sheet) === "point" && THOUSANDS.test(text.trim()) ? text.replace(",", ".") : text };
+  const isOpen = THOUSANDS.test(text.trim());
+  if (mark === ".") {
+    const isPoint = hasPoint || beside.some((cell) => markIn(cell) === "." && !THOUSANDS.test(cell));
+    return { sheet: isOpen && !isPoint ? withComma : sheet, text };
+  }
+  if (!hasPoint) return { sheet: withComma, text };
+  return { sheet, text: markOf(sheet) === "point" && isOpen ? text.replace(",", ".") : text };
 }
 
 /**
