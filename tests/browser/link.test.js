@@ -138,6 +138,59 @@ test("a link with a wrong key or value says what is wrong, in the language of th
   await close();
 });
 
+test("a damaged link keeps the readings that are shown, and says so", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.strip);
+  await page.locator("#edit-toggle").click();
+  await page.locator('[data-cell="0 1"]').fill("1.25");
+  await page.locator('[data-cell="0 1"]').press("Tab");
+  await settled(page);
+  const before = await page.evaluate(() => boundfit.editor.csv());
+  await page.evaluate(() => { location.hash = "ask=fit&x=x&y=y&eps=1&table=AAAA"; });
+  const notice = page.locator("#edit-notice:not([hidden])");
+  await notice.waitFor();
+  assert.match(await notice.textContent(), /it was cut or changed\. The page keeps what it shows\.$/);
+  for (const [language, words] of [["de", /abgeschnitten oder verändert\. Die Seite behält, was sie zeigt\.$/], ["it", /tagliato o modificato\. La pagina mantiene ciò che mostra\.$/]]) {
+    await page.locator("#language").selectOption(language);
+    assert.match(await notice.textContent(), words);
+  }
+  assert.equal(await page.evaluate(() => boundfit.editor.csv()), before);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("readings in the address outlive a look at half-planes", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.strip);
+  await page.locator("#edit-toggle").click();
+  await page.locator('[data-cell="0 1"]').fill("1.25");
+  await page.locator('[data-cell="0 1"]').press("Tab");
+  await settled(page);
+  // At once: the readings are written only later.
+  await page.locator('[data-view-choice="half-planes"]').click();
+  await page.waitForURL(/#view=half-planes&.*&ask=fit&/);
+  await page.locator("#plane-text").fill("x >= 1\ny >= 1");
+  await page.waitForURL(/planes=x\+%3E%3D\+1%0A.*&ask=fit&.*table=/);
+  const csv = await page.evaluate(() => boundfit.editor.csv());
+  assert.match(csv, /1\.25/);
+  await page.reload();
+  await page.evaluate(() => boundfit.editor.settled());
+  assert.equal(await page.locator("body").getAttribute("data-view"), "half-planes");
+  assert.equal(await page.locator("#plane-text").inputValue(), "x >= 1\ny >= 1");
+  assert.equal(await page.evaluate(() => boundfit.editor.csv()), csv);
+  await page.waitForTimeout(1000);
+  assert.match(page.url(), /#view=half-planes&.*&ask=fit&.*table=/);
+  await page.locator('[data-view-choice="readings"]').click();
+  await page.waitForURL(/#ask=fit&/);
+  await page.reload();
+  await settled(page);
+  assert.equal(await page.evaluate(() => boundfit.editor.csv()), csv);
+  // What is said of half-planes alone is about no readings.
+  await page.evaluate(() => { location.hash = "view=half-planes&planes=x+>=+0&step=9"; });
+  await page.waitForTimeout(600);
+  assert.equal(await page.locator("#edit-notice").textContent(), "");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("links of older versions are refused, and the page says what to do", async () => {
   const { page, complaints, close } = await openLesson(browser, DATA.transducer);
   for (const words of ["readings-1.AAAA", "tab=clip&order=1&step=4", "layers=pui-box"]) {

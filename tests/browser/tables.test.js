@@ -368,6 +368,53 @@ test("names without rows are refused, and the readings stay", async () => {
   await close();
 });
 
+test("a pasted table has no name of one language, and what is said of it follows the language of the page", async () => {
+  const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
+  const says = async (selector, words) => {
+    for (const [language, expected] of Object.entries(words)) {
+      await page.locator("#language").selectOption(language);
+      assert.equal(await page.locator(selector).textContent(), expected);
+    }
+  };
+  await page.locator("#language").selectOption("de");
+  await WAYS.box(page, "x;y;z\n1;2,5;3\n2;4,1;3\n3;6,2;3\n");
+  await page.locator("#import").waitFor();
+  await says("#import legend", { it: "Scegli le colonne della tabella incollata", en: "Choose columns of the pasted table", de: "Welche Spalten der eingefügten Tabelle?" });
+  await page.locator("#import-apply").click();
+  await page.locator("#import").waitFor({ state: "detached" });
+  await settled(page);
+  assert.match(await page.locator("#status").textContent(), /^Die eingefügte Tabelle wurde übernommen\. /);
+  await says("#title", { de: "y gegen x", it: "y in funzione di x", en: "y against x" });
+  assert.doesNotMatch(await page.locator("#provenance").textContent(), /Tabelle|table|input/);
+  await says("#edit-taken", {
+    de: "Gelesen als: Namen in Zeile 1, Spalten durch Semikolons getrennt und Dezimalkomma.",
+    en: "Read as: names in line 1, columns separated by semicolons and decimal comma.",
+  });
+  await page.locator("#language").selectOption("de");
+  await WAYS.box(page, " ");
+  await page.locator("#edit-notice:not([hidden])").waitFor();
+  await says("#edit-notice", { de: "Eingefügte Tabelle: Die Tabelle ist leer", en: "Pasted table: There is nothing in the table", it: "Tabella incollata: La tabella è vuota" });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("tables with two empty lines between them are refused with a way out", async () => {
+  const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
+  await WAYS.box(page, "x;y\n1;2\n2;4\n\n\n3;6\n4;8\n");
+  const said = page.locator("#import-problem, #edit-notice:not([hidden])").first();
+  await said.waitFor();
+  for (const [language, words] of [
+    ["en", /\. Two empty lines in a row separate tables: delete them\.$/],
+    ["de", /\. Zwei Leerzeilen hintereinander trennen Tabellen: Bitte die Leerzeilen löschen\.$/],
+    ["it", /\. Due righe vuote di seguito separano le tabelle: eliminarle\.$/],
+  ]) {
+    await page.locator("#language").selectOption(language);
+    assert.match(await said.textContent(), words);
+  }
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("a file that is no text is refused with the page's way out", async () => {
   const { page, close } = await openLesson(browser, PLAYGROUND);
   const file = join(tmpdir(), `boundfit-tables-${process.pid}.xlsx`);

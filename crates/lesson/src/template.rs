@@ -40,6 +40,7 @@ const MODULES: &[(&str, &str)] = &[
     module!("editor/sheet.js"),
     module!("editor/table-notes.js"),
     module!("engine.js"),
+    module!("fragment-parts.js"),
     module!("main.js"),
     module!("model/format.js"),
     module!("model/intersection.js"),

@@ -440,7 +440,8 @@ interface ReadingEdits {
 /** A table whose columns are being chosen. */
 interface Import {
   table: string | Uint8Array;
-  file: string;
+  /** The name of the file; null for a table that was pasted. */
+  file: string | null;
   columns: string[];
   /** Whether the table has these names, and they were not made. */
   hasHeader: boolean;
@@ -472,9 +473,10 @@ interface Workbench {
   /** What is being typed, and where: it is not to be drawn over. */
   typing: { place: string, text: string } | null;
   pending: Import | null;
-  notice: string;
+  /** What went wrong, said in the language that the page has when it is drawn. */
+  notice: (() => string) | null;
   /** What the table that was taken in last was taken for. */
-  taken: string;
+  taken: TableData | null;
   /** The address with the readings; null for readings that are too many for one. */
   link: string | null;
   /** The link that is being followed. */

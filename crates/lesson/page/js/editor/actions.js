@@ -7,7 +7,6 @@ import { columnsOf, guessed, imported } from "./importing.js";
 import { typedIn } from "./marks.js";
 import { movedSheet, newCells } from "./moving.js";
 import { refusalOf, sentenceOfTable } from "./refusals.js";
-import { notesOf } from "./table-notes.js";
 import { isSameSheet, usedRows, withCell, withFitted, withRequest, withoutRowAt } from "./sheet.js";
 import { cellText, withMark } from "../model/table.js";
 import { hasDecimalComma, numberText, t } from "../texts.js";
@@ -69,7 +68,7 @@ export function readingEdits({ session, store }) {
  */
 export function press(bench, what) {
   const { session } = bench;
-  [bench.notice, bench.taken] = ["", ""];
+  [bench.notice, bench.taken] = [null, null];
   bench.typing = null;
   if (what === "undo") session.undo(t("edit.did.undo"));
   else if (what === "redo") session.redo(t("edit.did.redo"));
@@ -157,17 +156,17 @@ function numberAt(sheet, at) {
  * Begins to take a table; at once where it is clear which column is which.
  * @param {Workbench} bench
  * @param {string | Uint8Array} table
- * @param {string} file
+ * @param {string | null} file null for a table that was pasted
  */
 export async function startImport(bench, table, file) {
-  [bench.notice, bench.taken] = ["", ""];
+  [bench.notice, bench.taken] = [null, null];
   try {
     const { columns, header, numeric, table: notes } = await columnsOf(bench.engine, table, file, {});
     const { choice, isSure } = guessed(columns, numeric, bench.session.sheet());
     bench.pending = { table, file, columns, hasHeader: header, notes, choice, how: {}, skip: false, problem: null };
     if (isSure) return await applyImport(bench);
   } catch (error) {
-    bench.notice = t("problem-at.file", { file, problem: sentenceOfTable(refusalOf(error)) });
+    bench.notice = () => t("problem-at.file", { file: file ?? t("edit.pasted"), problem: sentenceOfTable(refusalOf(error)) });
   }
   bench.draw();
   showImport();
@@ -216,8 +215,8 @@ export async function applyImport(bench) {
     // The engine makes a lesson of names alone, for the empty page; here they would take the place of readings.
     if (sheet.rows.length === 0) throw Object.assign(new Error(), { refusal: { kind: "no-rows", words: "" } });
     bench.pending = null;
-    bench.taken = notes === null ? "" : notesOf(notes);
-    bench.session.edit(sheet, t("edit.did.import", { file: from.file }));
+    bench.taken = notes;
+    bench.session.edit(sheet, from.file === null ? t("edit.did.import-pasted") : t("edit.did.import", { file: from.file }));
   } catch (error) {
     if (bench.pending === from) bench.pending = { ...from, problem: refusalOf(error) };
   }
@@ -234,6 +233,6 @@ export async function readFile(bench, file) {
   // A folder that is dropped looks like a file, but has no content.
   const content = isSmall ? await file.arrayBuffer().catch(() => null) : null;
   if (content !== null) return startImport(bench, new Uint8Array(content), file.name);
-  bench.notice = t(isSmall ? "edit.unreadable" : "edit.too-large", { file: file.name, count: LARGEST_FILE });
+  bench.notice = () => t(isSmall ? "edit.unreadable" : "edit.too-large", { file: file.name, count: LARGEST_FILE });
   bench.draw();
 }

@@ -4,6 +4,7 @@
 import { fragmentOf, linkOf } from "./fragment.js";
 import { isOtherLook, lookOf, stateOfLook } from "./look.js";
 import { refusalOf, refusedWords, sentenceOf } from "./refusals.js";
+import { readingsPart, withReadings } from "../fragment-parts.js";
 import { csvOf, isSameSheet, pageOf, requestOf, sheetOf } from "./sheet.js";
 import { t } from "../texts.js";
 
@@ -39,11 +40,12 @@ export async function writeAddress(bench) {
   const fragment = words ? `#${words}` : "";
   const { href, pathname, search } = location;
   bench.link = words === null ? null : href.split("#")[0] + fragment;
-  if (!isElsewhere()) history.replaceState(null, "", fragment || `${pathname}${search}`);
+  if (isElsewhere()) history.replaceState(null, "", `#${withReadings(location.hash.slice(1), words ?? "")}`);
+  else history.replaceState(null, "", fragment || `${pathname}${search}`);
   bench.draw();
 }
 
-/** Half-planes that stand in the place of the readings have the address, keys and files of their own. */
+/** Half-planes that stand in the place of the readings have keys and files of their own, and a part of the address. */
 export function isElsewhere() {
   return document.body.dataset.view === "half-planes";
 }
@@ -62,12 +64,12 @@ export function connectAddress(bench) {
 
 /** @param {Workbench} bench */
 function followAddress(bench) {
-  const words = location.hash.slice(1);
+  const words = readingsPart(location.hash.slice(1));
   // The link past the header names a part of the page.
-  if (words === "" || words.startsWith("view=") || document.getElementById(words) !== null) return;
-  bench.notice = "";
+  if (words === "" || document.getElementById(words) !== null) return;
+  bench.notice = null;
   const following = readAddress(bench, words).catch((error) => {
-    bench.notice = sentenceOf(refusalOf(error));
+    bench.notice = () => sentenceOf(refusalOf(error));
   }).finally(() => {
     if (bench.following === following) bench.following = null;
     bench.draw();
@@ -86,12 +88,12 @@ async function readAddress(bench, words) {
   const { session, store } = bench;
   const link = await linkOf(words);
   if (link instanceof Error) {
-    bench.notice = t(`edit.link-${link.message}`);
+    bench.notice = () => t(`edit.link-${link.message}`);
     return;
   }
   const sheet = await sheetOfLink(bench, link);
   if (sheet instanceof Error) {
-    bench.notice = t("edit.link-refused", { problem: refusedWords(refusalOf(sheet)) });
+    bench.notice = () => t("edit.link-refused", { problem: refusedWords(refusalOf(sheet)) });
     return;
   }
   if (sheet !== null && !isSameSheet(sheet, session.right())) session.edit(sheet, t("edit.did.link"));

@@ -56,12 +56,12 @@ function onButton(bench, { id, dataset }) {
   if (dataset.edit !== undefined) return press(bench, dataset.edit);
   if (dataset.delete !== undefined) return deleteAt(bench, Number(dataset.delete));
   if (dataset.export !== undefined) return exported(bench, dataset.export);
-  bench.notice = "";
-  if (id !== "edit-toggle") bench.taken = "";
+  bench.notice = null;
+  if (id !== "edit-toggle") bench.taken = null;
   if (id === "edit-toggle") bench.isOpen = !bench.isOpen;
   else if (id === "edit-back") bench.session.edit(bench.own, t("edit.did.back"));
   else if (id === "edit-example") takeExample(bench);
-  else if (id === "paste-use") startImport(bench, byId("paste-text").value, t("edit.pasted"));
+  else if (id === "paste-use") startImport(bench, byId("paste-text").value, null);
   else if (id === "import-apply") applyImport(bench);
   else if (id === "import-cancel") bench.pending = null;
   bench.draw();
@@ -72,9 +72,9 @@ function onButton(bench, { id, dataset }) {
  * @param {string} kind
  */
 async function exported(bench, kind) {
-  bench.notice = "";
+  bench.notice = null;
   await takeAway(bench.engine, bench.session.right(), kind).catch((error) => {
-    bench.notice = sentenceOf(refusalOf(error));
+    bench.notice = () => sentenceOf(refusalOf(error));
   });
   bench.draw();
 }
@@ -155,7 +155,7 @@ function onPaste(bench, event) {
   const isOtherText = block.every((line) => line.length === 1) && /[;,|]|\S\s+\S/.test(block[0][0]) && width > 1;
   // What finds no column is asked about.
   const isTooWide = block.some((line) => line.slice(width - k).some((cell) => cell !== ""));
-  if (hasHeader || isOtherText || isTooWide) return void startImport(bench, text, t("edit.pasted"));
+  if (hasHeader || isOtherText || isTooWide) return void startImport(bench, text, null);
   let sheet = session.sheet();
   const cells = block.map((line) => line.map((cell) => {
     const typed = typedIn(sheet, cell, block.flat());
@@ -192,6 +192,6 @@ function connectDropping(bench) {
     if (isElsewhere() || (file === undefined && !text.includes("\n"))) return;
     event.preventDefault();
     if (file !== undefined) readFile(bench, file);
-    else startImport(bench, text, t("edit.pasted"));
+    else startImport(bench, text, null);
   });
 }

@@ -21,15 +21,21 @@ const TABLE_ANSWERS = { header: ["auto", "yes", "no"], decimal: ["auto", "point"
 const WORDS_OF_MARKS = new Map([[".", "point"], [",", "comma"], [" ", "blank"], ["'", "apostrophe"]]);
 
 /**
+ * The key of the request for the name of a file. A table that was pasted has none: a name would stay in one language.
+ * @param {string | null} file
+ */
+const named = (file) => (file === null ? {} : { file });
+
+/**
  * Reads the names of the columns of a table, whether it has them from a header, and which of them have numbers.
  * @param {Engine} engine
  * @param {string | Uint8Array} table
- * @param {string} file
+ * @param {string | null} file
  * @param {Record<string, any>} how the table is written, as far as it was said
  * @returns {Promise<{ columns: string[], header: boolean, numeric: boolean[] | null, table: TableData | null }>}
  */
 export async function columnsOf(engine, table, file, how) {
-  return JSON.parse(await engine.ask("columns", table, { file, ...how }));
+  return JSON.parse(await engine.ask("columns", table, { ...named(file), ...how }));
 }
 
 /**
@@ -98,7 +104,7 @@ export async function imported(engine, from, sheet) {
   const isOwn = [eps_column, lower, upper].some(Boolean);
   const bounds = { ...(eps_column ? { eps_column } : {}), ...(lower ? { lower } : {}), ...(upper ? { upper } : {}) };
   const options = {
-    file,
+    ...named(file),
     ...how,
     x: v ? [x, v] : x,
     ...(y ? { y } : {}),
@@ -170,7 +176,7 @@ export function importForm(from) {
   return element(
     "fieldset",
     { id: "import", class: "controls" },
-    element("legend", {}, t("edit.which-columns", { file })),
+    element("legend", {}, file === null ? t("edit.which-columns-pasted") : t("edit.which-columns", { file })),
     PURPOSES.map(list),
     element("p", { id: "import-notes" }, element("small", {}, notes === null ? "" : notesOf(notes))),
     waysOf(from),

@@ -20,6 +20,7 @@ import { importForm } from "./importing.js";
 import { questionForm } from "./question-form.js";
 import { createSession } from "./session.js";
 import { commandOf, csvOf, isSameSheet, requestOf, sheetOf, usedRows, withRequest } from "./sheet.js";
+import { notesOf } from "./table-notes.js";
 import { kindText } from "../model/format.js";
 import { readLesson } from "../model/lesson.js";
 import { t } from "../texts.js";
@@ -41,7 +42,7 @@ export function connectEditor(engine, store, current) {
   const own = isBlank ? withRoom(sheetOf(data)) : sheetOf(data);
   const bench = /** @type {Workbench} */ ({
     engine, store, current, own, isBlank,
-    isOpen: isBlank, isSlow: false, typing: null, pending: null, notice: "", taken: "", link: location.href, following: null, focusOn: null,
+    isOpen: isBlank, isSlow: false, typing: null, pending: null, notice: null, taken: null, link: location.href, following: null, focusOn: null,
   });
   bench.draw = () => drawEditor(bench);
   bench.session = createSession(engine, own, data, {
@@ -145,9 +146,9 @@ function drawEditor(bench) {
       element("small", { id: "edit-changed", hidden: !isChanged || isBlank }, t("edit.changed")),
       element("small", { id: "edit-busy", hidden: !bench.isSlow }, t("edit.busy")),
     ),
-    element("p", { id: "edit-notice", class: "problem", role: "alert", hidden: bench.notice === "" }, bench.notice),
+    element("p", { id: "edit-notice", class: "problem", role: "alert", hidden: bench.notice === null }, bench.notice?.() ?? ""),
     element("p", { id: "edit-problem", hidden: !isApart }, isApart && problem !== null ? problemNote(problem) : ""),
-    element("p", { id: "edit-taken", hidden: bench.taken === "" }, element("small", {}, bench.taken)),
+    element("p", { id: "edit-taken", hidden: bench.taken === null }, element("small", {}, bench.taken === null ? "" : notesOf(bench.taken))),
     element("div", { id: "edit-import" }, pending === null ? null : importForm(pending)),
     element("div", { id: "edit-open", hidden: !isOpen }, isOpen ? openParts(bench) : []),
     exportParts(bench),

@@ -9,10 +9,11 @@
 //   #objective-arrow             exact data-c1, data-c2; #objective-1 #objective-2; #objective-proof #objective-ways
 //   #plane-first #plane-back #plane-forward #plane-last #plane-step   steps of clipping, or pivots; #simplex-table
 //   #exercise-list [data-exercise="0"], #exercise [data-field="0"], #exercise-check, #exercise-verdict[data-right]
-// The fragment of the page's address says what is shown: #view=half-planes&planes=…&c=…&seed=…
+// The fragment of the page's address says what is shown: #view=half-planes&planes=…&c=…&seed=…, then what it says of the readings
 
 import { all, byId, element, patch, rove } from "../dom.js";
 import { engine } from "../engine.js";
+import { readingsPart, withReadings } from "../fragment-parts.js";
 import { takePicture } from "../picture.js";
 import { t, wordsOfError } from "../texts.js";
 import { drawHalfPlanes } from "./drawing.js";
@@ -212,7 +213,7 @@ function rememberPlanes(state) {
   remembering = setTimeout(() => {
     if (document.body.dataset.view !== "half-planes") return;
     const words = new URLSearchParams({ view: "half-planes", tab: state.tab, planes: state.text, c: state.objective.join(" "), seed: state.seed });
-    history.replaceState(null, "", `#${words}`);
+    history.replaceState(null, "", `#${withReadings(`${words}`, readingsPart(location.hash.slice(1)))}`);
   }, 300);
 }
 
