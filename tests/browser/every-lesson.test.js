@@ -108,6 +108,23 @@ for (const look of LOOKS) {
   });
 }
 
+test("conditions have the decimal mark of the language in the conflict and in the questions", async () => {
+  for (const conditions of [["theta1>=1.5", "theta1<=0.5"], ["theta1>=2.25"], ["theta1<=1.05"]]) {
+    const options = [...SPECIAL.badCondition.slice(0, -2), ...conditions.flatMap((condition) => ["--where", condition])];
+    const { page, complaints, close } = await openLesson(browser, options);
+    await page.locator("#language").selectOption("de");
+    for (const summary of await page.locator("details summary").all()) await summary.evaluate((one) => { one.parentElement.open = true; });
+    const words = await page.evaluate(() => {
+      for (const code of document.querySelectorAll("code, input, noscript")) code.remove();
+      return document.querySelector("main").innerText;
+    });
+    assert.match(words, /theta1[<>]=\d,\d/);
+    assert.doesNotMatch(words, /theta1[<>]=\d\.\d/, conditions.join());
+    assert.deepEqual(complaints, []);
+    await close();
+  }
+});
+
 test("the live region says what changed, in the language of the page", async () => {
   const { page, complaints, close } = await openLesson(browser, DATA.transducer);
   const status = () => page.locator("#status").textContent();

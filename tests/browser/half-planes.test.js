@@ -88,6 +88,52 @@ test("what is typed is drawn as the engine says, and what cannot be read is name
   assert.equal(await note(5), "redundant");
   await type(page, "x<=1\n".repeat(61));
   assert.match(await page.locator("#plane-refused").textContent(), /61 half-planes are too many/);
+  // The refusal says what becomes of the picture, and follows the language.
+  const before = await corners(page);
+  for (const [language, words] of [
+    ["en", "61 half-planes are too many for a picture, which has at most 60; an equation counts twice. The picture keeps the set before."],
+    ["de", "61 Halbebenen sind zu viele für ein Bild, das höchstens 60 hat; eine Gleichung zählt doppelt. Das Bild behält die Menge von vorher."],
+    ["it", "61 semipiani sono troppi per una figura, che ne ha al massimo 60; un’equazione conta doppio. La figura mantiene l’insieme di prima."],
+  ]) {
+    await page.locator("#language").selectOption(language);
+    assert.equal(await page.locator("#plane-refused").textContent(), words);
+  }
+  assert.deepEqual(await corners(page), before);
+});
+
+test("decimals of half-planes have the mark of the language, wherever they are said", async () => {
+  const page = await open("0,5x + y <= 2,5\nx >= 0\ny >= 0");
+  await page.locator("#language").selectOption("de");
+  await page.locator('[data-plane-line="0"]').focus();
+  await page.keyboard.press("Enter");
+  assert.match(await page.locator("#plane-chosen").textContent(), /0,5x \+ y <= 2,5/);
+  assert.match(await page.locator('[data-plane-line="0"]').getAttribute("aria-label"), /0,5x \+ y <= 2,5/);
+  await page.locator("#plane-tab-clip").click();
+  await page.locator("#plane-forward").click();
+  assert.match(await sentence(page), /0,5x \+ y <= 2,5/);
+});
+
+test("one of a thing is said as one: a vertex, a ray, a proof", async () => {
+  const page = await open("x >= 0\ny >= 0", "clip");
+  await page.locator("#plane-last").click();
+  assert.match(await sentence(page), /New vertex: \(0; 0\)|New vertex: \(0, 0\)/);
+  await type(page, "x >= 0\ny = 0");
+  await page.locator("#plane-tab-set").click();
+  assert.match(await page.locator("#plane-story").textContent(), /in the direction \(/);
+  await page.locator("#language").selectOption("de");
+  assert.match(await page.locator("#plane-story").textContent(), /in der Richtung \(/);
+  await page.locator("#language").selectOption("en");
+  await type(page, "x >= 0\ny >= 0");
+  assert.match(await page.locator("#plane-story").textContent(), /in the directions \(.*\) and \(/);
+  // One proof, to which 0 <= 0 can be added any number of times.
+  await type(page, "x = 1\ny <= 2\ny >= 0");
+  await page.locator("#plane-tab-objective").click();
+  await page.locator("#objective-1").fill("0");
+  await page.locator("#objective-2").fill("1");
+  await settled(page);
+  const ways = page.locator("#objective-ways");
+  assert.deepEqual([await ways.getAttribute("data-count"), await ways.getAttribute("data-unique")], ["1", "false"]);
+  assert.equal(await ways.textContent(), "The multipliers are not unique: half-planes that add up to 0 ≤ 0 can be added to them.");
 });
 
 test("a line is drawn, moved, turned, flipped and deleted with the mouse", async () => {

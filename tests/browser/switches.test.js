@@ -93,6 +93,35 @@ test("without a contradiction there is nothing to leave out", async () => {
   await close();
 });
 
+test("how far an end moves is rounded up, whether one reading is off or several", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.transducer);
+  const moves = async (without) => {
+    await page.evaluate((rows) => boundfit.store.change({ mode: "leave-one-out", without: rows }), without);
+    return page.locator("[data-moved]").evaluateAll((rows) => rows.map((row) => [row.dataset.by, row.lastElementChild.textContent]));
+  };
+  const { matter, idle } = await page.evaluate(() => {
+    const [all, kept] = [[...boundfit.store.lesson().matters], (own) => own.map(([row]) => row)];
+    return { matter: kept(all.filter(([, matters]) => matters)), idle: kept(all.filter(([, matters]) => !matters)) };
+  });
+  let compared = 0;
+  for (const row of matter) {
+    const alone = await moves([row]);
+    for (const [by, text] of alone) {
+      if (by === "" || by === "0") continue;
+      assert.ok(Rational.parseDecimal(text.replaceAll("\u2212", "-")).compare(Rational.parse(by)) >= 0, `${text} is at least ${by}`);
+    }
+    for (const other of idle.slice(0, 4)) {
+      const both = await moves([row, other].sort((p, q) => p - q));
+      if (`${both.map(([by]) => by)}` !== `${alone.map(([by]) => by)}`) continue;
+      assert.deepEqual(both, alone, `${row} and ${other}`);
+      compared += 1;
+    }
+  }
+  assert.ok(compared >= 4, `${compared}`);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("a point is judged by the half-planes that are there: without readings switched off, and as far as clipping went", async () => {
   const file = join(tmpdir(), `boundfit-judged-${process.pid}.csv`);
   writeFileSync(file, "x,y\n1,1\n2,2\n3,5\n4,4\n");

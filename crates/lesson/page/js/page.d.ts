@@ -329,6 +329,7 @@ type TextValue =
   | (Description | string)[]
   | { text: string; values?: TextValues }
   | { number: string }
+  | { formula: string }
   | { list: TextValue[]; by?: string; more?: number };
 
 type TextValues = Record<string, TextValue>;

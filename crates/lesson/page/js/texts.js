@@ -208,6 +208,7 @@ function saidValue(value) {
   if ("tag" in value) return [value];
   if ("text" in value) return rich(value.text, value.values);
   if ("number" in value) return [numberText(value.number)];
+  if ("formula" in value) return [formulaText(value.formula)];
   const items = value.list.map(saidValue);
   if (value.more) items.push(rich("list.more", { count: value.more }));
   const [between, last] = [value.by ?? "list.comma", value.by ?? "list.and"].map(wordsOf);

@@ -57,7 +57,7 @@ pub(super) fn pair(numbers: &[Rational; 2]) -> Message {
 /// A half-plane: `the upper bound of reading 14`, `the condition theta1 >= 0`.
 pub(crate) fn bound(name: BoundName, problem: &Problem) -> Message {
     let of_condition = |number: usize, written: &str, numbered: &str| match condition(number, problem) {
-        Some(condition) => text!(written, condition: condition.text().to_string()),
+        Some(condition) => text!(written, condition: Value::formula(condition.text().to_string())),
         None => text!(numbered, number: number),
     };
     match name {
@@ -136,7 +136,7 @@ pub(super) fn never(name: BoundName, problem: &Problem) -> Message {
     match name.condition() {
         Some(number) => match condition(number, problem) {
             Some(condition) => {
-                text!("wording.numbered-condition", number: number, condition: condition.text().to_string())
+                text!("wording.numbered-condition", number: number, condition: Value::formula(condition.text().to_string()))
             }
             None => text!("wording.condition-number", number: number),
         },

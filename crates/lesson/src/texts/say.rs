@@ -92,8 +92,22 @@ impl Speaker {
             Value::Plain(text) => self.plain(text),
             Value::Text(message) => self.message(message),
             Value::Number { number } => number.replace('.', self.language.decimal_mark()),
+            Value::Formula { formula } => self.plain(&self.formula(formula)),
             Value::List { list, by, more } => self.list(list, by.as_deref(), *more),
         }
+    }
+
+    /// A formula with the decimal mark of the language in place of the points before digits.
+    fn formula(self, formula: &str) -> String {
+        let mut rest = formula.chars().peekable();
+        let mut said = String::with_capacity(formula.len());
+        while let Some(letter) = rest.next() {
+            match letter {
+                '.' if rest.peek().is_some_and(char::is_ascii_digit) => said += self.language.decimal_mark(),
+                letter => said.push(letter),
+            }
+        }
+        said
     }
 
     fn list(self, list: &[Value], by: Option<&str>, more: usize) -> String {

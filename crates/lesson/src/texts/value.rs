@@ -27,6 +27,11 @@ pub(crate) enum Value {
         /// The number with a point.
         number: String,
     },
+    /// A condition or half-plane as it was given, its decimals with the mark of the language.
+    Formula {
+        /// The formula with points.
+        formula: String,
+    },
     /// Several values: "a, b and c".
     List {
         /// The values.
@@ -76,6 +81,11 @@ impl Value {
         Value::Number { number: number.into() }
     }
 
+    /// A condition as it was given, with points before decimals.
+    pub(crate) fn formula(formula: impl Into<String>) -> Self {
+        Value::Formula { formula: formula.into() }
+    }
+
     /// Values within a sentence: "a, b and c"; of more than eight the first seven.
     pub(crate) fn listed<T: Into<Value>>(values: impl IntoIterator<Item = T>) -> Self {
         let mut list: Vec<Value> = values.into_iter().map(Into::into).collect();
@@ -95,7 +105,7 @@ impl Value {
         match self {
             Value::Count(count) => *count,
             Value::List { list, more, .. } => list.len() + more,
-            Value::Plain(_) | Value::Text(_) | Value::Number { .. } => 1,
+            Value::Plain(_) | Value::Text(_) | Value::Number { .. } | Value::Formula { .. } => 1,
         }
     }
 }

@@ -69,7 +69,8 @@ impl Facts<'_> {
         let phi = if self.is_line() { "introduction.phi-line" } else { "introduction.phi-two" };
         let phi = values.iter().fold(Message::new(phi), |phi, (name, value)| phi.with(name, value.clone()));
         let conditions = &self.problem.conditions;
-        let within = Value::listed(conditions.iter().map(|condition| condition.text().to_string()));
+        let within =
+            Value::listed(conditions.iter().map(|condition| Value::formula(condition.text().to_string())));
         let within: Value =
             if conditions.is_empty() { "".into() } else { text!("conditions.within", list: within).into() };
         values.extend([

@@ -178,7 +178,7 @@ function aboutConflict(lesson) {
   const named = ({ index }, text) => {
     const { name, reading } = lesson.halfPlanes[index];
     return reading === null
-      ? `${text(name)} (${conditions[conditionNumber(name) - 1].text})`
+      ? `${text(name)} (${formulaText(conditions[conditionNumber(name) - 1].text)})`
       : text(name);
   };
   const what = enumeration(terms.map((term) => named(term, theBound)));

@@ -154,7 +154,7 @@ function effect(lesson, state, scene) {
   const ends = ENDS.map(({ parameter, axis, end }) => {
     const moved = entry?.moved.find((move) => move.parameter === parameter && move.end === end);
     const exact = movedBy(before[axis][end], after === null ? null : after[axis][end]);
-    const by = exact === null ? t("switch.to-infinity") : exact.isZero() ? t("switch.not-at-all") : numberText(moved?.by?.decimal ?? decimal(exact));
+    const by = exact === null ? t("switch.to-infinity") : exact.isZero() ? t("switch.not-at-all") : numberText(moved?.by?.decimal ?? decimal(exact, 5, "up"));
     return element(
       "tr",
       {

@@ -169,7 +169,7 @@ function planeLines(state, answer, set, map) {
     const attributes = {
       class: classesOf(state, answer, set, index), "data-plane-line": index, role: isFixed ? "img" : "button", tabindex: isFixed ? null : index === focused ? 0 : -1,
       // Of an exercise that is not solved yet nothing is told.
-      "aria-label": t(halfPlane.redundant === null || set === null ? "polytope.line" : "polytope.line-redundant", { name, text: halfPlane.text }),
+      "aria-label": t(halfPlane.redundant === null || set === null ? "polytope.line" : "polytope.line-redundant", { name, text: { formula: halfPlane.text } }),
       "aria-pressed": isFixed ? null : `${state.chosen === index}`,
     };
     if (ends === null) return element("g", attributes);

@@ -92,12 +92,12 @@ export function drawPlaneEditor(state) {
   patch(byId("plane-names"), notes.map(({ name, wrong }) => element("span", { class: wrong ? "wrong" : "" }, name || "\u00a0")));
   patch(byId("plane-notes"), notes.map(({ note, wrong }, k) => element("span", { class: wrong ? "wrong" : "", "data-note-line": k + 1, title: note }, note || "\u00a0")));
   const { chosen, answer } = state;
-  const hasChosen = chosen !== null && answer?.half_planes[chosen] !== undefined;
+  const hasChosen = chosen !== null && answer !== null && answer.half_planes[chosen] !== undefined;
   byId("plane-delete").disabled = !hasChosen;
   byId("plane-flip").disabled = !hasChosen;
   byId("plane-draw").setAttribute("aria-pressed", `${state.drawing}`);
-  byId("plane-chosen").textContent = hasChosen && answer !== null ? t("polytope.chosen", { name: planeName(answer, /** @type {number} */ (chosen)), text: answer.half_planes[/** @type {number} */ (chosen)].text }) : t("polytope.none-chosen");
-  byId("plane-refused").textContent = state.refused ?? "";
+  byId("plane-chosen").textContent = hasChosen ? t("polytope.chosen", { name: planeName(answer, chosen), text: { formula: answer.half_planes[chosen].text } }) : t("polytope.none-chosen");
+  byId("plane-refused").textContent = state.refused?.() ?? "";
   state.objective.forEach((value, axis) => {
     const field = byId(`objective-${axis + 1}`);
     const typed = typedNumber(field.value);

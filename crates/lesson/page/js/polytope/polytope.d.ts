@@ -126,7 +126,7 @@ interface PolytopeState {
   answered: string | null;
   errors: PolytopeData["errors"];
   /** What the engine refused. */
-  refused: string | null;
+  refused: (() => string) | null;
   seed: string;
   /** The exercise that is shown, by index. */
   exercise: number;

@@ -3,7 +3,7 @@
 
 import { engine } from "../engine.js";
 import { ONE, Rational } from "../model/rational.js";
-import { currentLanguage, wordsOfError } from "../texts.js";
+import { currentLanguage, t, wordsOfError } from "../texts.js";
 import { exercisesOf } from "./exercises.js";
 import { halfPlaneText } from "./half-planes.js";
 import { freshSeed } from "./random.js";
@@ -97,12 +97,28 @@ export function connectPolytopeEngine(store) {
         if (own !== latest) return;
         // A vertex that is no longer there.
         if (store.get().start !== null) store.change({ start: null });
-        else store.change({ refused: wordsOfError(error) });
+        else store.change({ refused: () => refusedPlanes(error) });
       },
     );
   };
   store.subscribe(update);
   return update;
+}
+
+// The engine says in English what is more than a picture can show; the page has words of its own for it.
+const TOO_MANY = /^(\d+) half-planes are too many for a picture \(the limit is (\d+);/;
+const TOO_LONG = /^\d+ bytes of half-planes are too many \(the limit is (\d+)\)/;
+
+/**
+ * Why there is no answer, and what the picture shows then.
+ * @param {unknown} error
+ */
+function refusedPlanes(error) {
+  const words = wordsOfError(error);
+  const [, count, most] = TOO_MANY.exec(words) ?? [];
+  if (count !== undefined) return t("polytope.too-many", { count, most });
+  const [, longest] = TOO_LONG.exec(words) ?? [];
+  return longest === undefined ? words : t("polytope.too-long", { most: longest });
 }
 
 /**

@@ -76,7 +76,7 @@ export function redundancySentence(answer, index, redundant) {
 export function clipSentence(state, answer) {
   if (state.step === 0) return t("polytope.step-none");
   const step = answer.steps[state.step - 1];
-  const { text } = answer.half_planes[step.half_plane];
+  const text = { formula: answer.half_planes[step.half_plane].text };
   const name = planeName(answer, step.half_plane);
   const kind = kindOfPlanes(step.set);
   if (step.redundant !== null) {
@@ -88,8 +88,8 @@ export function clipSentence(state, answer) {
   const listed = (points) => shortEnumeration(points.map((point) => pairText(exactPair(point))));
   return [
     t("polytope.step-cut", { name, text, kind }),
-    step.born.length > 0 ? t("polytope.step-born", { corners: listed(step.born) }) : "",
-    step.lost.length > 0 ? t("polytope.step-lost", { corners: listed(step.lost) }) : "",
+    step.born.length > 0 ? t("polytope.step-born", { count: step.born.length, corners: listed(step.born) }) : "",
+    step.lost.length > 0 ? t("polytope.step-lost", { count: step.lost.length, corners: listed(step.lost) }) : "",
   ].filter(Boolean).join(" ");
 }
 
@@ -131,7 +131,7 @@ export function proofStory(answer) {
     element("p", { id: "objective-proof", "data-proof": JSON.stringify(proof) }, t("polytope.proof-sum", { sum: sumText(answer, proof), form, value: fractionText(Rational.parse(objective.value)) })),
     element("table", { class: "sum" }, element("tbody", {}, rows, element("tr", { class: "total" },
       element("th", { scope: "row" }, t("polytope.sum")), element("td", {}), element("td", {}, `${form} ≤ ${fractionText(Rational.parse(objective.value))}`)))),
-    element("p", { id: "objective-ways", "data-count": ways.count, "data-unique": `${ways.unique}` }, t(ways.unique ? "polytope.proof-unique" : "polytope.proof-ways", { count: ways.count })),
+    element("p", { id: "objective-ways", "data-count": ways.count, "data-unique": `${ways.unique}` }, t(ways.unique ? "polytope.proof-unique" : ways.count === 1 ? "polytope.proof-and-nothing" : "polytope.proof-ways", { count: ways.count })),
     others.length > 0 ? element("ul", {}, others) : null,
     element("p", { class: "hint" }, t("polytope.cone-hint")),
   ];
@@ -201,7 +201,7 @@ export function setStory(answer) {
   return [
     corners.length > 0 ? element("table", {}, element("thead", {}, element("tr", {}, element("th", { scope: "col" }, t("polytope.corner-head")), element("th", { scope: "col" }, t("polytope.active-head")))), element("tbody", {}, corners)) : null,
     set.area === null || set.kind === "empty" ? null : element("p", {}, t("polytope.area", { area: exactValue(set.area) })),
-    rays.length > 0 ? element("p", {}, t("polytope.rays", { rays: rays.join(", ") })) : null,
+    rays.length > 0 ? element("p", {}, t("polytope.rays", { rays: { list: rays } })) : null,
     idle.length > 0 ? element("ul", { class: "points" }, idle) : null,
   ];
 }

@@ -55,7 +55,7 @@ export function connectHalfPlanes(page, onReadings) {
   connectPlaneSteps(store);
   for (const button of all("[data-plane-picture]")) {
     button.addEventListener("click", () => {
-      takePicture(svg.id, "half-planes", button.dataset.planePicture ?? "svg").catch((error) => store.change({ refused: wordsOfError(error) }));
+      takePicture(svg.id, "half-planes", button.dataset.planePicture ?? "svg").catch((error) => store.change({ refused: () => wordsOfError(error) }));
     });
   }
   store.subscribe((state, before) => {
