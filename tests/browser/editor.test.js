@@ -626,6 +626,35 @@ test("a page without readings: the example, a pasted table, a link", async () =>
   await close();
 });
 
+test("the cells come first for the eye and for the Tab key where there are no readings, and keep the focus when there are some", async () => {
+  const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
+  const order = () => page.evaluate(() => {
+    const parts = ["#start", "#introduction", "#planes", ".tables"].map((own) => document.querySelector(own)).filter((own) => own.checkVisibility());
+    const names = (all) => all.map((own) => own.id || own.className);
+    const inText = [...parts].sort((p, q) => (p.compareDocumentPosition(q) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1));
+    const seen = [...parts].sort((p, q) => p.getBoundingClientRect().top - q.getBoundingClientRect().top);
+    return [names(inText), names(seen)];
+  });
+  const empty = ["start", "tables", "introduction", "planes"];
+  assert.deepEqual(await order(), [empty, empty]);
+  await typed(page, 0, 0, "1");
+  await cell(page, 0, 1).focus();
+  await page.keyboard.type("2");
+  await page.keyboard.press("Tab");
+  await settled(page);
+  const full = ["introduction", "planes", "tables"];
+  assert.deepEqual(await order(), [full, full]);
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.fitted), "0", "the focus stays");
+  // Undo stands among the pictures, which move.
+  await page.locator("#undo").focus();
+  await page.keyboard.press("Enter");
+  await settled(page);
+  assert.deepEqual(await order(), [empty, empty]);
+  assert.equal(await page.evaluate(() => document.activeElement.id), "undo");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("in every language the editor has its own words", async () => {
   const { page, complaints, close } = await opened(DATA.transducer);
   for (const [language, words] of [["de", "Messungen bearbeiten"], ["it", "Modifica le letture"], ["en", "Edit readings"]]) {

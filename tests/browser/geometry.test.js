@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 
-import { launch, openLesson } from "./harness.js";
+import { DATA, launch, openLesson } from "./harness.js";
 
 let browser;
 
@@ -89,3 +89,30 @@ for (const [k, options] of FITS.entries()) {
     }
   });
 }
+
+test("the names at the ends of bars that meet a vertex do not cover each other", async () => {
+  for (const width of [360, 1280]) {
+    const { page, complaints, close } = await openLesson(browser, DATA.transducer, { width });
+    for (const language of ["de", "it", "en"]) {
+      await page.locator("#language").selectOption(language);
+      for (const index of [0, 1, 2, 3, 4, 5]) {
+        await page.evaluate((own) => boundfit.store.change({ selection: { kind: "vertex", index: own } }), index);
+        const ends = await boxes(page, ".end-label");
+        const where = `${width} px, ${language}, vertex ${index + 1}`;
+        assert.equal(ends.length, 2, where);
+        assert.deepEqual(overlapping(ends), [], where);
+      }
+    }
+    assert.deepEqual(complaints, []);
+    await close();
+  }
+});
+
+test("on low screens the buttons leave the pictures their room", async () => {
+  for (const [width, height, position] of [[640, 360, "static"], [640, 450, "static"], [390, 844, "sticky"], [360, 560, "sticky"]]) {
+    const { page, close } = await openLesson(browser, DATA.transducer, { width, height });
+    for (const panel of ["#panel-clip", "#plane-panel"])
+      assert.equal(await page.locator(panel).evaluate((part) => getComputedStyle(part).position), position, `${panel} at ${width} × ${height}`);
+    await close();
+  }
+});

@@ -101,6 +101,27 @@ test("what is typed is drawn as the engine says, and what cannot be read is name
   assert.deepEqual(await corners(page), before);
 });
 
+test("a narrow screen is as wide as the view, and cells of the simplex table are one line", async () => {
+  const page = await open(null, "set", { width: 360, height: 640 });
+  for (const language of ["de", "it", "en"]) {
+    await page.locator("#language").selectOption(language);
+    for (const tab of TABS) {
+      await page.locator(`#plane-tab-${tab}`).click();
+      await settled(page);
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 360, `${language} ${tab}`);
+      if (tab !== "simplex") continue;
+      await page.locator("#plane-last").click();
+      const lines = await page.locator("#simplex-table td").evaluateAll((all) => all.map((cell) => {
+        const range = document.createRange();
+        range.selectNodeContents(cell);
+        return new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size;
+      }));
+      assert.ok(lines.length > 5 && lines.every((count) => count <= 1), `${language}: ${lines}`);
+      await page.locator("#plane-first").click();
+    }
+  }
+});
+
 test("decimals of half-planes have the mark of the language, wherever they are said", async () => {
   const page = await open("0,5x + y <= 2,5\nx >= 0\ny >= 0");
   await page.locator("#language").selectOption("de");

@@ -66,6 +66,7 @@ const MODULES: &[(&str, &str)] = &[
     module!("planes/corridor.js"),
     module!("planes/data-frame.js"),
     module!("planes/data-plane.js"),
+    module!("planes/end-labels.js"),
     module!("planes/interaction.js"),
     module!("planes/parameter-plane.js"),
     module!("planes/parameter-view.js"),

@@ -93,8 +93,11 @@ function titled(name, note, room) {
 /** @type {CanvasRenderingContext2D | null} */
 let ruler = null;
 
-/** @param {string} text */
-function textWidth(text) {
+/**
+ * The width of a text in the letters of the pictures.
+ * @param {string} text
+ */
+export function textWidth(text) {
   if (ruler === null) {
     ruler = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d"));
     ruler.font = `${AXIS_FONT} ${getComputedStyle(document.body).fontFamily}`;

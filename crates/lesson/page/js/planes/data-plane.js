@@ -7,6 +7,7 @@ import { axes, mark, pathThrough, plotArea, round } from "./axes.js";
 import { screenMap } from "./view.js";
 import { automaticDataView, dataFrame } from "./data-frame.js";
 import { bounded, boxEnvelopes, corridorPath, curvePath } from "./corridor.js";
+import { endLabels } from "./end-labels.js";
 import { worstLines } from "./worst-lines.js";
 import { activeAt, boundAt, readingOfRow } from "../model/lesson.js";
 import { plain, withUnit } from "../model/format.js";
@@ -138,35 +139,23 @@ function chosenLine(lesson, state, scene, frame, map) {
     return element("path", { class: "curve of-point", d: curvePath(lesson, chosen.theta, frame, map) });
   if (chosen?.kind !== "vertex" || chosen.index >= scene.region.vertices.length) return element("path");
   const { theta } = scene.region.vertices[chosen.index];
-  /** @type {Place[]} */
-  const labelled = [];
-  const ends = activeAt(lesson, scene.region, chosen.index)
-    .flatMap(({ row, bound }) => (row === null ? [] : [{ row, bound }]))
-    .map((name) => {
-      const reading = readingOfRow(lesson, name.row);
-      const end = boundAt(reading, name.bound === "upper" ? "upper" : "lower", scene.s) ?? reading.y;
-      const [x, y] = map.to([frame.across(reading), frame.height(reading.phi, end)]);
-      // Labels of readings at the same place would cover each other.
-      const free = labelled.every(([px, py]) => Math.hypot(px - x, py - y) > 12);
-      if (free) labelled.push([x, y]);
-      const label = free ? t("data-plane.end", { row: name.row }) : "";
-      const above = name.bound === "upper" ? -14 : 22;
-      const anchor =
-        x > map.area.left + map.area.width - 40 ? "end" : x < map.area.left + 40 ? "start" : "middle";
-      return [
-        mark("ring", [x, y], { class: "active-end" }),
-        element(
-          "text",
-          { class: "end-label", x: round(x), y: round(y + above), "text-anchor": anchor },
-          label,
-        ),
-      ];
-    });
+  const ends = activeAt(lesson, scene.region, chosen.index).flatMap(({ row, bound: name }) => {
+    if (row === null) return [];
+    const bound = /** @type {"upper" | "lower"} */ (name === "upper" ? "upper" : "lower");
+    const reading = readingOfRow(lesson, row);
+    const end = boundAt(reading, bound, scene.s) ?? reading.y;
+    const place = map.to([frame.across(reading), frame.height(reading.phi, end)]);
+    return [{ place, bound, text: t("data-plane.end", { row }) }];
+  });
+  const labels = endLabels(ends, map.area).map(({ text, x, y, anchor }) =>
+    element("text", { class: "end-label", x: round(x), y: round(y), "text-anchor": anchor }, text),
+  );
   return element(
     "g",
     {},
     element("path", { class: "curve of-vertex", d: curvePath(lesson, theta, frame, map) }),
-    ends,
+    ends.map(({ place }) => mark("ring", place, { class: "active-end" })),
+    labels,
   );
 }
 
