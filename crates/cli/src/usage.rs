@@ -95,7 +95,7 @@ fn with_tips(mut error: clap::Error) -> clap::Error {
                 let tip = format!("limits have one option: '--limit {}=N'", Foreign::of(limit_of(name)));
                 error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![StyledStr::from(tip)]));
             }
-            // Of plot; `next` has it.
+            // An option of `next`, which `plot` has not.
             if asked == "--within" || asked.starts_with("--within=") {
                 error.remove(ContextKind::SuggestedArg);
                 let tip = StyledStr::from(WITHIN);

@@ -84,8 +84,8 @@ impl<T: AsRef<str>> Foreign<T> {
         }
     }
 
-    /// The text as a label of a picture or a page shows it: on one line, with a space for blanks of any kind, and without soft
-    /// hyphens and the selectors behind emoji. Text that other programs wrote has these without anybody's intention.
+    /// The text as a label of a picture or a page shows it, on one line. A space stands for blanks of any kind. Soft hyphens and the
+    /// selectors behind emoji are not there: text from other programs has them without anybody's intention.
     ///
     /// ```
     /// use boundfit_exact::Foreign;

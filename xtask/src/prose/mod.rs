@@ -137,8 +137,11 @@ fn compare(bless: bool) -> Result<(), String> {
 /// Lists the faults of some folders or files.
 fn list(folders: &[String]) -> Result<(), String> {
     let found = all()?;
-    let is_asked =
-        |found: &&Found| folders.iter().any(|folder| found.place.starts_with(folder.trim_end_matches('/')));
+    // The folder "." has the files at the top alone.
+    let is_asked = |found: &&Found| {
+        let is_in = |folder: &str| found.place.starts_with(folder) || found.folder == folder;
+        folders.iter().any(|folder| is_in(folder.trim_end_matches('/')))
+    };
     for Found { place, fault, sentence, .. } in found.iter().filter(is_asked) {
         println!("{place}: {fault}: {sentence}");
     }

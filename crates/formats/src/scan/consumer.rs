@@ -1,4 +1,4 @@
-//! What becomes of the batches of a scan.
+//! Consumers of the batches of a scan.
 
 use std::any::Any;
 
