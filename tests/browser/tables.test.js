@@ -384,6 +384,8 @@ test("a pasted table has no name of one language, and what is said of it follows
   await page.locator("#import").waitFor({ state: "detached" });
   await settled(page);
   assert.match(await page.locator("#status").textContent(), /^Die eingefügte Tabelle wurde übernommen\. /);
+  await page.locator("#language").selectOption("de");
+  assert.equal(await page.title(), "y gegen x");
   await says("#title", { de: "y gegen x", it: "y in funzione di x", en: "y against x" });
   assert.doesNotMatch(await page.locator("#provenance").textContent(), /Tabelle|table|input/);
   await says("#edit-taken", {

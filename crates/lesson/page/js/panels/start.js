@@ -24,13 +24,13 @@ function placeTables(isFirst) {
  * Says what to do where there are no readings; after the titles are filled in.
  * @param {Lesson} lesson
  */
-export function drawStart({ readings, data }) {
+export function drawStart({ readings }) {
   const isEmpty = readings.length === 0;
   document.body.toggleAttribute("data-empty", isEmpty);
   placeTables(isEmpty);
   byId("start").hidden = !isEmpty;
   byId("start").textContent = isEmpty ? t("start.how") : "";
-  document.title = isEmpty ? t("start.title") : data.title;
+  document.title = isEmpty ? t("start.title") : byId("title").textContent;
   if (!isEmpty) return;
   byId("title").textContent = t("start.title");
   byId("provenance").textContent = t("start.provenance");
