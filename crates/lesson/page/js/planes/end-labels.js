@@ -6,7 +6,8 @@ import { textWidth } from "./axes.js";
 /** From an end to the base line of its name, beyond the end of the bar. */
 const NAME_BASE = { upper: -14, lower: 22 };
 /** Letters of 13 pixels above and below their base line, with a little room. */
-const [NAME_ABOVE, NAME_BELOW] = [13, 5];
+const NAME_ABOVE = 13;
+const NAME_BELOW = 5;
 const NAME_ROOM = 4;
 /** A name that begins or ends at its bar covers the width of the mark. */
 const NAME_ASIDE = 6;
