@@ -29,6 +29,13 @@ def cells(values: Any, name: str, reading: str = "decimal") -> Any:
             return values
         case "astropy" | "pint":
             _refuse_unit(values, name)
+    mask = getattr(values, "mask", None)
+    if mask is not None and not callable(mask) and hasattr(values, "__array__"):
+        # Masked columns of other libraries hand out a buffer in which masked cells have numbers.
+        import numpy
+
+        data = getattr(values, "unmasked", getattr(values, "data", values))
+        return _of_numpy(numpy.ma.MaskedArray(numpy.asarray(data), mask=numpy.asarray(mask)), name, reading)
     if isinstance(values, (bytearray, memoryview)) or (hasattr(values, "__buffer__") and not isinstance(values, bytes)):
         if memoryview(values).format[:1] not in "<>=!":
             return values

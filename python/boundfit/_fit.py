@@ -261,7 +261,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         if text is None:
             raise ValueError("the readings come from a file, which proofs are about as it is")
         if path is not None:
-            with open(path, "wb") as file:
+            with open(os.fspath(path), "wb") as file:
                 file.write(text)
         return text
 
@@ -354,7 +354,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
     def lesson(self, path: str | os.PathLike[str], *, title: str | None = None) -> None:
         """Writes the web page that teaches about these readings."""
         page = _boundfit.lesson(self._core, title)
-        with open(path, "w", encoding="utf-8", newline="\n") as file:
+        with open(os.fspath(path), "w", encoding="utf-8", newline="\n") as file:
             file.write(page)
 
     def __repr__(self) -> str:

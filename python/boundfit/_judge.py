@@ -98,6 +98,9 @@ def _rows(matrix: Any, ends: Any, name: str) -> list[tuple[list[Any], Any]]:
     if matrix is None or ends is None:
         raise ValueError(f"A_{name} and b_{name} belong together")
     matrix, ends = rows_of(matrix, f"A_{name}"), numbers_of(ends, f"b_{name}")
+    for place, end in enumerate(ends):
+        if end is None:
+            raise ValueError(f"b_{name}[{place}] is missing: expected a number; leave the row out if nothing bounds it")
     if len(matrix) != len(ends):
         raise ValueError(f"A_{name} has {len(matrix)} rows, but b_{name} has {len(ends)}")
     return list(zip(matrix, ends, strict=True))

@@ -19,14 +19,14 @@ def verify(proof: str | bytes | os.PathLike[str], data: str | os.PathLike[str] |
         if not proof.lstrip().startswith("{"):
             raise ValueError("proof: these bytes are no JSON: expected those of a proof, or the path of its file as a str")
     if not isinstance(proof, str) or not proof.lstrip().startswith("{"):
-        with open(proof, encoding="utf-8") as file:
+        with open(os.fspath(proof), encoding="utf-8") as file:
             proof = file.read()
     if isinstance(data, (bytearray, memoryview)):
         data = bytes(data)
     if not isinstance(data, bytes):
         if isinstance(data, str) and "\n" in data:
             raise ValueError("data is the text of a table: expected its bytes, as text.encode() or fit.to_csv(), or the path of its file")
-        with open(data, "rb") as table:
+        with open(os.fspath(data), "rb") as table:
             data = table.read()
     false = _boundfit.verify(proof, data)
     if false is not None:

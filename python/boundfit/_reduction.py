@@ -397,7 +397,7 @@ class Reduction:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the reduction as a file."""
-        with open(path, "wb") as file:
+        with open(os.fspath(path), "wb") as file:
             file.write(self.text)
 
     def __repr__(self) -> str:

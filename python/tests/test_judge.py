@@ -104,3 +104,11 @@ def test_claims_about_intervals() -> None:
     assert judged[3].exact == Fraction(1, 2) and judged[3].claimed == Fraction(0.7)
     with pytest.raises(ValueError, match=r"^claim=\(3,\): expected two ends of each parameter"):
         boundfit.check(fit, [(1, 2), (3,)])
+
+
+@pytest.mark.parametrize("ends", [[4, None], numpy.ma.array([4, 6], mask=[0, 1])])
+def test_a_missing_right_hand_side_is_refused(ends):
+    with pytest.raises(ValueError, match=r"b_ub\[1\] is missing"):
+        boundfit.judge([-1, -1], [[1, 2], [3, 1]], ends)
+    with pytest.raises(ValueError, match=r"b_eq\[0\] is missing"):
+        boundfit.judge([-1, -1], A_eq=[[1, 2]], b_eq=[None])

@@ -126,3 +126,28 @@ def test_what_has_no_meaning_is_refused_by_name(call: Callable[[], Any], words: 
 
 def test_one_reading_is_one() -> None:
     assert repr(boundfit.fit([0], [0], 1)).startswith("<boundfit.Fit of 1 reading: strip")
+
+
+class Masked:
+    """As the masked columns of astropy: an array whose masked cells have numbers."""
+
+    def __init__(self, values, mask):
+        self.data, self.mask = numpy.array(values), numpy.array(mask)
+
+    def __array__(self, dtype=None, copy=None):
+        return self.data
+
+
+def test_masked_cells_of_other_libraries_are_missing():
+    y = Masked([1.0, 9999.0, 3.0], [False, True, False])
+    with pytest.raises(ValueError, match="row 2, column 2"):
+        boundfit.fit([0, 1, 2], y, 1)
+    fit = boundfit.fit([0, 1, 2], y, 1, missing="skip")
+    assert fit.to_csv() == b"x,y\n0,1.0\n1,NaN\n2,3.0\n"
+
+
+def test_a_number_is_no_path():
+    fit = boundfit.fit([0, 1], [0, 1], 1)
+    for write in (fit.to_csv, fit.lesson, lambda path: boundfit.verify(fit.proof(), path)):
+        with pytest.raises(TypeError):
+            write(1)

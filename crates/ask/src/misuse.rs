@@ -81,6 +81,9 @@ misuses! {
         "{confidence} is about error bounds above 0: a reading with the bound 0 leaves no room for another one",
     /// The groups of a fleet are fitted as if x had no errors.
     FleetOfXErrors: "{x_eps} is about a single set, and a fleet has one for each group",
+    /// The question takes every x for exact.
+    ExactX: "{x_eps} says how large the errors of x may be, and this question takes every x for exact: only a fit answers with \
+                 errors in x",
     /// Nothing is to be predicted.
     NothingToPredict: "nothing is to be predicted: expected {at}, {grid} or {from}",
     /// Two regressors have no single x that a reading may come from.

@@ -11,6 +11,7 @@ use crate::fit::Fit;
 use crate::fleet::Fleet;
 use crate::form::{Form, Paper, Written};
 use crate::linearity::Linearity;
+use crate::misuse::Misuse;
 use crate::next::Next;
 use crate::outliers::Outliers;
 use crate::predict::Predict;
@@ -104,7 +105,16 @@ macro_rules! questions {
             /// When a value makes no sense, or values exclude or need each other.
             pub fn resolve(&self, readings: &Readings, reading: Reading) -> Result<Asked, Refusal> {
                 let has_bounds = match self { $(Request::$question(_) => $question::HAS_BOUNDS),* };
-                if has_bounds { readings.resolve(reading) } else { readings.resolve_without_bounds(reading) }
+                let resolved = match has_bounds {
+                    true => readings.resolve(reading),
+                    false => readings.resolve_without_bounds(reading),
+                };
+                let asked = resolved?;
+                // A fleet says it in its own words.
+                if asked.x_errors.is_some() && !matches!(self, Request::FitXErrors(_) | Request::Fleet(_)) {
+                    return Err(Refusal::Misuse(Misuse::ExactX));
+                }
+                Ok(asked)
             }
 
             /// The question of this name, with these keys.

@@ -199,6 +199,22 @@ impl Measurements {
         &self.meaning.response
     }
 
+    /// The name of the error in formulas: `e`, unless a column beside it has that name.
+    pub fn error_name(&self) -> &'static str {
+        let regressors = match self.model() {
+            Model::Line { x } => std::slice::from_ref(x),
+            Model::TwoRegressors { regressors } => regressors,
+        };
+        let bound = match self.error_bound() {
+            ErrorBound::Column(column) => Some(column),
+            _ => None,
+        };
+        let is_taken = |name: &str| {
+            regressors.iter().chain([self.response()]).chain(bound).any(|column| column.raw() == name)
+        };
+        ["e", "error", "noise"].into_iter().find(|name| !is_taken(name)).unwrap_or("residual")
+    }
+
     /// Returns whether the response is a column, and not only a name for what lies between two bounds.
     pub fn has_response(&self) -> bool {
         self.meaning.has_response

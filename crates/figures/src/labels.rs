@@ -102,28 +102,30 @@ pub(crate) fn subtitle(problem: &Problem, options: &PlotOptions) -> String {
 pub(crate) fn model(problem: &Problem) -> String {
     let measurements = &problem.measurements;
     let y = one_line(measurements.response(), LONGEST_NAME);
+    let e = measurements.error_name();
     match measurements.model() {
         Model::Line { x } => {
             let form = measurements.line_form();
             let x = counted_x(problem, x);
             let x = if form.x_origin.is_zero() { x } else { format!("({x})") };
             let offset = if form.through_origin { "" } else { " + θ₂" };
-            format!("{y} = θ₁·{x}{offset} + e")
+            format!("{y} = θ₁·{x}{offset} + {e}")
         }
         Model::TwoRegressors { regressors: [first, second] } => {
             let [first, second] = [first, second].map(|name| one_line(name, LONGEST_NAME));
-            format!("{y} = θ₁·{first} + θ₂·{second} + e")
+            format!("{y} = θ₁·{first} + θ₂·{second} + {e}")
         }
     }
 }
 
 /// The error bound.
 pub(crate) fn bound(problem: &Problem, options: &PlotOptions) -> String {
+    let e = problem.measurements.error_name();
     match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => uniform_bound(problem, epsilon, options),
-        ErrorBound::Column(column) => format!("|e| ≤ {} of each row", one_line(column, LONGEST_NAME)),
+        ErrorBound::Column(column) => format!("|{e}| ≤ {} of each row", one_line(column, LONGEST_NAME)),
         ErrorBound::Law(law) if law.is_asymmetric() => format!("y {}", one_line(law.text(), LONGEST_NAME)),
-        ErrorBound::Law(law) => format!("|e| ≤ {}", one_line(law.text(), LONGEST_NAME)),
+        ErrorBound::Law(law) => format!("|{e}| ≤ {}", one_line(law.text(), LONGEST_NAME)),
         ErrorBound::Interval { lower, upper } => {
             let [lower, upper] =
                 [lower, upper].map(|name| name.as_ref().map(|name| one_line(name, LONGEST_NAME)));
@@ -138,6 +140,7 @@ pub(crate) fn bound(problem: &Problem, options: &PlotOptions) -> String {
 
 /// A bound that is the same for all readings, with how it was asked for.
 fn uniform_bound(problem: &Problem, epsilon: &Rational, options: &PlotOptions) -> String {
+    let e = problem.measurements.error_name();
     let unit = unit(&options.y_unit).map(|unit| format!(" {unit}")).unwrap_or_default();
     let multiple = problem.measurements.multiple_of_least().map(|multiple| {
         let factor = number(&multiple.factor, BOUND_DIGITS, Rounding::Nearest);
@@ -146,11 +149,11 @@ fn uniform_bound(problem: &Problem, epsilon: &Rational, options: &PlotOptions) -
     let read = epsilon.shortest_of_f64().filter(|_| epsilon.exact_decimal(BOUND_DIGITS).is_none());
     match (multiple, read) {
         // A few digits are enough of what nobody wrote.
-        (Some(multiple), _) => format!("|e| ≤ {}{unit}{multiple}", number(epsilon, 5, Rounding::Up)),
+        (Some(multiple), _) => format!("|{e}| ≤ {}{unit}{multiple}", number(epsilon, 5, Rounding::Up)),
         (None, Some(read)) => {
-            format!("|e| ≤ {}{unit} (as a double)", number(&read, BOUND_DIGITS, Rounding::Up))
+            format!("|{e}| ≤ {}{unit} (as a double)", number(&read, BOUND_DIGITS, Rounding::Up))
         }
-        (None, None) => format!("|e| ≤ {}{unit}", number(epsilon, BOUND_DIGITS, Rounding::Up)),
+        (None, None) => format!("|{e}| ≤ {}{unit}", number(epsilon, BOUND_DIGITS, Rounding::Up)),
     }
 }
 

@@ -73,7 +73,8 @@ impl Series<'_> {
         // The number is not known where it is asked for.
         let multiple = self.problem.measurements.multiple_of_least();
         let bound = multiple.map_or_else(String::new, |multiple| {
-            format!(" (|e| ≤ {})", labels::number(&multiple.bound(), 5, Rounding::Up))
+            let (e, bound) = (self.problem.measurements.error_name(), multiple.bound());
+            format!(" (|{e}| ≤ {})", labels::number(&bound, 5, Rounding::Up))
         });
         name + &bound
     }

@@ -116,6 +116,7 @@ impl Referee {
         let mut judgement = Judgement {
             verdict: Verdict::Exact,
             exact: self.exact_end(axis, end),
+            is_empty: matches!(self.truth(axis, end), ExactOutcome::Infeasible { .. }),
             claimed: None,
             rounded_to: None,
             excess: None,

@@ -95,6 +95,8 @@ pub struct Judgement {
     pub verdict: Verdict,
     /// The true end; `None` when there is none.
     pub exact: Option<Rational>,
+    /// True if there is no true end because no point is feasible.
+    pub is_empty: bool,
     /// The claimed end.
     pub claimed: Option<Rational>,
     /// The rounding that explains a rounded claim.

@@ -7,10 +7,10 @@ use boundfit_exact::{Endpoint, Foreign, Interval, Rational, Reading, Rounding};
 use boundfit_lp::{End, Judgement, Multiplier, PuiEnd, Refutation, RoundedTo, ToleranceUnit, Verdict};
 
 use crate::document::{Block, Document, Inline, Table, Text};
-use crate::feasible::feasible_point;
+use crate::feasible::{feasible_point, witness};
 use crate::fit::assumption;
 use crate::formula::{absurdity, pair, products};
-use crate::style::{Shown, Style};
+use crate::style::Style;
 use crate::table_json::{rows_left_out, table_words};
 
 /// The report of a check about the readings of this file. `reading` is that of the data.
@@ -39,7 +39,7 @@ pub fn check_document(
         for end in PuiEnd::ALL {
             let (judgement, name) = (end.of(&answer.bounds), heading(end));
             let judged_by = received.as_ref().filter(|_| answer.reading != reading).unwrap_or(&check.rows);
-            if let Some(reason) = reason(judgement, judged_by, style) {
+            if let Some(reason) = reason(judgement, end.axis(), judged_by, style) {
                 let verdict = format!(", {}: {name}: {}: ", answer.reading.name(), judgement.verdict.name());
                 findings.push(Text::new().given(&answer.source).words(verdict).then(reason));
             }
@@ -197,11 +197,13 @@ fn answer_row(answer: &JudgedAnswer, styles: &[Style; 2]) -> Vec<Text> {
             }
             _ => judgement.verdict.name().to_owned(),
         };
-        let style = telling(judgement, &styles[end.axis()]);
-        row.push(match &judgement.claimed {
-            Some(claimed) => Text::new().number(shown_end(&style, end, claimed)).words(format!(" {verdict}")),
-            None => verdict.into(),
-        });
+        let verdict = match (&judgement.claimed, judgement.verdict) {
+            (None, Verdict::Exact) => format!("{} {verdict}", without_end(judgement)),
+            (None, _) => verdict,
+            (Some(_), _) => format!(" {verdict}"),
+        };
+        let style = telling(&answer.bounds, end, &styles[end.axis()]);
+        row.push(shown_end(&style, end, &answer.bounds, claimed).unwrap_or_default().words(verdict));
     }
     row
 }
@@ -209,14 +211,37 @@ fn answer_row(answer: &JudgedAnswer, styles: &[Style; 2]) -> Vec<Text> {
 /// The most digits that a table shows to tell two numbers apart.
 const MOST_DIGITS: usize = 40;
 
-/// A style with the digits that tell a claim from the truth, unless it is right up to rounding.
-fn telling(judgement: &Judgement, style: &Style) -> Style {
-    let first_different = || {
-        let size = judgement.claimed.as_ref()?.abs().max(judgement.exact.as_ref()?.abs());
-        let place = judgement.excess.as_ref()?.decimal_exponent()?;
-        usize::try_from(size.decimal_exponent()? - place + 1).ok()
+fn claimed(judgement: &Judgement) -> Option<&Rational> {
+    judgement.claimed.as_ref()
+}
+
+fn exact(judgement: &Judgement) -> Option<&Rational> {
+    judgement.exact.as_ref()
+}
+
+/// The ends of the interval that has this one.
+fn both_ends(
+    end: PuiEnd,
+    bounds: &[[Judgement; 2]; 2],
+    value: fn(&Judgement) -> Option<&Rational>,
+) -> Option<(&Rational, &Rational)> {
+    let [lower, upper] = &bounds[end.axis()];
+    value(lower).zip(value(upper))
+}
+
+/// A style with the digits that tell a claim from the truth, unless it is right up to rounding, and from a claim that it crosses.
+fn telling(bounds: &[[Judgement; 2]; 2], end: PuiEnd, style: &Style) -> Style {
+    let judgement = end.of(bounds);
+    let is_told = judgement.verdict >= Verdict::WithinTolerance;
+    let truth = claimed(judgement).zip(exact(judgement)).filter(|_| is_told);
+    let crossed = both_ends(end, bounds, claimed).filter(|(lower, upper)| lower >= upper);
+    let first_different = |(one, other): (&Rational, &Rational)| {
+        let size = one.abs().max(other.abs()).decimal_exponent()?;
+        // One digit more, since one of them may be rounded outward and the other one to nearest.
+        let more = if crossed.is_some() { 2 } else { 1 };
+        usize::try_from(size - (one - other).decimal_exponent()? + more).ok()
     };
-    match first_different().filter(|_| judgement.verdict >= Verdict::WithinTolerance) {
+    match [truth, crossed].into_iter().flatten().filter_map(first_different).max() {
         Some(digits) => style.with_at_least(digits.min(MOST_DIGITS)),
         None => *style,
     }
@@ -227,12 +252,26 @@ fn heading(end: PuiEnd) -> String {
     end.name().replace('-', " ")
 }
 
-/// An end. Claimed and true ends are rounded alike, so that equal ones look equal.
-fn shown_end<'a>(style: &Style, end: PuiEnd, value: &'a Rational) -> Shown<'a> {
-    match end.end() {
+/// An end. Claimed and true ends are rounded alike, so that equal ones look equal. Ends with nothing between them are numbers:
+/// rounded outward, equal ones would differ, and crossed ones would look right.
+fn shown_end(
+    style: &Style,
+    end: PuiEnd,
+    bounds: &[[Judgement; 2]; 2],
+    value: fn(&Judgement) -> Option<&Rational>,
+) -> Option<Text> {
+    let is_number = both_ends(end, bounds, value).is_some_and(|(lower, upper)| lower >= upper);
+    let value = value(end.of(bounds))?;
+    Some(Text::new().number(match end.end() {
+        _ if is_number => style.nearest(value),
         End::Lower => style.lower(value),
         End::Upper => style.upper(value),
-    }
+    }))
+}
+
+/// Returns why there is no true end.
+fn without_end(judgement: &Judgement) -> &'static str {
+    if judgement.is_empty { "empty set" } else { "unbounded" }
 }
 
 /// The true ends.
@@ -242,17 +281,16 @@ fn exact_row(check: &Check, reading: Reading, styles: &[Style; 2]) -> Option<Vec
     let answers: Vec<&JudgedAnswer> = answers.collect();
     let mut row = vec!["true ends".into(), reading.name().into()];
     for end in PuiEnd::ALL {
-        let exact = end.of(&first.bounds).exact.as_ref();
-        let styles = answers.iter().map(|answer| telling(end.of(&answer.bounds), &styles[end.axis()]));
+        let styles = answers.iter().map(|answer| telling(&answer.bounds, end, &styles[end.axis()]));
         let style = styles.max_by_key(Style::significant).unwrap_or_default();
-        let shown = exact.map(|value| Text::new().number(shown_end(&style, end, value)));
-        row.push(shown.unwrap_or("none".into()));
+        let shown = shown_end(&style, end, &first.bounds, exact);
+        row.push(shown.unwrap_or_else(|| without_end(end.of(&first.bounds)).into()));
     }
     Some(row)
 }
 
 /// Returns the reason why a claim is not simply right.
-fn reason(judgement: &Judgement, rows: &ProgramRows, style: &Style) -> Option<Text> {
+fn reason(judgement: &Judgement, axis: usize, rows: &ProgramRows, style: &Style) -> Option<Text> {
     let point_text = || violation_text(judgement, rows, style);
     let main = match judgement.verdict {
         Verdict::Exact | Verdict::Rounded if judgement.reason.is_none() => return None,
@@ -260,8 +298,10 @@ fn reason(judgement: &Judgement, rows: &ProgramRows, style: &Style) -> Option<Te
         Verdict::InvertedInterval => "the lower end is above the upper end".into(),
         Verdict::WrongStatus => judgement.proof.as_ref().map(|proof| contrary(proof, rows, style))?,
         Verdict::Unsafe => {
-            let witness = judgement.witness.as_ref();
-            let witness = witness.map(|theta| feasible_point(theta, rows.rows(), style)).unwrap_or_default();
+            let (theta, claimed) = judgement.witness.as_ref().zip(claimed(judgement))?;
+            let side = theta[axis].cmp(claimed);
+            let is_beyond = |point: &[Rational; 2]| point[axis].cmp(claimed) == side;
+            let witness = witness(theta, rows.rows(), is_beyond, style);
             error_text(judgement, style).words("; ").then(witness).words(" is feasible")
         }
         Verdict::Loose | Verdict::WithinTolerance | Verdict::InfeasiblePoint => error_text(judgement, style),

@@ -14,6 +14,17 @@ const DIGITS: [usize; 3] = [9, 17, 34];
 /// each coordinate is rounded to a feasible side. The point is exact where no rounding stays within the set, as in a
 /// set of one point. Cost: linear in the rows, a few times.
 pub(crate) fn feasible_point(theta: &[Rational; 2], rows: &[RefereeRow], style: &Style) -> Text {
+    witness(theta, rows, |_| true, style)
+}
+
+/// Returns a feasible point like [`feasible_point`], with the digits with which it also is where it shows something, as the
+/// point itself is.
+pub(crate) fn witness(
+    theta: &[Rational; 2],
+    rows: &[RefereeRow],
+    is_there: impl Fn(&[Rational; 2]) -> bool,
+    style: &Style,
+) -> Text {
     if style.exact {
         return pair(&theta[0], &theta[1]);
     }
@@ -24,7 +35,7 @@ pub(crate) fn feasible_point(theta: &[Rational; 2], rows: &[RefereeRow], style: 
     for digits in digits {
         for roundings in ROUNDINGS {
             let shown = [0, 1].map(|axis| theta[axis].to_decimal(digits, roundings[axis]));
-            let Some(point) = read(&shown) else { continue };
+            let Some(point) = read(&shown).filter(&is_there) else { continue };
             let is_violated = |row: &RefereeRow| row.row.slack(&point).is_negative();
             if suspects.iter().filter_map(|&row| rows.get(row)).any(is_violated) {
                 continue;
@@ -100,5 +111,9 @@ mod tests {
         assert_eq!(shown(&corner, &touching, &Style { exact: true, ..style }), "(13/15, 4/3)");
         let narrow = rows(&[["1", "0", "13/15"].map(number), ["-1", "0", "-0.86666666"].map(number)]);
         assert_eq!(shown(&corner, &narrow, &style), "(0.866666666, 1.33333333)");
+        // Beyond a claimed end of 0.86666666.
+        let is_beyond = |[theta1, _]: &[Rational; 2]| *theta1 > number("0.86666666");
+        let beyond = witness(&corner, &touching, is_beyond, &style).to_string();
+        assert_eq!(beyond, "(0.86667, 1.3334)");
     }
 }

@@ -1,5 +1,6 @@
 //! Formulas of several reports: pairs, sums, and combinations of half-planes.
 
+use boundfit_estimation::Measurements;
 use boundfit_exact::{Integer, Rational};
 use boundfit_geometry::Direction;
 
@@ -9,6 +10,19 @@ use crate::style::Style;
 /// Two numbers in brackets.
 pub(crate) fn pair(first: impl ToString, second: impl ToString) -> Text {
     Text::new().mark("(").number(first).mark(", ").number(second).mark(")")
+}
+
+/// The error of a reading, by a name that no column of the model has.
+pub(crate) fn error(measurements: &Measurements) -> Text {
+    match measurements.error_name() {
+        "e" => Symbol::Error.into(),
+        name => Text::new().given(name),
+    }
+}
+
+/// `|e| <= `.
+pub(crate) fn bounded_error(measurements: &Measurements) -> Text {
+    Text::new().mark("|").then(error(measurements)).mark("|").operator(Operator::AtMost)
 }
 
 /// `2 * (14 upper) + 1/2 * (36 lower)`: multiples of named half-planes.

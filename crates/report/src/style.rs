@@ -330,7 +330,7 @@ impl Style {
         self.exact || value.exact_decimal(self.significant()).is_some()
     }
 
-    fn directed(&self, outward: Rounding) -> Rounding {
+    pub(crate) fn directed(&self, outward: Rounding) -> Rounding {
         match self.ends {
             EndRounding::Outward => outward,
             EndRounding::Nearest => Rounding::Nearest,

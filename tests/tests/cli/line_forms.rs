@@ -216,3 +216,24 @@ fn what_has_no_meaning_is_refused() {
         assert!(run.status == 2 && run.stdout.is_empty() && says, "{line}: {}", run.stderr);
     }
 }
+
+#[test]
+fn the_error_has_a_name_that_no_column_has() {
+    let directory = directory_with(&[("data.csv", b"x,e,error,y\n0,0,1,1\n1,2,1,2\n2,3,1,3\n")]);
+    let said = |line: &str| unbroken(&printed(directory.path(), line));
+    let two = "data.csv --x x,e --y y --eps 1";
+    let fit = said(&format!("fit {two}"));
+    assert!(fit.contains(" model y = theta1*x + theta2*e + error error |error| <= 1 data "), "{fit}");
+    let further = said(&format!("predict {two} --at '1;1'"));
+    assert!(further.contains("the error of a further reading: |error| <= 1 "), "{further}");
+    let figure = said(&format!("plot {two} --format tikz"));
+    let model =
+        r"{y = $\theta _{1}\cdot $x + $\theta _{2}\cdot $e + error{,} $|$error$|$ $\le $ 1{,} 3 rows}";
+    assert!(figure.contains(model), "{figure}");
+    let program = said(&format!("convert {two} --to lp --objective theta1-max"));
+    assert!(program.contains("\\ model: y = theta1*x + theta2*e + error, |error| <= 1 "), "{program}");
+    let both = said("fit data.csv --x x --y e --eps-column error");
+    assert!(both.contains(" model e = theta1*x + theta2 + noise error |noise| <= error, one "), "{both}");
+    let none = said("fit data.csv --x x --y y --eps 1");
+    assert!(none.contains(" model y = theta1*x + theta2 + e error |e| <= 1 data "), "{none}");
+}

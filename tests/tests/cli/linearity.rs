@@ -4,7 +4,8 @@ use std::fs;
 
 use boundfit_tests::cli::numbers::{check_numbers, exact};
 use boundfit_tests::cli::refusals::refuses;
-use boundfit_tests::cli::{boundfit, directory_with, unbroken};
+use boundfit_tests::cli::{boundfit, boundfit_with_input, directory_with, unbroken};
+use boundfit_tests::lp_cases::number;
 use boundfit_tests::program::root;
 use serde_json::Value;
 
@@ -90,6 +91,29 @@ fn the_same_numbers_in_two_columns_and_below_each_other() {
         assert_eq!(ways(part.0), ways(part.1));
     }
     assert_eq!(one["hysteresis"], other["hysteresis"]);
+}
+
+/// Far from x = 0 each digit of the slope moves the line by much.
+#[test]
+fn lines_have_the_digits_of_their_deviations() {
+    let report = |table: &[u8]| {
+        let run = boundfit_with_input(&root(), "linearity - --x t --y y", table);
+        assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+        unbroken(&run.stdout)
+    };
+    let straight = report(b"t,y\n1764288000,5\n1764288600,5.6\n1764289800,6.8\n");
+    assert!(straight.contains("independent 0 0 0.001 -1764283 1, 2, 3 "), "{straight}");
+    // The slope is 1/900.
+    let bent = report(b"t,y\n1764288000,5\n1764288600,5.6\n1764289800,7\n");
+    let [slope, intercept] = ["0.001111111111", "-1960315.033"];
+    let line = format!("independent 0.033334 1.6667 {slope} {intercept} 1, 2, 3 ");
+    assert!(bent.contains(&line), "{bent}");
+    let deviations = [("1764288000", "5"), ("1764288600", "5.6"), ("1764289800", "7")]
+        .map(|(t, y)| (number(y) - (number(slope) * number(t) + number(intercept))).abs());
+    assert!(deviations.into_iter().max() <= Some(number("1/30") * number("1.05")));
+    // No two readings look the same in the proof.
+    let proof = "1.764288e9 1 +0.033333 1/3 1.7642886e9 2 -0.033333 1/2 1.7642898e9 3 +0.033333 1/6 ";
+    assert!(bent.contains(proof), "{bent}");
 }
 
 #[test]

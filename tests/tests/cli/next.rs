@@ -175,6 +175,15 @@ fn csv_has_a_row_for_each_goal() {
 }
 
 #[test]
+fn exact_columns_of_csv_are_fractions() {
+    let line = "next - --x x --y y --eps 1/1024 --new-eps 1/4096 --within 0..1 --goal theta1 --format csv";
+    let run = boundfit_with_input(&root(), line, b"x,y\n0,0\n1e-5,1\n2e-5,2\n");
+    let expected =
+        "goal,now,worst,at,now_exact,worst_exact\ntheta1,195.3125,0.00244140625,1,3125/16,5/2048\n";
+    assert_eq!(run.stdout, expected);
+}
+
+#[test]
 fn what_makes_no_question_is_refused() {
     for (options, message) in [
         ("--goal slope", "invalid value 'slope' for '--goal <GOAL>': expected theta1, theta2 or area"),

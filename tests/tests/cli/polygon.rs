@@ -459,3 +459,17 @@ fn pictures_that_cannot_be_drawn_or_written_are_refused() {
     assert_eq!(run.status, 0, "{}", run.stderr);
     assert!(run.stdout.starts_with("<svg "), "{}", run.stdout);
 }
+
+#[test]
+fn the_diameter_is_a_number_where_its_square_is_one_of_a_number() {
+    for (rows, diameter) in [
+        ("1,0,2 -1,0,0 0,1,0 0,-1,0", "2"),
+        ("1,0,1 -1,0,0 0,1,4/3 0,-1,0", "1.6667"),
+        ("1,0,3 -1,0,0 0,1,2 0,-1,0", "square root of 13"),
+    ] {
+        let csv = format!("a1,a2,b\n{}\n", rows.replace(' ', "\n"));
+        let text = printed_with_input(&root(), "polygon -", csv.as_bytes());
+        let (_, found) = text.split_once("\n  diameter  ").unwrap();
+        assert_eq!(found.lines().next(), Some(diameter), "{text}");
+    }
+}

@@ -7,7 +7,7 @@ use std::path::Path;
 use boundfit_exact::Rational;
 use boundfit_tests::cli::numbers::{check_numbers, exact, exact_or_null};
 use boundfit_tests::cli::refusals::refuses;
-use boundfit_tests::cli::{boundfit, directory_with, unbroken};
+use boundfit_tests::cli::{boundfit, boundfit_with_input, directory_with, unbroken};
 use boundfit_tests::program::root;
 use serde_json::{Value, json};
 
@@ -288,6 +288,30 @@ fn bad_usage_is_refused() {
     assert!(input.stderr.starts_with("error: standard input is read once"), "{}", input.stderr);
     let one = boundfit(&root(), &format!("{PREDICT} --at 1 --proof -"));
     assert!(one.stderr.starts_with("error: '--proof -' and the report would both go"), "{}", one.stderr);
+}
+
+/// Rounded to nearest, 2.5882 is no x at which the line is at least 5.
+#[test]
+fn proofs_are_true_at_the_x_that_they_show() {
+    let proofs = |table: &[u8], line: &str| {
+        let text = boundfit_with_input(&root(), &format!("predict - {line} --proofs"), table).stdout;
+        unbroken(text.split_once("(row and bound)\n").unwrap().1)
+    };
+    let asymmetric = proofs(b"x,y\n1,1.50\n2,2.5\n3,3.500\n4,1e1\n", "--x x --y y --eps +3/-1 --from 2");
+    assert_eq!(
+        asymmetric,
+        "at 0.8 <= 1 (2.5, -1) 16/5 * (3 upper) + 11/5 * (4 lower) \
+         at 2.5883 >= 5 (2.8333, -2.3333) 8/17 * (1 lower) + 9/17 * (4 lower)"
+    );
+    // Beside 1/3 nothing bounds the line.
+    let single = proofs(b"x,y\n1/3,0\n", "--x x --y y --eps 1 --from 10");
+    assert_eq!(single, "at 1/3 <= 1 (0.3, 0.9) 1 * (1 upper)");
+    let seconds = b"t,y\n1764288000,5\n1764288600,5.6\n1764289800,6.8\n";
+    assert_eq!(
+        proofs(seconds, "--x t --y y --eps 0.01 --from 6"),
+        "at 1.76428898e9 <= 5.99 (0.001, -1764282.99) 41/90 * (1 upper) + 49/90 * (3 upper) \
+         at 1.76428902e9 >= 6.01 (0.001, -1764283.01) 13/30 * (1 lower) + 17/30 * (3 lower)"
+    );
 }
 
 #[test]

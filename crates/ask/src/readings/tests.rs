@@ -110,6 +110,21 @@ fn what_bounds_errors_of_x_is_a_number_or_else_a_column() {
 }
 
 #[test]
+fn errors_of_x_are_refused_where_every_x_is_exact() {
+    let asked = |ask: &str, own: &str| {
+        let json = format!(r#"{{"ask": "{ask}", "x": "V", "y": "z", "eps": "1"{own}, "x_eps": "5"}}"#);
+        resolved(&json).map(|asked| asked.x_errors.is_some())
+    };
+    let refused = "<x_eps> says how large the errors of x may be, and this question takes every x for exact";
+    for ask in ["fit", "linearity", "next", "outliers", "range", "status"] {
+        assert!(asked(ask, "").is_err_and(|words| words.starts_with(refused)), "{ask}");
+    }
+    assert!(asked("predict", r#", "at": ["1"]"#).is_err_and(|words| words.starts_with(refused)));
+    assert!(asked("window", r#", "window": 3"#).is_err_and(|words| words.starts_with(refused)));
+    assert_eq!(asked("fit-x-errors", ""), Ok(true));
+}
+
+#[test]
 fn a_request_says_which_question_and_which_readings() {
     let json = r#"{"x": "V", "step": 2, "y": null, "ask": "window", "window": 5, "digits": 3}"#;
     let (request, Common { readings, answer }) = Request::with_readings(json).unwrap();

@@ -160,15 +160,15 @@ fn heading(end: PuiEnd) -> String {
 /// Returns comments about the source of the rows.
 fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -> Vec<String> {
     let measurements = &problem.measurements;
-    let y = measurements.response();
+    let (y, e) = (measurements.response(), measurements.error_name());
     let column = |name: &Option<Foreign>, none: &str| {
         name.as_ref().map_or_else(|| none.to_owned(), Foreign::to_string)
     };
     let bound = match measurements.error_bound() {
-        ErrorBound::Uniform(epsilon) => format!("|e| <= {epsilon}"),
-        ErrorBound::Column(name) => format!("|e| <= {name}"),
+        ErrorBound::Uniform(epsilon) => format!("|{e}| <= {epsilon}"),
+        ErrorBound::Column(name) => format!("|{e}| <= {name}"),
         ErrorBound::Law(law) if law.is_asymmetric() => format!("{y} {}", law.text()),
-        ErrorBound::Law(law) => format!("|e| <= {}", law.text()),
+        ErrorBound::Law(law) => format!("|{e}| <= {}", law.text()),
         ErrorBound::Interval { lower, upper } => {
             format!("between {} and {}", column(lower, "-inf"), column(upper, "inf"))
         }
@@ -187,7 +187,7 @@ fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -
     let is_reduction = problem.measurements.is_of_reductions();
     let which = if is_reduction { "the rows that a reduction keeps" } else { "every row of them" };
     let mut comments = vec![
-        format!("model: {y} = {line} + e, {bound}"),
+        format!("model: {y} = {line} + {e}, {bound}"),
         format!("data: {}{rows}, {which}", arguments.data.file_name()),
         format!("reading: {}; no number is rounded", reading.name()),
     ];

@@ -20,7 +20,7 @@ use boundfit_exact::{Foreign, Interval, Rational, Reading};
 
 use crate::advice::bounding_reading;
 use crate::document::{Block, Document, Facts, Operator, Symbol, THETA, Table, Text};
-use crate::formula::products;
+use crate::formula::{bounded_error, error, products};
 use crate::origin::Origin;
 use crate::region::{names_of, region_blocks};
 use crate::scale::{Scale, scales};
@@ -204,7 +204,7 @@ impl<'a> Report<'a> {
     /// The facts about model, bounds and data.
     fn facts(&self, &Origin { file, reading, is_stored }: &Origin) -> Vec<(Text, Text)> {
         let measurements = &self.problem.measurements;
-        let bounded = Text::new().mark("|").symbol(Symbol::Error).mark("|").operator(Operator::AtMost);
+        let bounded = bounded_error(measurements);
         let bound = match measurements.error_bound() {
             ErrorBound::Uniform(epsilon) => {
                 let law = measurements.law();
@@ -296,7 +296,7 @@ impl<'a> Report<'a> {
             };
         }
         let model = Text::new().given(measurements.response()).operator(Operator::Equals).then(value);
-        model.operator(Operator::Plus).symbol(Symbol::Error)
+        model.operator(Operator::Plus).then(error(measurements))
     }
 
     /// Counts the bounds that two columns give, and names the values that least squares uses.

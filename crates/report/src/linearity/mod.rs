@@ -6,7 +6,7 @@ mod json;
 mod proof;
 
 use boundfit_exact::english::{MOST, counted, list, list_of};
-use boundfit_exact::{Foreign, Rational, Reading};
+use boundfit_exact::{Foreign, Rational, Reading, Rounding, fewest_digits};
 use boundfit_geometry::Tally;
 use boundfit_questions::{
     Characteristic, Difference, Linearity, LinearityInput, LinearityLine, LinearityOptions, NoLine,
@@ -17,7 +17,7 @@ use crate::document::{Block, Document, Facts, Operator, Table, Text};
 use crate::fit::fractions;
 use crate::formula::pair;
 use crate::origin::Origin;
-use crate::style::Style;
+use crate::style::{Style, USUAL_DIGITS};
 use crate::table_json::words_of_input;
 
 pub use csv::linearity_csv;
@@ -158,6 +158,7 @@ impl Report<'_> {
     /// The table of the four ways; of one direction with the full scale that is its own.
     fn table(&self, characteristic: &Characteristic, has_own_span: bool) -> Vec<Block> {
         let style = self.style;
+        let styles = self.line_styles(characteristic);
         let mut rows = Vec::new();
         let mut reasons = Vec::new();
         for ((name, _), line) in METHODS.iter().zip(lines(characteristic)) {
@@ -165,7 +166,7 @@ impl Report<'_> {
                 Err(no_line) => reasons.push(format!("No {name} linearity: {no_line}.")),
                 Ok(line) => {
                     let [slope, intercept] =
-                        line.theta.each_ref().map(|value| Text::new().number(style.nearest(value)));
+                        [0, 1].map(|axis| Text::new().number(styles[axis].nearest(&line.theta[axis])));
                     let percent = line
                         .percent
                         .as_ref()
@@ -189,6 +190,27 @@ impl Report<'_> {
         }
         blocks.extend(reasons.into_iter().map(|reason| Block::Paragraph(reason.into())));
         blocks
+    }
+
+    /// The styles of slopes and of intercepts. As printed, a line deviates by at most a twentieth more than it does; one that meets
+    /// every point deviates by less than the span shows.
+    fn line_styles(&self, characteristic: &Characteristic) -> [Style; 2] {
+        let farthest = characteristic.points.iter().map(|point| point.x.abs()).max().unwrap_or_default();
+        let unseen = &characteristic.span * Rational::scientific(1, -(USUAL_DIGITS as i64));
+        [(0, farthest), (1, Rational::one())].map(|(axis, reach)| {
+            // Slope and intercept share the twentieth.
+            let keeps = |line: &LinearityLine, digits: usize| {
+                let value = &line.theta[axis];
+                let moved = (value - value.rounded(digits, Rounding::Nearest)).abs() * &reach;
+                let deviation = if line.deviation.is_zero() { &unseen } else { &line.deviation };
+                moved * Rational::from(40) <= *deviation
+            };
+            let all = |digits| lines(characteristic).into_iter().flatten().all(|line| keeps(line, digits));
+            match self.style.digits {
+                Some(_) => *self.style,
+                None => self.style.with_at_least(fewest_digits(USUAL_DIGITS, all)),
+            }
+        })
     }
 
     /// The meaning of each way.
@@ -224,7 +246,7 @@ impl Report<'_> {
         for point in &characteristic.proof {
             let Some(place) = characteristic.points.get(point.position) else { continue };
             rows.push(vec![
-                Text::new().number(self.style.nearest(&place.x)),
+                self.style.given(&place.x),
                 list_of_rows(&place.rows).into(),
                 self.signed(&point.deviation),
                 self.style.proof(&point.weight),
@@ -284,7 +306,7 @@ impl Report<'_> {
             0 => String::new(),
             more => format!(", and at {} more", counted(more, "x", "x")),
         };
-        let place = Text::from(" at x").operator(Operator::Equals).number(self.style.nearest(&first.x));
+        let place = Text::from(" at x").operator(Operator::Equals).then(self.style.given(&first.x));
         text.then(place).words(format!(", {noun} {rows}{more}"))
     }
 }

@@ -11,7 +11,7 @@ use crate::style::Style;
 /// Writes a row for each goal.
 /// - The value before the reading and after the worst outcome, as doubles rounded up, `inf` where nothing bounds it.
 /// - The best x, separated by blanks.
-/// - Both values exactly, if they are not too long.
+/// - Both values as fractions, if they are not too long.
 ///
 /// An empty set has the header only.
 pub fn next_reading_csv(report: &NextReadingReport<'_>) -> String {
@@ -21,7 +21,7 @@ pub fn next_reading_csv(report: &NextReadingReport<'_>) -> String {
     };
     let style = Style::default();
     let own = |value: &Option<Rational>| {
-        value.as_ref().filter(|value| is_short(value, &style)).map(exact).unwrap_or_default()
+        value.as_ref().filter(|value| is_short(value, &style)).map(Rational::to_string).unwrap_or_default()
     };
     for Best { goal, now, worst, at } in report.next.iter().flat_map(|next| &next.best) {
         let at: Vec<String> = at.iter().map(exact).collect();

@@ -5,7 +5,7 @@ mod rows;
 mod tables;
 
 use boundfit_exact::english::{counted, list};
-use boundfit_exact::{Foreign, Rational};
+use boundfit_exact::{Foreign, Integer, Rational};
 use boundfit_formats::HalfPlaneFile;
 use boundfit_geometry::{Multiplier, Polyhedron};
 
@@ -60,8 +60,18 @@ fn measures(polyhedron: &Polyhedron, style: &Style, scales: &[Scale; 2]) -> Vec<
     let area = measured.area().filter(|_| !region.is_empty()).map(|area| ("area", style.measure(&area)));
     let centroid = measured.centroid().map(|centroid| ("centroid", measured_point(&centroid, scales)));
     let diameter = region.squared_diameter();
-    let square_root = |square: &Rational| Text::from("square root of ").number(style.nearest(square));
-    let diameter = diameter.map(|square| ("diameter", square_root(&square)));
+    let square_root = |square: Rational| match root(&square) {
+        Some(root) => Text::new().number(style.nearest(&root)),
+        None => Text::from("square root of ").number(style.nearest(&square)),
+    };
+    let diameter = diameter.map(|square| ("diameter", square_root(square)));
     let measures = area.into_iter().chain(centroid).chain(diameter);
     measures.map(|(label, text)| (label.into(), text)).collect()
+}
+
+/// Returns the root of the square of a fraction with terms of at most 64 bits, exactly.
+fn root(square: &Rational) -> Option<Rational> {
+    let whole = |term: Integer| term.to_i128()?.checked_isqrt().map(Integer::from);
+    let root = Rational::new(whole(square.numerator())?, whole(square.denominator())?)?;
+    (&root * &root == *square).then_some(root)
 }

@@ -7,14 +7,15 @@ mod proof;
 
 use boundfit_estimation::{Fit, Law, Model, Problem};
 use boundfit_exact::english::counted;
-use boundfit_exact::{Interval, Rational};
+use boundfit_exact::{Interval, Rational, Rounding};
 use boundfit_geometry::Support;
 use boundfit_questions::{FurtherError, NoFurtherError, PossibleEnd, PossibleX, Predictor};
 
 use crate::document::{Block, Document, Inline, Operator, Symbol, Table, Text};
 use crate::fit::{empty_blocks, fit_facts};
-use crate::formula::{pair, products};
+use crate::formula::{bounded_error, pair, products};
 use crate::origin::Origin;
+use crate::scale::{Scale, scales};
 use crate::style::Style;
 
 pub use csv::write_prediction_csv;
@@ -136,7 +137,7 @@ fn further(prediction: &Prediction, style: &Style) -> Text {
         (Ok(error), law) => match (error.uniform(), law) {
             (Some(epsilon), _) => known_error(epsilon, prediction.problem, prediction.given.is_some(), style),
             (None, Some(law)) if law.is_asymmetric() => Text::from("y ").given(law.text()),
-            (None, Some(law)) => bounded().given(law.text()),
+            (None, Some(law)) => bounded_error(&prediction.problem.measurements).given(law.text()),
             (None, None) => Text::new(),
         },
     };
@@ -144,15 +145,11 @@ fn further(prediction: &Prediction, style: &Style) -> Text {
     Text::from("the error of a further reading: ").then(what).words(if given { ", as given" } else { "" })
 }
 
-/// `|e| <= `.
-fn bounded() -> Text {
-    Text::new().mark("|").symbol(Symbol::Error).mark("|").operator(Operator::AtMost)
-}
-
 /// The bound on the error of a further reading, given or that of the readings: nobody wrote a multiple of eps_min down.
 pub(crate) fn known_error(epsilon: &Rational, problem: &Problem, is_given: bool, style: &Style) -> Text {
     let is_written = is_given || problem.measurements.multiple_of_least().is_none();
-    bounded().then(if is_written { style.given(epsilon) } else { Text::new().number(style.upper(epsilon)) })
+    let number = if is_written { style.given(epsilon) } else { Text::new().number(style.upper(epsilon)) };
+    bounded_error(&problem.measurements).then(number)
 }
 
 /// An x, or both regressors.
@@ -218,15 +215,16 @@ fn more(count: usize, one: &str, several: &str) -> Option<Block> {
     Some(Block::Paragraph(format!("And {more} more, which CSV and JSON have.").into()))
 }
 
+/// The x between both ends, whether these belong to it or not.
+fn between(PossibleX { lower, upper }: &PossibleX) -> Option<Interval> {
+    let [lower, upper] = [lower, upper].map(|end| end.as_ref().map(|end| end.x.clone()));
+    Interval::new(lower.into(), upper.into())
+}
+
 /// An interval of x, with round brackets where an end does not belong to it.
-fn possible(PossibleX { lower, upper }: &PossibleX, style: &Style) -> Text {
-    let ends = [lower, upper].map(|end| end.as_ref().map(|end| end.x.clone()));
-    let Some(interval) = ({
-        let [lower, upper] = ends;
-        Interval::new(lower.into(), upper.into())
-    }) else {
-        return Text::new();
-    };
+fn possible(own: &PossibleX, style: &Style) -> Text {
+    let Some(interval) = between(own) else { return Text::new() };
+    let PossibleX { lower, upper } = own;
     let style = style.resolving(&interval);
     if let (Some(one), Some(other)) = (lower, upper)
         && one.x == other.x
@@ -246,21 +244,26 @@ fn possible(PossibleX { lower, upper }: &PossibleX, style: &Style) -> Text {
 
 /// The readings behind each end of the line's intervals, and behind the x where readings end.
 fn proofs(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<Block> {
+    let (pui, fps) = (prediction.fit.pui_intervals(), prediction.fit.fps.polyhedron());
+    let scales = scales(style, pui.as_ref(), &[], &[], fps.region().vertices());
     let mut rows: Vec<Vec<Text>> = Vec::new();
     for value in (prediction.at.values)().take(MOST_LISTED) {
         let ends = predictor.ends(&prediction.form(&value));
         for (relation, support) in [Symbol::AtLeast, Symbol::AtMost].into_iter().zip(ends) {
             let place = asked(prediction, &value, style);
-            rows.push(proof(prediction, place, relation, &support, style));
+            rows.push(proof(prediction, place, relation, &support, &scales, style));
         }
     }
     let of = prediction.sources(predictor);
     for [y, _] in (prediction.from.values)().take(MOST_LISTED) {
         for own in of(&y) {
-            for end in [own.lower, own.upper].into_iter().flatten() {
+            let own_style = between(&own).map_or(*style, |interval| style.resolving(&interval));
+            for (end, outward) in [(own.lower, Rounding::Down), (own.upper, Rounding::Up)] {
+                let Some(end) = end else { continue };
                 let relation = if end.by_upper { Symbol::AtMost } else { Symbol::AtLeast };
-                let place = Text::new().number(style.nearest(&end.x));
-                let row = proof(prediction, place, relation, &prediction.why(predictor, &end), style);
+                let place = place(prediction, predictor, &end, outward, &own_style);
+                let support = prediction.why(predictor, &end);
+                let row = proof(prediction, place, relation, &support, &scales, style);
                 // Two intervals may end at one x.
                 if !rows.contains(&row) {
                     rows.push(row);
@@ -273,8 +276,31 @@ fn proofs(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<
         true => "Proof of each end of the line",
         false => "Proof of each end of the model",
     };
-    let table = Table::new([Text::new(), "reached by".into(), header], rows);
+    let reached = if style.exact { "reached by" } else { "reached near" };
+    let table = Table::new([Text::new(), reached.into(), header], rows);
     vec![Block::Title(title.into()), Block::Table(table)]
+}
+
+/// The x of an end as its interval shows it, if what is proved at the end is true of the rounded x, too; else the exact one.
+fn place(
+    prediction: &Prediction,
+    predictor: &Predictor,
+    end: &PossibleEnd,
+    outward: Rounding,
+    style: &Style,
+) -> Text {
+    let line = |x: &Rational| predictor.line(&(x - prediction.x_origin()));
+    let rounded = end.x.rounded(style.significant(), style.directed(outward));
+    let (exact, nearby) = (line(&end.x), line(&rounded));
+    let is_true = match end.by_upper {
+        true => nearby.upper().value().zip(exact.upper().value()).is_some_and(|(one, other)| one <= other),
+        false => nearby.lower().value().zip(exact.lower().value()).is_some_and(|(one, other)| one >= other),
+    };
+    match outward {
+        _ if style.exact || !is_true => style.given(&end.x),
+        Rounding::Down => Text::new().number(style.lower(&end.x)),
+        _ => Text::new().number(style.upper(&end.x)),
+    }
 }
 
 /// A row of the table of proofs: what is proved at a place, which parameters reach it, and by which rows.
@@ -283,6 +309,7 @@ fn proof(
     place: Text,
     relation: Symbol,
     support: &Support,
+    scales: &[Scale; 2],
     style: &Style,
 ) -> Vec<Text> {
     let label = Text::from("at ").then(place).mark(" ").symbol(relation).mark(" ");
@@ -295,7 +322,7 @@ fn proof(
             let [theta1, theta2] = proof.attained_at.coordinates();
             let multipliers =
                 proof.multipliers.iter().map(|m| (style.proof(&m.value), prediction.name(m.index)));
-            vec![label, pair(style.nearest(&theta1), style.nearest(&theta2)), products(multipliers)]
+            vec![label, pair(scales[0].value(&theta1), scales[1].value(&theta2)), products(multipliers)]
         }
         Support::Unbounded(proof) => {
             let label = if relation == Symbol::AtLeast { label.mark("-") } else { label };

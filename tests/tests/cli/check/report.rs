@@ -2,6 +2,7 @@
 
 use boundfit_tests::cli::unbroken;
 use boundfit_tests::lp_cases::{hard_cases, number};
+use boundfit_tests::program::run_with_input;
 use serde_json::Value;
 
 use super::{NEAR_PARALLEL, STRIP, boundfit, report, verdicts};
@@ -265,4 +266,56 @@ fn text_names_the_row_and_the_reason() {
     for part in expected {
         assert!(unbroken(&run.stdout).contains(part.trim()), "{part}: {}", run.stdout);
     }
+}
+
+/// The text of a check of these readings at an error bound, in single blanks.
+fn checked(table: &str, epsilon: &str, options: &[&str]) -> String {
+    let words = [&["check", "-", "--x", "x", "--y", "y", "--eps", epsilon], options].concat();
+    unbroken(&run_with_input(&words, table.as_bytes()).stdout)
+}
+
+/// (1.0000, 1.0000) is feasible, too, and within what is claimed.
+#[test]
+fn a_witness_lies_beyond_the_claim_as_printed() {
+    let claim = ["--claim-pui", "0.999999999,1.000000001,0.9999999999,1.0000000001"];
+    let text = checked("x,y\n0,1\n1,2\n2,3\n", "1e-9", &claim);
+    for (end, point) in [("min", "(1.00000000, 0.999999999)"), ("max", "(1, 1.000000001)")] {
+        let verdict = format!("claimed PUI, decimal: theta2 {end}: unsafe: cuts off 0.45 of the width");
+        let (_, found) = text.split_once(&verdict).unwrap();
+        let (_, found) = found.split_once("; ").unwrap();
+        assert!(found.starts_with(&format!("{point} is feasible")), "{text}");
+    }
+}
+
+#[test]
+fn equal_claims_look_equal_and_crossed_ones_crossed() {
+    // Rounded outward, one number would be two.
+    let two = "x,y\n0,0\n1,3\n";
+    let text = checked(two, "0", &["--claim-pui", "3.0000000000000004,3.0000000000000004,0,0"]);
+    let expected =
+        "claimed PUI decimal 3.0000 rounded 3.0000 rounded 0 exact 0 exact true ends decimal 3 3 0 0 ";
+    assert!(text.contains(expected), "{text}");
+    // Rounded outward, the lower end would lie below the upper one.
+    let crossed = "3,3,-6.938893903907226e-17,-6.938893903907238e-17";
+    let text = checked(two, "0", &["--claim-pui", crossed, "--digits-as-printed", "off"]);
+    let expected = "theta2 min -6.938893903907226e-17 inverted interval \
+                    theta2 max -6.938893903907238e-17 inverted interval source true ends ";
+    assert!(text.contains(expected), "{text}");
+    // A claim of one number is told from both ends of an interval.
+    let text = checked(two, "1e-7", &["--claim-pui", "3.0000001,3.0000001,0,0"]);
+    let expected = "claimed PUI decimal 3.0000001 3.0000001 0 unsafe 0 unsafe unsafe unsafe \
+                    true ends decimal 2.9999998 3.0000002 -1e-7 1e-7 ";
+    assert!(text.contains(expected), "{text}");
+}
+
+#[test]
+fn ends_that_do_not_exist_say_why() {
+    let text = checked("x,y\n0,0\n1,3\n2,7\n", "0", &["--solver", "exact-simplex"]);
+    let expected = "exact-simplex decimal empty set empty set empty set empty set exact exact exact exact \
+                    true ends decimal empty set empty set empty set empty set ";
+    assert!(text.contains(expected), "{text}");
+    let text = checked("x,y\n1,3\n", "1", &["--where", "theta1 >= 0", "--solver", "exact-simplex"]);
+    let expected = "exact-simplex decimal 0 exact unbounded unbounded 4 exact exact exact \
+                    true ends decimal 0 unbounded unbounded 4 ";
+    assert!(text.contains(expected), "{text}");
 }

@@ -138,6 +138,7 @@ impl<'a> Judge<'a> {
         let mut found = Judgement {
             verdict: Verdict::Exact,
             exact: None,
+            is_empty: truth == Truth::Empty,
             claimed: None,
             rounded_to: None,
             excess: None,
