@@ -138,12 +138,17 @@ test("a link with a wrong key or value says what is wrong, in the language of th
   await close();
 });
 
-test("a damaged link keeps the readings that are shown, and says so", async () => {
-  const { page, complaints, close } = await openLesson(browser, DATA.strip);
+/** Changes the first y. */
+async function change(page) {
   await page.locator("#edit-toggle").click();
   await page.locator('[data-cell="0 1"]').fill("1.25");
   await page.locator('[data-cell="0 1"]').press("Tab");
   await settled(page);
+}
+
+test("a damaged link keeps the readings that are shown, and says so", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.strip);
+  await change(page);
   const before = await page.evaluate(() => boundfit.editor.csv());
   await page.evaluate(() => { location.hash = "ask=fit&x=x&y=y&eps=1&table=AAAA"; });
   const notice = page.locator("#edit-notice:not([hidden])");
@@ -160,10 +165,7 @@ test("a damaged link keeps the readings that are shown, and says so", async () =
 
 test("readings in the address outlive a look at half-planes", async () => {
   const { page, complaints, close } = await openLesson(browser, DATA.strip);
-  await page.locator("#edit-toggle").click();
-  await page.locator('[data-cell="0 1"]').fill("1.25");
-  await page.locator('[data-cell="0 1"]').press("Tab");
-  await settled(page);
+  await change(page);
   // At once: the readings are written only later.
   await page.locator('[data-view-choice="half-planes"]').click();
   await page.waitForURL(/#view=half-planes&.*&ask=fit&/);

@@ -76,9 +76,9 @@ pub fn lesson(table: Vec<u8>, options: &str) -> Result<String, Refused> {
 /// numbers as text, and `start`, the number of a vertex from 0.
 ///
 /// # Errors
-/// Throws an `Error` that says what is wrong with the options, or that there are too many half-planes. What is wrong with a line is
-/// part of the answer.
+/// Throws an `Error` that says what is wrong with the options, or that there are too many half-planes; its `refusal` has the same as
+/// JSON. What is wrong with a line is part of the answer.
 #[wasm_bindgen]
-pub fn polytope(text: Vec<u8>, options: &str) -> Result<String, JsError> {
-    polytope::polytope(text, options).map_err(|problem| JsError::new(&problem))
+pub fn polytope(text: Vec<u8>, options: &str) -> Result<String, Refused> {
+    polytope::polytope(text, options).map_err(|refusal| Refused::of(&refusal))
 }

@@ -6,7 +6,7 @@ use boundfit::engine::estimation::{ParseBoundErrorKind, ParseConditionErrorKind,
 use boundfit::engine::exact::{DecimalMark, Limit, ParseNumberErrorKind};
 use boundfit::engine::formats::{InputError, Place, Setting};
 use boundfit::files::{InputErrorKind, Way};
-use boundfit::lesson::LessonError;
+use boundfit::lesson::{LONGEST_TEXT, LessonError, MOST_HALF_PLANES, PolytopeError};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -167,6 +167,27 @@ impl Refusal {
             message: format!("{file}: {error}"),
             problem: Box::new(Problem { kind, words, values, ..Problem::default() }),
         }
+    }
+
+    /// Returns the refusal of half-planes without readings.
+    pub(crate) fn of_half_planes(error: &PolytopeError) -> Self {
+        let (kind, values) = match error {
+            PolytopeError::TooMany(count) => {
+                ("too-many-half-planes", Some(json!({"count": count, "limit": MOST_HALF_PLANES})))
+            }
+            PolytopeError::TooLong(_) => ("half-planes-too-long", Some(json!({"limit": LONGEST_TEXT}))),
+            _ => ("", None),
+        };
+        let words = error.to_string();
+        Refusal {
+            message: words.clone(),
+            problem: Box::new(Problem { kind, words, values, ..Problem::default() }),
+        }
+    }
+
+    /// A refusal for which the page has no words of its own.
+    pub(crate) fn of_words(words: String) -> Self {
+        Refusal { message: words.clone(), problem: Box::new(Problem { words, ..Problem::default() }) }
     }
 }
 

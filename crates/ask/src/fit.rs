@@ -129,7 +129,7 @@ impl Factors {
     /// Returns the sets for these factors, of readings in this file.
     ///
     /// # Errors
-    /// When they take more than so many bytes of memory.
+    /// When they take more bytes of memory than `most_memory`.
     pub fn family(&self, problem: &Problem, file: &str, most_memory: u64) -> Result<Family, Refusal> {
         /// Bytes for each vertex of a set, with what is written of it: 1,000 readings of a curve have 10⁶ and took 360 MB.
         const OF_A_VERTEX: u64 = 400;

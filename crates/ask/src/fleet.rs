@@ -180,6 +180,8 @@ impl Groups {
 impl Ask for Fleet {
     const NAME: &'static str = "fleet";
     const FORMS: &'static [Form] = &[Form::Text, Form::Json, Form::Csv];
+    /// [`Groups::read`] refuses them in words of its own.
+    const LOOKS_AT_X_ERRORS: bool = true;
     type Problem = Groups;
     /// Groups are written one by one, as they are fitted.
     type Answer = ();

@@ -23,6 +23,8 @@ pub trait Ask {
     const FORMS: &'static [Form];
     /// `true` if bounds on the errors have a say in the question.
     const HAS_BOUNDS: bool = true;
+    /// `true` if the question looks at errors in x. Others are refused beside them.
+    const LOOKS_AT_X_ERRORS: bool = false;
     /// The subject of the question: readings, read as the question needs them.
     type Problem;
     /// The answer, from which every form is written.

@@ -47,6 +47,9 @@ pub fn ask<Q: Ask>(
     if !Q::FORMS.contains(&form) {
         return Err(Q::no_form(form));
     }
+    if asked.x_errors.is_some() && !Q::LOOKS_AT_X_ERRORS {
+        return Err(Refusal::Misuse(Misuse::ExactX));
+    }
     let name = source.name().to_owned();
     let own = || Origin {
         file: Some(boundfit_exact::Foreign::of(name.raw())),
@@ -105,16 +108,7 @@ macro_rules! questions {
             /// When a value makes no sense, or values exclude or need each other.
             pub fn resolve(&self, readings: &Readings, reading: Reading) -> Result<Asked, Refusal> {
                 let has_bounds = match self { $(Request::$question(_) => $question::HAS_BOUNDS),* };
-                let resolved = match has_bounds {
-                    true => readings.resolve(reading),
-                    false => readings.resolve_without_bounds(reading),
-                };
-                let asked = resolved?;
-                // A fleet says it in its own words.
-                if asked.x_errors.is_some() && !matches!(self, Request::FitXErrors(_) | Request::Fleet(_)) {
-                    return Err(Refusal::Misuse(Misuse::ExactX));
-                }
-                Ok(asked)
+                if has_bounds { readings.resolve(reading) } else { readings.resolve_without_bounds(reading) }
             }
 
             /// The question of this name, with these keys.

@@ -27,6 +27,7 @@ impl Ask for FitXErrors {
     const NAME: &'static str = "fit-x-errors";
     const FORMS: &'static [Form] =
         &[Form::Text, Form::Latex, Form::Markdown, Form::Json, Form::Csv, Form::Wkt, Form::Proof];
+    const LOOKS_AT_X_ERRORS: bool = true;
     type Problem = XErrorProblem;
     /// The sets, and the fit as if x had no errors.
     type Answer = (XErrorFit, Fit);

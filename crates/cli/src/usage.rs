@@ -70,6 +70,11 @@ fn limit_of(name: &str) -> &str {
     }
 }
 
+/// Gives an error this tip in the place of others about values.
+fn suggest(error: &mut clap::Error, tip: &str) {
+    error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![StyledStr::from(tip.to_owned())]));
+}
+
 /// An error with tips that lead on, in place of those that do not.
 fn with_tips(mut error: clap::Error) -> clap::Error {
     let asked = |kind: ContextKind| match error.get(kind) {
@@ -93,18 +98,16 @@ fn with_tips(mut error: clap::Error) -> clap::Error {
             {
                 error.remove(ContextKind::SuggestedArg);
                 let tip = format!("limits have one option: '--limit {}=N'", Foreign::of(limit_of(name)));
-                error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![StyledStr::from(tip)]));
+                suggest(&mut error, &tip);
             }
             // An option of `next`, which `plot` has not.
             if asked == "--within" || asked.starts_with("--within=") {
                 error.remove(ContextKind::SuggestedArg);
-                let tip = StyledStr::from(WITHIN);
-                error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
+                suggest(&mut error, WITHIN);
             }
             if asked.starts_with("--predict") {
                 error.remove(ContextKind::SuggestedArg);
-                let tip = StyledStr::from(PREDICTED);
-                error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
+                suggest(&mut error, PREDICTED);
             }
         }
         ErrorKind::InvalidSubcommand => {
@@ -115,15 +118,14 @@ fn with_tips(mut error: clap::Error) -> clap::Error {
                     "a table is fitted by 'boundfit fit {} --x COL --y COL --eps NUM'",
                     Foreign::of(&asked)
                 );
-                error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![StyledStr::from(tip)]));
+                suggest(&mut error, &tip);
             }
         }
         ErrorKind::MissingRequiredArgument => {
             let is_bound = |name: &String| name.starts_with("<--eps ");
             if matches!(error.get(ContextKind::InvalidArg), Some(ContextValue::Strings(names)) if names.iter().any(is_bound))
             {
-                let tip = StyledStr::from(UNBOUNDED);
-                error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
+                suggest(&mut error, UNBOUNDED);
             }
         }
         _ => {}

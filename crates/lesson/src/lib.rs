@@ -64,7 +64,7 @@ use serde_json::Value;
 
 pub use crate::options::{LessonError, LessonOptions, MOST_ROWS, MOST_ROWS_EVER};
 pub use crate::playground::playground;
-pub use crate::polytope::{MOST_HALF_PLANES, PolytopeError, PolytopeOptions, polytope};
+pub use crate::polytope::{LONGEST_TEXT, MOST_HALF_PLANES, PolytopeError, PolytopeOptions, polytope};
 pub use crate::texts::{Language, said};
 
 /// The work of a lesson for readings of thousands of digits, divided by the work of a fit; leaving out each reading

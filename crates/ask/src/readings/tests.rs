@@ -1,4 +1,8 @@
+use boundfit_formats::Source;
+use boundfit_report::Style;
+
 use super::*;
+use crate::form::Form;
 use crate::request::Request;
 use crate::surface::Surface;
 
@@ -113,7 +117,13 @@ fn what_bounds_errors_of_x_is_a_number_or_else_a_column() {
 fn errors_of_x_are_refused_where_every_x_is_exact() {
     let asked = |ask: &str, own: &str| {
         let json = format!(r#"{{"ask": "{ask}", "x": "V", "y": "z", "eps": "1"{own}, "x_eps": "5"}}"#);
-        resolved(&json).map(|asked| asked.x_errors.is_some())
+        let answer = || {
+            let (request, Common { readings, .. }) = Request::with_readings(&json)?;
+            let asked = request.resolve(&readings, readings.table.reading(false)?)?;
+            let source = Source::of_bytes("table", "V,z\n0,0\n1,1.5\n".as_bytes().to_vec());
+            request.answer(&asked, source, Form::Json, None, &Style::default())
+        };
+        answer().map(|_| ()).map_err(|refusal: Refusal| refusal.words(&Keys))
     };
     let refused = "<x_eps> says how large the errors of x may be, and this question takes every x for exact";
     for ask in ["fit", "linearity", "next", "outliers", "range", "status"] {
@@ -121,7 +131,9 @@ fn errors_of_x_are_refused_where_every_x_is_exact() {
     }
     assert!(asked("predict", r#", "at": ["1"]"#).is_err_and(|words| words.starts_with(refused)));
     assert!(asked("window", r#", "window": 3"#).is_err_and(|words| words.starts_with(refused)));
-    assert_eq!(asked("fit-x-errors", ""), Ok(true));
+    let fleet = "<x_eps> is about a single set, and a fleet has one for each group";
+    assert!(asked("fleet", r#", "by": "V""#).is_err_and(|words| words.starts_with(fleet)));
+    assert_eq!(asked("fit-x-errors", ""), Ok(()));
 }
 
 #[test]

@@ -30,7 +30,7 @@ use growing::GrowingSystem;
 use shape::Shape;
 
 /// The sets FPS(s·ε) for all factors s of a range.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Family {
     least: Option<Rational>,
     breakpoints: Vec<Breakpoint>,
@@ -59,18 +59,13 @@ impl Family {
     /// of all half-planes, O(N log N). For a line under a uniform error bound, only half-planes whose readings are on a
     /// hull count.
     pub fn new(problem: &Problem, from: Rational, to: Rational) -> Self {
-        Family::begun(problem, from, to, usize::MAX).0
+        // No family has so many vertices.
+        Family::within(problem, from, to, usize::MAX).unwrap_or_default()
     }
 
-    /// The family as [`new`](Family::new) gives it; `None` if its pieces and breakpoints have more than so many
-    /// vertices together, of which no more are made. Readings of a curve have a piece for each, with as many vertices.
+    /// The family as [`new`](Family::new) gives it. `None` if its sets would have more vertices together than `most_vertices`: the
+    /// memory for them is never taken. Readings of a curve have a piece for each, with as many vertices.
     pub fn within(problem: &Problem, from: Rational, to: Rational, most_vertices: usize) -> Option<Self> {
-        let (family, is_whole) = Family::begun(problem, from, to, most_vertices);
-        is_whole.then_some(family)
-    }
-
-    /// The family, and whether it is whole: it ends early where it has more than so many vertices.
-    fn begun(problem: &Problem, from: Rational, to: Rational, most_vertices: usize) -> (Self, bool) {
         let from = from.max(Rational::zero());
         let to = to.max(from.clone());
         let system = GrowingSystem::new(problem);
@@ -89,13 +84,8 @@ impl Family {
         if from < born {
             found.push((Piece::empty(from.clone(), born.clone()), None));
         }
-        let mut is_whole = true;
         if least.is_some() {
-            let (pieces, all) = pieces_between(&system, born, to, most_vertices);
-            (found, is_whole) = (found.into_iter().chain(pieces).collect(), all);
-        }
-        if !is_whole {
-            return (Family { least, breakpoints: Vec::new(), pieces: Vec::new() }, false);
+            found.extend(pieces_between(&system, born, to, most_vertices)?);
         }
         let (pieces, ends): (Vec<Piece>, Vec<Option<Section>>) = found.into_iter().unzip();
         let cuts = pieces.iter().map(|piece| piece.to.clone()).zip(ends);
@@ -113,7 +103,7 @@ impl Family {
             Breakpoint { s, section, entering, leaving }
         });
         let breakpoints = breakpoints.collect();
-        (Family { least, breakpoints, pieces }, true)
+        Some(Family { least, breakpoints, pieces })
     }
 
     /// s_min, the smallest factor, at least 0, that leaves a feasible parameter, in the range or not; `None` when no
@@ -155,14 +145,14 @@ fn between(from: &Rational, to: &Rational) -> Rational {
 /// sets between them must not be empty.
 ///
 /// A sample in the middle of a gap shows the shape there; its half-planes tell how far that shape reaches, and often
-/// the shapes behind it. What is left on both sides are smaller gaps. Returns false beside them if they have more than so
-/// many vertices, and are not all.
+/// the shapes behind it. What is left on both sides are smaller gaps. `None` if the sets have more vertices than
+/// `most_vertices`.
 fn pieces_between(
     system: &GrowingSystem,
     from: Rational,
     to: Rational,
     most_vertices: usize,
-) -> (Vec<(Piece, Option<Section>)>, bool) {
+) -> Option<Vec<(Piece, Option<Section>)>> {
     let mut vertices = 0;
     let mut pieces = Vec::new();
     let mut shape = Shape::new(system);
@@ -193,7 +183,7 @@ fn pieces_between(
             vertices += 2 * piece.vertices.len();
             pieces.push((piece, section));
             if vertices > most_vertices {
-                return (pieces, false);
+                return None;
             }
             if let Some(behind) = behind.filter(|_| ends < to)
                 && let Some(piece) = Piece::polygon(&mut shape, &behind)
@@ -209,5 +199,5 @@ fn pieces_between(
         gaps.extend([(from, starts), (ends, to)]);
     }
     pieces.sort_by(|(piece, _), (other, _)| piece.from.cmp(&other.from));
-    (pieces, true)
+    Some(pieces)
 }

@@ -47,7 +47,7 @@ impl<'a> Shape<'a> {
         spokes.sort_unstable_by_key(|&spoke| self.places[spoke]);
     }
 
-    /// What is known of two half-planes that are neighbours in a set.
+    /// Returns the facts about two half-planes that are neighbours in a set.
     pub(super) fn neighbours(&mut self, f: usize, g: usize) -> &Neighbours {
         let (first, last) = (self.places[f], self.places[g]);
         self.neighbours.entry([f, g]).or_insert_with(|| {

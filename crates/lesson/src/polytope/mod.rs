@@ -21,7 +21,7 @@ use set::{MultiplierJson, SetJson, multipliers, theta};
 pub const MOST_HALF_PLANES: usize = 60;
 
 /// The longest text that is read, in bytes.
-const LONGEST_TEXT: usize = 20_000;
+pub const LONGEST_TEXT: usize = 20_000;
 
 /// Limits on one number: whoever draws half-planes reads them.
 const NUMBERS: Limits = Limits { digits: 30, exponent: 30 };

@@ -42,8 +42,8 @@ pub struct ActiveListJson<A> {
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "as serde asks")]
-pub(crate) fn is_zero(count: &usize) -> bool {
-    *count == 0
+pub(crate) fn is_zero<T: Default + PartialEq>(count: &T) -> bool {
+    *count == T::default()
 }
 
 /// A half-plane times a positive multiplier. The sum of all terms of a proof is the claim.

@@ -3,6 +3,8 @@
 use boundfit_exact::Foreign;
 use serde::Serialize;
 
+use crate::answer::parts::is_zero;
+
 /// The detected format of a table of text, JSON or a sheet.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -90,10 +92,6 @@ pub struct SkippedJson {
     /// Rows with more cells than the first one.
     pub long_rows: u64,
     /// Rows that repeat the header; absent if there are none.
-    #[serde(skip_serializing_if = "is_none")]
+    #[serde(skip_serializing_if = "is_zero")]
     pub headers: u64,
-}
-
-fn is_none(count: &u64) -> bool {
-    *count == 0
 }

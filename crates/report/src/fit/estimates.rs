@@ -176,7 +176,6 @@ fn note(report: &Report) -> String {
         None => format!("Rounded to {} digits or more", report.style.significant()),
     };
     match report.style.ends {
-        // With --digits an estimate may have fewer digits, too, and still be rounded.
         EndRounding::Outward => format!(
             "{digits}, ends and errors outward; shorter ones are exact. Estimates stop at the last place of their errors."
         ),

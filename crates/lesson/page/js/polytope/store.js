@@ -1,9 +1,10 @@
 // @ts-check
 // What the view of half-planes shows, in one place, and the engine's answer to it.
 
+import { refusalOf, refusedWords } from "../editor/refusals.js";
 import { engine } from "../engine.js";
 import { ONE, Rational } from "../model/rational.js";
-import { currentLanguage, t, wordsOfError } from "../texts.js";
+import { currentLanguage } from "../texts.js";
 import { exercisesOf } from "./exercises.js";
 import { halfPlaneText } from "./half-planes.js";
 import { freshSeed } from "./random.js";
@@ -97,28 +98,12 @@ export function connectPolytopeEngine(store) {
         if (own !== latest) return;
         // A vertex that is no longer there.
         if (store.get().start !== null) store.change({ start: null });
-        else store.change({ refused: () => refusedPlanes(error) });
+        else store.change({ refused: () => refusedWords(refusalOf(error)) });
       },
     );
   };
   store.subscribe(update);
   return update;
-}
-
-// The engine says in English what is more than a picture can show; the page has words of its own for it.
-const TOO_MANY = /^(\d+) half-planes are too many for a picture \(the limit is (\d+);/;
-const TOO_LONG = /^\d+ bytes of half-planes are too many \(the limit is (\d+)\)/;
-
-/**
- * Why there is no answer, and what the picture shows then.
- * @param {unknown} error
- */
-function refusedPlanes(error) {
-  const words = wordsOfError(error);
-  const [, count, most] = TOO_MANY.exec(words) ?? [];
-  if (count !== undefined) return t("polytope.too-many", { count, most });
-  const [, longest] = TOO_LONG.exec(words) ?? [];
-  return longest === undefined ? words : t("polytope.too-long", { most: longest });
 }
 
 /**
