@@ -33,8 +33,8 @@ export function lesson(table: Uint8Array | number[], options: string): string;
  * numbers as text, and `start`, the number of a vertex from 0.
  *
  * # Errors
- * Throws an `Error` that says what is wrong with the options, or that there are too many half-planes. What is wrong with a line is
- * part of the answer.
+ * Throws an `Error` that says what is wrong with the options, or that there are too many half-planes; its `refusal` has the same as
+ * JSON. What is wrong with a line is part of the answer.
  */
 export function polytope(text: Uint8Array | number[], options: string): string;
 

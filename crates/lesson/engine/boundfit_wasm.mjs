@@ -109,8 +109,8 @@ export function lesson(table, options) {
  * numbers as text, and `start`, the number of a vertex from 0.
  *
  * # Errors
- * Throws an `Error` that says what is wrong with the options, or that there are too many half-planes. What is wrong with a line is
- * part of the answer.
+ * Throws an `Error` that says what is wrong with the options, or that there are too many half-planes; its `refusal` has the same as
+ * JSON. What is wrong with a line is part of the answer.
  * @param {Uint8Array | number[]} text
  * @param {string} options
  * @returns {string}
@@ -195,10 +195,6 @@ export function run(table, options) {
 function __wbg_get_imports() {
     const import0 = {
         __proto__: null,
-        __wbg_Error_208446807d0d1e30: function(arg0, arg1) {
-            const ret = Error(getStringFromWasm0(arg0, arg1));
-            return ret;
-        },
         __wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
             throw new Error(getStringFromWasm0(arg0, arg1));
         },
