@@ -113,18 +113,34 @@ fn what_bounds_errors_of_x_is_a_number_or_else_a_column() {
     assert!(bounds(r#"{"exact": "ux"}"#).is_err());
 }
 
+/// Asks about two readings under a uniform bound, with further keys.
+fn asked(ask: &str, keys: &str) -> Result<(), String> {
+    let json = format!(r#"{{"ask": "{ask}", "x": "V", "y": "z", "eps": "1"{keys}}}"#);
+    let answer = || {
+        let (request, Common { readings, .. }) = Request::with_readings(&json)?;
+        let asked = request.resolve(&readings, readings.table.reading(false)?)?;
+        let source = Source::of_bytes("table", "V,z\n0,0\n1,1.5\n".as_bytes().to_vec());
+        request.answer(&asked, source, Form::Json, None, &Style::default())
+    };
+    answer().map(|_| ()).map_err(|refusal: Refusal| refusal.words(&Keys))
+}
+
+#[test]
+fn linearity_refuses_what_only_fits_are_asked_under() {
+    for (keys, words) in [
+        (r#", "where": ["theta1 >= 0"]"#, "<where> is about the set of all lines that agree"),
+        (r#", "through_origin": true"#, "<through_origin> is about fits"),
+        (r#", "x_origin": "1980""#, "<x_origin> is about fits"),
+    ] {
+        assert!(asked("linearity", keys).is_err_and(|refused| refused.starts_with(words)), "{keys}");
+        assert_eq!(asked("fit", keys), Ok(()));
+    }
+    assert_eq!(asked("linearity", r#", "x_origin": "0", "through_origin": false, "where": []"#), Ok(()));
+}
+
 #[test]
 fn errors_of_x_are_refused_where_every_x_is_exact() {
-    let asked = |ask: &str, own: &str| {
-        let json = format!(r#"{{"ask": "{ask}", "x": "V", "y": "z", "eps": "1"{own}, "x_eps": "5"}}"#);
-        let answer = || {
-            let (request, Common { readings, .. }) = Request::with_readings(&json)?;
-            let asked = request.resolve(&readings, readings.table.reading(false)?)?;
-            let source = Source::of_bytes("table", "V,z\n0,0\n1,1.5\n".as_bytes().to_vec());
-            request.answer(&asked, source, Form::Json, None, &Style::default())
-        };
-        answer().map(|_| ()).map_err(|refusal: Refusal| refusal.words(&Keys))
-    };
+    let asked = |ask: &str, keys: &str| asked(ask, &format!(r#"{keys}, "x_eps": "5""#));
     let refused = "<x_eps> says how large the errors of x may be, and this question takes every x for exact";
     for ask in ["fit", "linearity", "next", "outliers", "range", "status"] {
         assert!(asked(ask, "").is_err_and(|words| words.starts_with(refused)), "{ask}");
