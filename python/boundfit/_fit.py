@@ -123,7 +123,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         return self._core.witness()
 
     @property
-    def pui(self) -> Intervals | None:
+    def pui(self) -> Intervals[ProvedInterval] | None:
         """The interval of each parameter over the set, with proofs; ``None`` of an empty set."""
         both = self._core.pui()
         if both is None:
@@ -137,7 +137,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         return Intervals(*intervals)
 
     @property
-    def eui(self) -> Intervals | None:
+    def eui(self) -> Intervals[Interval] | None:
         """How far errors within the bounds can move the least-squares estimate; ``None`` where there is none."""
         both = self._core.eui()
         if both is None:
