@@ -242,9 +242,12 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         return self._core.json()
 
     def report(self, format: str = "text", *, brief: bool = False, full: bool = False, digits: int | None = None) -> str:
-        """The report as ``"text"``, ``"markdown"`` or ``"latex"``; the set as ``"wkt"``, ``"ine"`` or ``"ext"``; ``"csv"``.
+        """The report as ``"text"``, ``"markdown"`` or ``"latex"``; the set as ``"wkt"``, ``"ine"`` or ``"ext"``; ``"csv"``;
+        :meth:`proof` as ``"proof"``.
 
         ``brief`` writes ten lines; ``full`` adds proofs, area and centroid, and all estimates of the inverse line."""
+        if format == "proof":
+            return self.proof()
         return self._core.text(format, flag(brief, "brief"), flag(full, "full"), maybe_digits(digits))
 
     def to_csv(self, path: str | os.PathLike[str] | None = None) -> bytes:

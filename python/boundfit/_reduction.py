@@ -147,7 +147,8 @@ def to_reduce(x: Names, y: str | None, eps: Number | None, fan_in: int, **questi
 
 
 def _tuple(names: Names) -> tuple[str, ...]:
-    return (names,) if isinstance(names, str) else tuple(names)
+    # What is no name is refused as one, with its argument.
+    return (names,) if isinstance(names, str) or not isinstance(names, Iterable) else tuple(names)
 
 
 def _refuse_others(one: dict[str, Any], several: dict[str, tuple[Any, ...]]) -> None:
