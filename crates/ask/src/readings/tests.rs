@@ -63,7 +63,7 @@ fn words_that_exclude_or_need_each_other_are_refused_by_their_keys() {
         (format!("{line}, \"without\": \"1..\""), "<without> 1..: no row is left"),
         (format!("{line}, \"where\": [\"theta3 > 0\"]"), "<where> theta3 > 0: neither a number"),
         (format!("{line}, \"missing\": \"drop\""), "<missing> drop: expected one of \"refuse\", \"skip\""),
-        (format!("{line}, \"header\": true"), "<header>: invalid type: boolean"),
+        (format!("{line}, \"header\": true"), "<header>: true: expected a text"),
         (format!("{line}, \"limits\": {{\"depth\": 1}}"), "<limits> depth: expected one of \"digits\""),
         (
             format!("{line}, \"limits\": {{\"nesting\": 121}}"),
@@ -165,16 +165,20 @@ fn a_request_says_which_question_and_which_readings() {
         (r#"{"ask": "range", "most": 1}"#, "request: unknown field `most`"),
         (
             r#"{"ask": "outliers", "max_sets": 2, "most": "1"}"#,
-            "<most>: invalid type: string \"1\", expected usize",
+            "<most>: \"1\": expected an integer that is at least 0",
         ),
-        (
-            r#"{"ask": "predict", "at": "5", "proofs": true}"#,
-            "<at>: invalid type: string \"5\", expected a sequence",
-        ),
+        (r#"{"ask": "predict", "at": "5", "proofs": true}"#, "<at>: \"5\": expected an array"),
         (
             r#"{"ask": "window", "step": -1, "window": 3}"#,
-            "<step>: invalid value: integer `-1`, expected usize",
+            "<step>: -1: expected an integer that is at least 0",
         ),
+        (r#"{"ask": "fleet", "x": "V"}"#, "<by>: it is missing"),
+        (r#"{"ask": "range", "by": ["x"]}"#, "<by>: an array: expected a text"),
+        (r#"{"ask": "next", "within": ["1"]}"#, "<within>: an array of 1: expected an array of two"),
+        (r#"{"ask": "next", "within": ["1", "2", "3"]}"#, "<within>: an array of 3: expected fewer elements"),
+        (r#"{"ask": "window", "window_x": true}"#, "<window_x>: expected a number as text"),
+        (r#"{"ask": "range", "x": 5}"#, "<x>: expected the name or number of a column"),
+        (r#"{"ask": "range", "digits": 1e9}"#, "<digits>: 1000000000.0: expected an integer from 0 to 65535"),
         ("[]", "request: invalid type"),
     ] {
         let refused = Request::with_readings(json).unwrap_err().words(&Keys);
