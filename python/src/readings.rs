@@ -59,8 +59,8 @@ pub(crate) fn readings_of_file(
 ) -> PyResult<Readings> {
     let py = asked.py();
     let data = Data::File(path);
-    let reading = data.reading(Keywords(asked).reading()?);
-    let (reading, is_stored) = reading.map_err(|error| refused(py, &error, true))?;
+    let is_stored = data.is_stored().map_err(|error| refused(py, &error, true))?;
+    let reading = Keywords(asked).reading(is_stored)?;
     let keywords = Arc::new(asked.clone().unbind());
     let asked = Keywords(asked).asked(reading, Texts::AsCells)?;
     Ok(Readings { data, names, asked, reading, floats: reading, is_stored, keywords })

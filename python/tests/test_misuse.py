@@ -17,6 +17,7 @@ import pandas
 import polars
 import pytest
 from scipy import sparse
+from scipy.io import savemat
 
 X, Y = [0, 1, 2], [0, 1.5, 2]
 FIT = boundfit.fit(X, Y, "1/2")
@@ -199,3 +200,23 @@ def test_the_unit_within_an_array_is_not_dropped(monkeypatch: pytest.MonkeyPatch
 
 def test_the_proof_is_a_report() -> None:
     assert FIT.report("proof") == FIT.proof()
+
+
+@pytest.mark.parametrize("read", [boundfit.fit_file, boundfit.reduce_file, boundfit.linearity_file])
+def test_stored_doubles_are_not_read_as_decimals(read: Callable[..., Any], tmp_path: Path) -> None:
+    path = tmp_path / "doubles.mat"
+    savemat(path, {"x": [0.0, 1.0], "y": [0.0, 0.1]})
+    bound = {} if read is boundfit.linearity_file else {"eps": 0}
+    with pytest.raises(ValueError, match='^reading="decimal": the data store doubles and no decimals'):
+        read(path, x="x", y="y", reading="decimal", **bound)
+    assert read(path, x="x", y="y", **bound)
+    assert boundfit.fit_file(path, "x", "y", 0).vertices == [(Fraction(0.1), 0)]
+
+
+def test_one_number_is_no_list(tmp_path: Path) -> None:
+    (tmp_path / "one.csv").write_text("x,y\n0,1\n")
+    for key in ("eps", "x_eps", "x_origin"):
+        with pytest.raises(ValueError, match=rf'^{key}=\[1\]: expected one number, such as 0.5 or "1/3"$'):
+            boundfit.fit_file(tmp_path / "one.csv", "x", "y", **{"eps": 1, key: [1]})
+    with pytest.raises(ValueError, match="^encoding: 5: expected a text$"):
+        boundfit.fit_file(tmp_path / "one.csv", "x", "y", 1, encoding=5)
