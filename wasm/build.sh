@@ -65,5 +65,5 @@ cmp "$target/page/boundfit_wasm.js" "$target/boundfit_wasm/boundfit_wasm.js"
 sed -e '/^async function __wbg_load(/,/^}/d' -e '/^let __wbg_init_promise/,/^export /d' \
   "$target/boundfit_wasm/boundfit_wasm.js" > "$engine/boundfit_wasm.mjs"
 echo 'export { initSync };' >> "$engine/boundfit_wasm.mjs"
-[ "$engine" = "$of_lesson" ] || cp "$of_lesson/boundfit.mjs" "$engine"
+[ "$engine" = "$of_lesson" ] || cp "$of_lesson"/boundfit.{mjs,d.mts} "$engine"
 sed '/^ \* If `module_or_path` is/,$d' "$target/boundfit_wasm/boundfit_wasm.d.ts" | sed '$d' > "$engine/boundfit_wasm.d.mts"

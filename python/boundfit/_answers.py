@@ -108,17 +108,21 @@ def terms(own: Iterable[Any] | None) -> tuple[Term, ...]:
     return tuple(Term(term["row"], term["bound"], value(term["multiplier"])) for term in own or ())
 
 
-def intervals(own: Any, reading: Reading) -> Intervals | None:
-    """The intervals of both parameters, with their proofs where the document has them."""
-    if own is None:
+def intervals(own: Any, reading: Reading) -> Intervals[Interval] | None:
+    """The intervals of both parameters; ``None`` where there are none."""
+    return None if own is None else Intervals(interval(own[0], reading), interval(own[1], reading))
+
+
+def proved_intervals(own: Any, kind: str, reading: Reading) -> Intervals[ProvedInterval] | None:
+    """The intervals of both parameters over a set of this kind, with their proofs; ``None`` of an empty set. A document has none where
+    nothing bounds the set."""
+
+    def of(one: Any) -> ProvedInterval:
+        ends = one["lower"], one["upper"]
+        least, most = (None if end["exact"] is None else end for end in ends)
+        return ProvedInterval(lower(least), upper(most), *(terms(end["active"]) for end in ends), reading=reading)
+
+    if kind == "empty":
         return None
-
-    def of(one: Any) -> Interval:
-        ends = [one["lower"], one["upper"]]
-        if all(end is None or "active" not in end for end in ends):
-            return interval(one, reading)
-        least, most = (None if end is None or end["exact"] is None else end for end in ends)
-        proofs = (() if end is None else terms(end["active"]) for end in ends)
-        return ProvedInterval(lower(least), upper(most), *proofs, reading=reading)
-
-    return Intervals(of(own[0]), of(own[1]))
+    free = ProvedInterval(None, None, reading=reading)
+    return Intervals(free, free) if own is None else Intervals(of(own[0]), of(own[1]))

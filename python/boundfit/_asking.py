@@ -77,7 +77,7 @@ def readings_of_file(
     where: str | Sequence[str] = (),
     through_origin: bool = False,
     x_origin: Number | None = None,
-    reading: Reading = "decimal",
+    reading: Reading | None = None,
     missing: Missing = "refuse",
     **how: Unpack[Table],
 ) -> _boundfit.Readings:

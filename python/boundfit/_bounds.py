@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from decimal import MAX_EMAX, MAX_PREC, MIN_EMIN, ROUND_CEILING, ROUND_FLOOR, Context, Decimal, localcontext
 from fractions import Fraction
-from typing import Any, ClassVar, Literal, NamedTuple
+from typing import Any, ClassVar, Generic, Literal, NamedTuple, TypeVar
 
 from ._columns import Number, fraction
 
@@ -228,15 +228,19 @@ class ProvedInterval(Interval):
     upper_proof: tuple[Term, ...] = ()
 
 
-class Intervals(NamedTuple):
-    """The intervals of both parameters.
+#: Intervals as they are, or with what proves them.
+Kind = TypeVar("Kind", bound=Interval, covariant=True)
+
+
+class Intervals(NamedTuple, Generic[Kind]):
+    """The intervals of both parameters: of :class:`ProvedInterval` where proofs come with them.
 
     >>> Intervals(Interval(LowerBound(1, 3), UpperBound(2, 3)), Interval(None, UpperBound(1)))
     <boundfit.Intervals: about theta1 in [0.333333, 0.666667], theta2 in [-inf, 1]>
     """
 
-    theta1: Interval
-    theta2: Interval
+    theta1: Kind
+    theta2: Kind
 
     def __array__(self, dtype: object = None, copy: bool | None = None) -> object:
         import numpy

@@ -29,6 +29,9 @@ def cells(values: Any, name: str, reading: str = "decimal") -> Any:
             return values
         case "astropy" | "pint":
             _refuse_unit(values, name)
+        case "xarray":
+            # An array of numpy would have the numbers alone.
+            _refuse_unit(getattr(values, "data", None), name)
     mask = getattr(values, "mask", None)
     if mask is not None and not callable(mask) and hasattr(values, "__array__"):
         # Masked columns of other libraries hand out a buffer in which masked cells have numbers.

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from . import _boundfit
 from ._columns import Number, several
@@ -36,6 +37,19 @@ def check(problem: Fit, claim: Iterable[Iterable[Number | None]] | None) -> list
     ['unsafe', 'exact', 'exact', 'loose']
     """
     expected = "two ends of each parameter, such as [(0, 1), (0, 1)]"
+    if not isinstance(problem, Fit):
+        raise ValueError(f"problem is of type {type(problem).__name__}: expected a fit of exact x, as boundfit.fit returns it")
     both = several(claim, "claim", 2, expected)
     ends = [end for interval in both for end in several(interval, "claim", 2, expected)]
+    for place, end in enumerate(ends):
+        if _is_infinite(end):
+            name = f"{'upper' if place % 2 else 'lower'} end of theta{place // 2 + 1}"
+            raise ValueError(f"claim: the {name} is {end}: expected a number, or None where there is no end")
     return [Judgement(*own) for own in _boundfit.check(problem._core, ends)]
+
+
+def _is_infinite(end: Any) -> bool:
+    try:
+        return math.isinf(float(end)) and "inf" in str(end).lower()
+    except (TypeError, ValueError, OverflowError):
+        return False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numbers
 from collections.abc import Iterable, Mapping, Sequence, Set
 from decimal import Decimal
 from fractions import Fraction
@@ -23,7 +24,8 @@ NamedColumns = list[tuple[str, Any]]
 
 def is_number(value: Any) -> bool:
     """Whether this is one number rather than a column of them."""
-    if isinstance(value, (str, int, float, Decimal, Fraction)) or getattr(value, "shape", None) == ():
+    # Number has those of mpmath and sympy, too.
+    if isinstance(value, (str, numbers.Number)) or getattr(value, "shape", None) == ():
         return True
     # A scalar of pyarrow.
     return hasattr(value, "as_py")

@@ -123,7 +123,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         return self._core.witness()
 
     @property
-    def pui(self) -> Intervals | None:
+    def pui(self) -> Intervals[ProvedInterval] | None:
         """The interval of each parameter over the set, with proofs; ``None`` of an empty set."""
         both = self._core.pui()
         if both is None:
@@ -137,7 +137,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         return Intervals(*intervals)
 
     @property
-    def eui(self) -> Intervals | None:
+    def eui(self) -> Intervals[Interval] | None:
         """How far errors within the bounds can move the least-squares estimate; ``None`` where there is none."""
         both = self._core.eui()
         if both is None:
@@ -242,9 +242,12 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         return self._core.json()
 
     def report(self, format: str = "text", *, brief: bool = False, full: bool = False, digits: int | None = None) -> str:
-        """The report as ``"text"``, ``"markdown"`` or ``"latex"``; the set as ``"wkt"``, ``"ine"`` or ``"ext"``; ``"csv"``.
+        """The report as ``"text"``, ``"markdown"`` or ``"latex"``; the set as ``"wkt"``, ``"ine"`` or ``"ext"``; ``"csv"``;
+        :meth:`proof` as ``"proof"``.
 
         ``brief`` writes ten lines; ``full`` adds proofs, area and centroid, and all estimates of the inverse line."""
+        if format == "proof":
+            return self.proof()
         return self._core.text(format, flag(brief, "brief"), flag(full, "full"), maybe_digits(digits))
 
     def to_csv(self, path: str | os.PathLike[str] | None = None) -> bytes:

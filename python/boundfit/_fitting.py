@@ -121,7 +121,7 @@ def fit_file(
     where: str | Sequence[str] = (),
     through_origin: bool = False,
     x_origin: Number | None = None,
-    reading: Reading = "decimal",
+    reading: Reading | None = None,
     missing: Missing = "refuse",
     x_eps: None = None,
     x_eps_column: None = None,
@@ -145,7 +145,7 @@ def fit_file(
     where: str | Sequence[str] = (),
     through_origin: bool = False,
     x_origin: Number | None = None,
-    reading: Reading = "decimal",
+    reading: Reading | None = None,
     missing: Missing = "refuse",
     x_eps: Number,
     x_eps_column: None = None,
@@ -167,7 +167,7 @@ def fit_file(
     where: str | Sequence[str] = (),
     through_origin: bool = False,
     x_origin: Number | None = None,
-    reading: Reading = "decimal",
+    reading: Reading | None = None,
     missing: Missing = "refuse",
     x_eps: None = None,
     x_eps_column: Name,
@@ -189,7 +189,7 @@ def fit_file(
     where: str | Sequence[str] = (),
     through_origin: bool = False,
     x_origin: Number | None = None,
-    reading: Reading = "decimal",
+    reading: Reading | None = None,
     missing: Missing = "refuse",
     x_eps: Number | None = None,
     x_eps_column: Name | None = None,
@@ -200,7 +200,8 @@ def fit_file(
 ) -> Fit | XErrorFit:
     """Fits columns of a file in any format that the program reads: CSV in many dialects, workbooks, MATLAB, Parquet, Arrow, and
     reductions, packed or not. Columns are named by their headers, or numbered from 1; two in ``x`` are two regressors. Everything
-    else is as in :func:`fit`, and how the file is read is told by it, or by these:
+    else is as in :func:`fit`, and how the file is read is told by it, or by these. ``reading`` is ``"decimal"`` unless it is given; a
+    file that stores doubles, such as one of MATLAB, is always read as ``"binary64"``, and refuses ``"decimal"``.
 
     - ``rows="14..36"``, ``without="23,31"``: rows by number from 1, without the header; ``where_row="temperature >= 20"``
     - ``header=True`` or ``False``, also ``"yes"`` or ``"no"``: whether the first row names the columns; ``units_row=True``: the next one has units

@@ -6,8 +6,8 @@ import json
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ._answers import Answer, counted, interval, intervals, number, point, terms, value
-from ._bounds import Interval, Intervals, Point, Term
+from ._answers import Answer, counted, interval, intervals, number, point, proved_intervals, terms, value
+from ._bounds import Interval, Intervals, Point, ProvedInterval, Term
 from ._columns import Reading
 
 if TYPE_CHECKING:
@@ -185,7 +185,7 @@ class Outliers(Answer["OutliersDocument"]):
         return [[point(vertex["theta"]) for vertex in piece] for piece in self._document["pieces"]]
 
     @property
-    def pui(self) -> Intervals | None:
+    def pui(self) -> Intervals[Interval] | None:
         """The intervals of both parameters over all that is left."""
         return intervals(self._document["pui"], self._reading)
 
@@ -204,7 +204,7 @@ class Growth(NamedTuple):
     most: int
     pieces: int
     holes: int
-    pui: Intervals | None
+    pui: Intervals[Interval] | None
     area: Fraction | None
 
 
@@ -263,10 +263,10 @@ class LinearRange(Answer["LinearRangeDocument"]):
         return [run for run in self.runs if [run.first, run.last] in asked]
 
     @property
-    def pui(self) -> Intervals | None:
+    def pui(self) -> Intervals[ProvedInterval] | None:
         """The intervals of both parameters of the longest run."""
         own = self._document["longest_fit"]
-        return None if own is None else intervals(own["pui"], self._reading)
+        return None if own is None else proved_intervals(own["pui"], own["kind"], self._reading)
 
 
 class Best(NamedTuple):
@@ -322,7 +322,8 @@ class WindowFit(NamedTuple):
     last_row: int
     rows: int
     kind: str
-    pui: Intervals | None
+    pui: Intervals[ProvedInterval] | None
+    """``None`` of an empty set."""
     central: Point | None
     epsilon_min: Fraction | None
     """``None`` unless the readings are of a line under one error bound, and there is no condition."""
@@ -339,7 +340,7 @@ def window(line: str, reading: Reading) -> WindowFit:
         own["last_row"],
         own["rows"],
         own["fps"]["kind"],
-        intervals(own["pui"], reading),
+        proved_intervals(own["pui"], own["fps"]["kind"], reading),
         None if central is None else point(central["theta"]),
         number(own["epsilon_min"]),
         None if certificate is None else terms(certificate["farkas"]),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import array
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, TypeVar
 
 from ._cells import cells
@@ -64,10 +64,14 @@ def fit_groups(
         missing=missing,
     )
     names = columns_of_groups(own)
+    if type(frame).__name__ == "LazyFrame":
+        raise ValueError("frame is of type LazyFrame: expected a frame with its rows, such as that of its collect()")
+    if isinstance(frame, (str, bytes)) or not hasattr(frame, "__getitem__"):
+        raise ValueError(f"frame is of type {type(frame).__name__}: expected a frame, or a dictionary of columns")
     given = {name: _column(frame, name) for name in own.columns}
-    keys = [_listed(given[name]) for name in own.by]
+    keys = [_listed(given[name], name) for name in own.by]
     columns = [(name, cells(given[role], role, reading)) for name, role in zip(unique(own.roles), own.roles, strict=True)]
-    ids = None if id is None else _listed(given[id])
+    ids = None if id is None else _listed(given[id], id)
     for name, values in [*zip(own.by, keys, strict=True), *columns]:
         if len(values) != len(keys[0]):
             raise ValueError(f"the column {name!r} has {len(values)} rows, but {own.by[0]!r} has {len(keys[0])}")
@@ -89,11 +93,13 @@ def _column(frame: Any, name: str) -> Any:
         raise ValueError(f"the column {name!r}: {problem}") from problem
 
 
-def _listed(values: Any) -> list[Any]:
+def _listed(values: Any, name: str) -> list[Any]:
     for method in ("to_pylist", "to_list", "tolist"):
         if hasattr(values, method):
             listed: list[Any] = getattr(values, method)()
             return listed
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        raise ValueError(f"the column {name!r} is of type {type(values).__name__}: expected an array or a list")
     return list(values)
 
 
@@ -228,6 +234,6 @@ def _framed(frame: Any, keys: dict[str, Any], first: list[int], answer: dict[str
             rows = pyarrow.array(first, pyarrow.int64())
             said = {name: pyarrow.array(values, stored[name], from_pandas=True) for name, values in answer.items()}
             return pyarrow.table({name: values.take(rows) for name, values in keys.items()} | said)
-    listed = {name: _listed(values) for name, values in keys.items()}
+    listed = {name: _listed(values, name) for name, values in keys.items()}
     found = {name: [float("nan") if value is None and not is_text(name) else value for value in values] for name, values in answer.items()}
     return {name: [values[row] for row in first] for name, values in listed.items()} | found

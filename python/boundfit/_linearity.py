@@ -170,7 +170,7 @@ def linearity_file(
     direction: Name | None = None,
     full_scale: Number | None = None,
     through: tuple[Number, Number] = (0, 0),
-    reading: Reading = "decimal",
+    reading: Reading | None = None,
     missing: Missing = "refuse",
     **how: Unpack[Table],
 ) -> Linearity:

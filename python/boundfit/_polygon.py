@@ -40,7 +40,7 @@ class Polygon(PlaneSet["_boundfit.Plane"]):
         return self
 
     @property
-    def bounds(self) -> Intervals | None:
+    def bounds(self) -> Intervals[Interval] | None:
         """The box around the set; ``None`` of an empty one."""
         both = self._core.bounds()
         if both is None:

@@ -30,7 +30,7 @@ class Asked:
         """What every reading and the set of all, and that of the others, say of each other: which are outliers, which decide.
 
         ``repair`` also finds the least total widening of the bounds under which something meets all of them. ``new`` are further
-        readings, which change nothing: a tuple of columns in the order in which they were given (x, y, and the bounds if they are
+        readings, which change nothing and are listed by their rows: a tuple of columns in the order in which they were given (x, y, and the bounds if they are
         columns), or of a file the path of another one.
         """
         tables = [] if new is None or isinstance(new, str) else [("new", _further(new, self._readings))]
@@ -51,9 +51,11 @@ class Asked:
         """Where the line runs ``at`` an x, or at many, and where a further reading lies there; and which x a reading ``from_`` which
         is known may come from. All of it is guaranteed if no error is larger than its bound.
 
-        ``at`` and ``from_`` are numbers or columns; with two regressors ``at`` is a tuple of two columns, or an array of them.
+        ``at`` and ``from_`` are numbers or columns, in which no number is missing: answers are in their order. With two regressors ``at`` is a tuple of two columns, or an array of them.
         ``grid=(0, 10, 100)`` asks at 101 values in equal steps. ``new_eps`` bounds the error of a further reading, where it is not
         that of the fitted ones: a number, or a law. ``proofs`` shows the readings that prove each end in reports.
+
+        :raises ValueError: where a number of ``at`` or ``from_`` is missing, also with ``missing="skip"``, which skips readings.
         """
         count = self._readings.regressors
         if count == 2 and (from_ is not None or grid is not None):

@@ -46,7 +46,7 @@ def reduce_file(
     eps_column: Name | None = None,
     lower: Name | None = None,
     upper: Name | None = None,
-    reading: Reading = "decimal",
+    reading: Reading | None = None,
     missing: Missing = "refuse",
     **how: Unpack[Table],
 ) -> bytes:

@@ -15,7 +15,7 @@ from fractions import Fraction
 from typing import Any
 
 from . import _boundfit
-from ._bounds import Interval, Intervals, ProvedInterval, Term
+from ._bounds import Intervals, ProvedInterval, Term
 from ._columns import Missing, NamedColumns, Number, Reading, flag, quoted
 from ._fit import Fit
 
@@ -147,7 +147,8 @@ def to_reduce(x: Names, y: str | None, eps: Number | None, fan_in: int, **questi
 
 
 def _tuple(names: Names) -> tuple[str, ...]:
-    return (names,) if isinstance(names, str) else tuple(names)
+    # What is no name is refused as one, with its argument.
+    return (names,) if isinstance(names, str) or not isinstance(names, Iterable) else tuple(names)
 
 
 def _refuse_others(one: dict[str, Any], several: dict[str, tuple[Any, ...]]) -> None:
@@ -424,7 +425,7 @@ class ReducedFit(Fit):
         return self._core.rows_total
 
     @property
-    def pui(self) -> Intervals | None:
+    def pui(self) -> Intervals[ProvedInterval] | None:
         """The interval of each parameter over the set, with proofs; ``None`` of an empty set."""
         both = super().pui
         if both is None or self.ids is None:
@@ -437,9 +438,7 @@ class ReducedFit(Fit):
         terms = super().contradiction
         return None if terms is None else self._terms(terms)
 
-    def _named(self, interval: Interval) -> Interval:
-        if not isinstance(interval, ProvedInterval):
-            return interval
+    def _named(self, interval: ProvedInterval) -> ProvedInterval:
         lower_proof, upper_proof = self._terms(interval.lower_proof), self._terms(interval.upper_proof)
         return dataclasses.replace(interval, lower_proof=lower_proof, upper_proof=upper_proof)
 

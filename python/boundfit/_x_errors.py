@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ._answers import Answer, interval, intervals, number, point, value
-from ._bounds import Intervals, Point
+from ._answers import Answer, intervals, number, point, proved_intervals, value
+from ._bounds import Interval, Intervals, Point, ProvedInterval
 
 if TYPE_CHECKING:
     from .documents import XErrorDocument
@@ -19,7 +19,8 @@ class Side(NamedTuple):
     """``"+"``, ``"-"`` or ``"both"``."""
     kind: str
     vertices: list[Point]
-    pui: Intervals | None
+    pui: Intervals[ProvedInterval] | None
+    """``None`` of an empty set."""
     area: Fraction | None
 
 
@@ -66,7 +67,8 @@ class XErrorFit(Answer["XErrorDocument"]):
         def one(own: Any) -> Side:
             fps = own["fps"]
             vertices = [point(vertex["theta"]) for vertex in fps["vertices"]]
-            return Side(own["side"], fps["kind"], vertices, intervals(own["pui"], self._reading), number(fps["area"]))
+            pui = proved_intervals(own["pui"], fps["kind"], self._reading)
+            return Side(own["side"], fps["kind"], vertices, pui, number(fps["area"]))
 
         return [one(own) for own in self._document["sides"]]
 
@@ -77,9 +79,9 @@ class XErrorFit(Answer["XErrorDocument"]):
         return pieces
 
     @property
-    def pui(self) -> Intervals | None:
+    def pui(self) -> Intervals[ProvedInterval] | None:
         """The interval of each parameter over all sets, with proofs; ``None`` where they are empty."""
-        return intervals(self._document["pui"], self._reading)
+        return proved_intervals(self._document["pui"], "empty" if self.is_empty else "sides", self._reading)
 
     @property
     def central(self) -> Point | None:
@@ -103,10 +105,9 @@ class XErrorFit(Answer["XErrorDocument"]):
         return None if own is None else point(own["theta"])
 
     @property
-    def eui(self) -> Intervals | None:
+    def eui(self) -> Intervals[Interval] | None:
         """How far errors of y within their bounds can move the least-squares estimate."""
-        own = self._document["eui"]
-        return None if own is None else Intervals(interval(own[0], self._reading), interval(own[1], self._reading))
+        return intervals(self._document["eui"], self._reading)
 
     def __repr__(self) -> str:
         return f"<boundfit.XErrorFit: {', '.join(f'{own.side} {own.kind}' for own in self.sides)}>"

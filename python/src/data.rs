@@ -46,10 +46,9 @@ impl Data {
         }
     }
 
-    /// Returns the reading of their numbers, if one is asked for: numbers stored in binary stay as they are stored.
-    pub(crate) fn reading(&self, asked: Reading) -> Result<(Reading, bool), InputError> {
-        let is_stored = self.path().is_some() && self.source()?.is_stored();
-        Ok((if is_stored { Reading::Binary64 } else { asked }, is_stored))
+    /// Returns true for a file that stores doubles.
+    pub(crate) fn is_stored(&self) -> Result<bool, InputError> {
+        Ok(self.path().is_some() && self.source()?.is_stored())
     }
 
     /// Columns in memory as the text that proofs are about, and how that is read; files as they are.

@@ -8,7 +8,7 @@ use pyo3::Borrowed;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyFloat, PyString, PyType};
+use pyo3::types::{PyFloat, PyInt, PyString, PyType};
 
 /// `fractions.Fraction`.
 pub(crate) fn fraction_type(py: Python<'_>) -> PyResult<&Bound<'_, PyType>> {
@@ -79,8 +79,37 @@ pub(crate) fn kind_of(value: &Bound<'_, PyAny>) -> PyResult<Option<char>> {
     Ok(kind.extract::<char>().ok())
 }
 
-/// Returns the text of an object that prints as a number.
+/// The most bits of a numerator or a denominator: a decimal digit takes less than four.
+fn most_bits() -> u64 {
+    4 * Limits::default().digits as u64
+}
+
+fn too_long() -> PyErr {
+    refuse(format_args!("a number of more than {} digits (the limit)", Limits::default().digits))
+}
+
+/// Returns the number in a binary float of mpmath or sympy, which prints fewer digits than it has; `None` of anything else, and of
+/// what is not finite.
+fn binary(value: &Bound<'_, PyAny>) -> PyResult<Option<BigRational>> {
+    let Some(parts) = value.getattr_opt("_mpf_")? else { return Ok(None) };
+    let (sign, magnitude, exponent, _) =
+        parts.extract::<(u8, Bound<'_, PyAny>, Bound<'_, PyAny>, Bound<'_, PyAny>)>()?;
+    if !magnitude.is_truthy()? && exponent.is_truthy()? {
+        return Ok(None);
+    }
+    let places = exponent.extract::<i64>().ok().filter(|places| places.unsigned_abs() <= most_bits());
+    let places = places.ok_or_else(too_long)?;
+    let one = PyInt::new(value.py(), 1);
+    let (numerator, denominator) = (magnitude.lshift(places.max(0))?, one.lshift((-places).max(0))?);
+    let numerator = if sign == 0 { numerator } else { numerator.neg()? };
+    Ok(Some(BigRational::new_raw(numerator.extract()?, denominator.extract()?).reduced()))
+}
+
+/// Returns the text of an object that prints as a number, or is a number of which only some digits are printed.
 pub(crate) fn printed(value: &Bound<'_, PyAny>) -> PyResult<String> {
+    if let Some(number) = binary(value)? {
+        return Ok(number.to_string());
+    }
     let error = match value.str() {
         Ok(text) => return Ok(text.to_str()?.to_owned()),
         Err(error) => error,
@@ -90,10 +119,8 @@ pub(crate) fn printed(value: &Bound<'_, PyAny>) -> PyResult<String> {
         return Err(error);
     };
     let wide = BigRational::new_raw(numerator.extract()?, denominator.extract()?);
-    let most = Limits::default().digits;
-    // A decimal digit takes less than four bits.
-    if wide.numer().bits().max(wide.denom().bits()) > 4 * most as u64 {
-        return Err(refuse(format_args!("a number of more than {most} digits (the limit)")));
+    if wide.numer().bits().max(wide.denom().bits()) > most_bits() {
+        return Err(too_long());
     }
     Ok(wide.to_string())
 }

@@ -11,7 +11,7 @@ use boundfit::{Polyhedron, Rational, Reading};
 use pyo3::prelude::*;
 
 use crate::numbers::{Given, Number, pair, reading_named, refuse};
-use crate::words::in_words;
+use crate::words::{in_words, refused};
 
 /// Half-planes with the set that they leave.
 #[pyclass(frozen, module = "boundfit._boundfit")]
@@ -37,10 +37,10 @@ pub(crate) fn polygon_of_text(py: Python<'_>, text: String, floats: &str) -> PyR
 pub(crate) fn polygon_of_file(py: Python<'_>, path: String, reading: &str) -> PyResult<Plane> {
     let reading = reading_named(reading)?;
     let plane = py.detach(|| {
-        let source = Source::open(&path).map_err(|error| in_words(&error, false))?;
-        Plane::read(source, Some(path), reading)
+        let source = Source::open(&path)?;
+        Ok(Plane::read(source, Some(path), reading))
     });
-    plane.map_err(refuse)
+    plane.map_err(|error| refused(py, &error, false))?.map_err(refuse)
 }
 
 impl Plane {

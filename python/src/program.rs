@@ -46,7 +46,7 @@ pub(crate) fn judge<'py>(
 ) -> PyResult<Judged<'py>> {
     let model = model(&costs, &rows, &bounds)?;
     let tolerances = Tolerances { relative: exact(tolerance, "tolerance")?, digits_as_printed: false };
-    let solution = claimed.map(|claimed| claimed.solution()).transpose()?;
+    let solution = claimed.map(|claimed| claimed.solution(&model)).transpose()?;
     let judged = waiting(py, move |_| {
         let answer = Answer::of(&model)?;
         let findings = solution.map(|solution| Ground::new(&model, &answer).judge(&solution, &tolerances));
@@ -114,7 +114,7 @@ fn model(costs: &[Bound<'_, PyAny>], rows: &[Row<'_>], bounds: &[Ends<'_>]) -> P
 }
 
 impl Claimed<'_> {
-    fn solution(&self) -> PyResult<Solution> {
+    fn solution(&self, model: &Model) -> PyResult<Solution> {
         let given = |value: &Bound<'_, PyAny>| {
             Ok::<_, PyErr>(Given { number: Printed::exact(exact(value, "result")?), line: 1 })
         };
@@ -125,7 +125,7 @@ impl Claimed<'_> {
         // Numbers of a status other than optimal mean nothing.
         let is_optimal = status == SolverStatus::Optimal;
         let objective = self.objective.as_ref().filter(|_| is_optimal).map(given).transpose()?;
-        Ok(Solution {
+        let solution = Solution {
             writer: if self.solver == "HiGHS" { "HiGHS" } else { "SciPy" },
             status,
             status_line: 1,
@@ -136,6 +136,7 @@ impl Claimed<'_> {
             ray: None,
             farkas: None,
             other_rows: None,
-        })
+        };
+        solution.of_size(model).map_err(|error| refuse(format_args!("result: {error}")))
     }
 }

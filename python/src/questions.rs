@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use boundfit::ask::{Asked, Files, Held, Refusal, Request, Surface, Tables};
-use boundfit::files::{Source, Way};
+use boundfit::files::{Missing, Source, Way};
 use pyo3::prelude::*;
 
 use crate::cells::{NamedColumn, refuse_unwritten, table};
@@ -11,7 +11,7 @@ use crate::data::IN_MEMORY;
 use crate::forms::{Form, asked};
 use crate::numbers::{Given, Number, reading_named, refuse};
 use crate::readings::Readings;
-use crate::words::as_argument;
+use crate::words::{ASKED, as_argument};
 
 /// An answer about readings: `request` is what JSON says, such as `{"ask": "range"}`; further `tables` that it names are columns.
 #[pyfunction]
@@ -41,7 +41,11 @@ pub(crate) fn ask(
         let is_document = matches!(form, Form::Text | Form::Latex | Form::Markdown);
         let origin = if is_document { readings.shown_origin() } else { readings.origin() };
         let shown = is_document.then_some(IN_MEMORY);
-        let files = Files(readings.asked.options.clone());
+        let mut files = Files(readings.asked.options.clone());
+        if held.iter().any(|(name, ..)| ASKED.contains(&name.as_str())) {
+            // Answers are in the order of the values that are asked about.
+            files.0.table.missing = Missing::Refuse;
+        }
         let tables: Arc<dyn Tables> = Arc::new(Held { tables: held.clone(), shown, files });
         let options = stop.in_options(&readings.asked.options);
         let own = Asked { tables: Some(tables), options, ..readings.asked.clone() };

@@ -16,7 +16,7 @@ use crate::numbers::{Given, refuse};
 use crate::questions;
 use crate::said::{Keywords, Texts};
 use crate::waiting::waiting;
-use crate::words::in_words;
+use crate::words::{in_words, refused};
 
 /// Readings, and what is asked of them.
 #[pyclass(frozen, module = "boundfit._boundfit")]
@@ -57,9 +57,10 @@ pub(crate) fn readings_of_file(
     names: Vec<String>,
     asked: &Bound<'_, PyDict>,
 ) -> PyResult<Readings> {
+    let py = asked.py();
     let data = Data::File(path);
-    let reading = data.reading(Keywords(asked).reading()?);
-    let (reading, is_stored) = reading.map_err(|error| refuse(in_words(&error, true)))?;
+    let is_stored = data.is_stored().map_err(|error| refused(py, &error, true))?;
+    let reading = Keywords(asked).reading(is_stored)?;
     let keywords = Arc::new(asked.clone().unbind());
     let asked = Keywords(asked).asked(reading, Texts::AsCells)?;
     Ok(Readings { data, names, asked, reading, floats: reading, is_stored, keywords })

@@ -13,6 +13,9 @@ use crate::questions::in_words;
 /// Keywords whose values are numbers, or texts in which numbers are.
 const NUMBERS: [&str; 5] = ["eps", "x_eps", "x_origin", "where", "where_row"];
 
+/// Those of them that are one number.
+const SINGLE: [&str; 3] = ["eps", "x_eps", "x_origin"];
+
 /// The keywords of a call, as Python hands them over.
 #[derive(Clone, Copy)]
 pub(crate) struct Keywords<'a, 'py>(pub(crate) &'a Bound<'py, PyDict>);
@@ -27,10 +30,10 @@ pub(crate) enum Texts {
 }
 
 impl Keywords<'_, '_> {
-    /// Returns the meaning of floats: the reading of numbers, where nothing else is stored.
-    pub(crate) fn reading(self) -> PyResult<Reading> {
+    /// Returns the meaning of floats: the reading of numbers, which is that of doubles where the data store these.
+    pub(crate) fn reading(self, is_stored: bool) -> PyResult<Reading> {
         let words = TableWords { reading: self.named("reading")?, ..TableWords::default() };
-        words.reading(false).map_err(|refusal| refuse(in_words(&refusal, true)))
+        words.reading(is_stored).map_err(|refusal| refuse(in_words(&refusal, true)))
     }
 
     /// The words of the request. Among the numbers a float means what `reading` says, a text what `texts` says, and everything else is
@@ -41,6 +44,12 @@ impl Keywords<'_, '_> {
             let key: String = key.extract()?;
             if key == "ask" {
                 continue;
+            }
+            let is_list = value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>();
+            if is_list && SINGLE.contains(&key.as_str()) {
+                return Err(refuse(format_args!(
+                    "{key}={value}: expected one number, such as 0.5 or \"1/3\""
+                )));
             }
             let own = match NUMBERS.contains(&key.as_str()) {
                 true => number(&value, reading, texts)?,
@@ -72,7 +81,7 @@ impl Keywords<'_, '_> {
     /// Returns the question about columns in memory, and the meaning of floats. All that is said of them is exact,
     /// whatever the columns are read as.
     pub(crate) fn asked_in_memory(self) -> PyResult<(Asked, Reading)> {
-        let floats = self.reading()?;
+        let floats = self.reading(false)?;
         let asked = self.asked(floats, Texts::Exact)?;
         Ok((Asked { options: in_memory(asked.options), ..asked }, floats))
     }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+import numbers
 from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
@@ -18,6 +19,7 @@ import pyarrow.csv
 import pytest
 import statsmodels.api
 import vega_datasets
+from boundfit import LowerBound, UpperBound
 from sklearn import datasets
 
 # vega_datasets reads its tables in a way that a later pandas will not have.
@@ -290,3 +292,36 @@ def test_groups_of_foreign_tables() -> None:
     frame = pandas.DataFrame({"key": pandas.array([1, None, 1], dtype="Int64"), "x": [0, 0, 1], "y": [1, 2, 3]})
     keys = list(boundfit.fit_groups(frame, by="key", x="x", y="y", eps=1)["key"])
     assert keys[0] == 1 and len(keys) == 2 and pandas.isna(keys[1])
+
+
+class Binary:
+    """As the floats of mpmath and of sympy: a binary number that prints fewer digits than it has."""
+
+    def __init__(self, sign: int, magnitude: int, exponent: int) -> None:
+        self._mpf_ = sign, magnitude, exponent, magnitude.bit_length()
+
+    def __float__(self) -> float:
+        return float(self.value)
+
+    def __str__(self) -> str:
+        return "0.3"
+
+    @property
+    def value(self) -> Fraction:
+        sign, magnitude, exponent, _ = self._mpf_
+        return (-1) ** sign * magnitude * Fraction(2) ** exponent
+
+
+numbers.Real.register(Binary)
+
+
+def test_long_binary_floats_are_what_they_hold() -> None:
+    third = Binary(0, 3**99, -300)
+    for reading in ("decimal", "binary64"):
+        fit = boundfit.fit([0, 1], [0, third], 0, reading=reading)
+        assert fit.vertices == [(third.value, 0)]
+    assert boundfit.fit([0, 1], [0, Binary(1, 5, 3)], 0).vertices == [(-40, 0)]
+    assert boundfit.fit([0, 1], [0, Binary(0, 0, 0)], third).epsilon_min == 0
+    assert boundfit.fit([0], [0], third).response(0) == boundfit.Interval(LowerBound(-third.value), UpperBound(third.value))
+    with pytest.raises(ValueError, match=r"^row 2 of y: a number of more than 10000 digits \(the limit\)$"):
+        boundfit.fit([0, 1], [0, Binary(0, 1, 10**12)], 0)

@@ -1,9 +1,13 @@
-"""Ctrl-C ends a long call."""
+"""Ctrl-C ends a long call, and a fork does not make one."""
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
+from pathlib import Path
+
+import pytest
 
 
 def test_a_signal_ends_a_long_call() -> None:
@@ -22,3 +26,19 @@ except KeyboardInterrupt:
 """
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
     assert (done.stdout, done.stderr) == ("point\n", "")
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no process forks here")
+def test_a_forked_process_answers_after_its_parent_used_all_threads(tmp_path: Path) -> None:
+    # Two chunks of a file at least, which several threads read.
+    (tmp_path / "long.csv").write_text("x,y\n" + "".join(f"{row},{row % 7}\n" for row in range(300_000)))
+    program = """
+import boundfit, os, signal
+here = boundfit.fit_file("long.csv", x="x", y="y", eps=100).vertices
+if os.fork() == 0:
+    signal.alarm(100)
+    os._exit(0 if boundfit.fit_file("long.csv", x="x", y="y", eps=100).vertices == here else 1)
+print(os.waitstatus_to_exitcode(os.wait()[1]))
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=200, cwd=tmp_path)
+    assert done.stdout == "0\n", done.stderr

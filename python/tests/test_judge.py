@@ -112,3 +112,14 @@ def test_a_missing_right_hand_side_is_refused(ends):
         boundfit.judge([-1, -1], [[1, 2], [3, 1]], ends)
     with pytest.raises(ValueError, match=r"b_eq\[0\] is missing"):
         boundfit.judge([-1, -1], A_eq=[[1, 2]], b_eq=[None])
+
+
+def test_a_result_of_another_program_is_refused() -> None:
+    c, matrix, ends = [-1, -1], [[1, 2], [3, 1]], [4, 6]
+    other = linprog([-1, -1, -1], [[1, 2, 1], [3, 1, 1]], [4, 6])
+    with pytest.raises(ValueError, match=r"^result: the point has 3 numbers \(expected 2, one for each column of the program\)$"):
+        boundfit.judge(c, matrix, ends, result=other)
+    with pytest.raises(ValueError, match=r"^result: the list of duals has 2 numbers \(expected 1, one for each row"):
+        boundfit.judge(c, matrix[:1], ends[:1], result=linprog(c, matrix, ends))
+    with pytest.raises(ValueError, match=r"^result: the list of duals has 1 number \(expected 2, one for each row"):
+        boundfit.judge(c, matrix, ends, result=linprog(c, matrix[:1], ends[:1]))

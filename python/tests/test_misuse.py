@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import errno
+import pickle
 import warnings
 from collections.abc import Callable
 from datetime import datetime, timedelta
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import boundfit
@@ -14,6 +17,7 @@ import pandas
 import polars
 import pytest
 from scipy import sparse
+from scipy.io import savemat
 
 X, Y = [0, 1, 2], [0, 1.5, 2]
 FIT = boundfit.fit(X, Y, "1/2")
@@ -99,6 +103,9 @@ def test_a_unit_is_never_dropped(library: str, unit: str, monkeypatch: pytest.Mo
 LAZY: Any = polars.DataFrame({"a": [0, 1], "b": [1, 1]}).lazy()
 FRAME = pandas.DataFrame({"g": [1], "x": [1], "y": [1]})
 
+MISSING = 'at: row 2, column 1 (at): "": the value is missing, in this row only (expected a number in every row)'
+SKIPPING = boundfit.fit([0, 1, None], [0, 1, 2], 1, missing="skip")
+
 REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: boundfit.fit([0, 1], LAZY, 1), "y is of type LazyFrame: expected an array or a list of numbers, such as those of its collect()"),
     (lambda: boundfit.fit(LAZY, [0, 1], 1), "x is of type LazyFrame"),
@@ -109,9 +116,19 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: boundfit.fit(X, Y, 1, where=5), "where=5: expected a condition as a text, or several such texts"),
     (lambda: boundfit.fit(X, Y, 1, where=["theta1 >= 0", 5]), "where=['theta1 >= 0', 5]: expected"),
     (lambda: FIT.predict(at=[]), "at=[]: expected at least one number"),
-    (lambda: FIT.predict(at=[1, None]), "at: row 2, column 1 (at): "),
+    (lambda: FIT.predict(at=[1, None]), MISSING),
+    (lambda: SKIPPING.predict(at=[1, None]), MISSING),
+    (lambda: SKIPPING.predict(from_=[1, None]), MISSING.replace("at", "from_", 1).replace("(at)", "(from_)")),
     (FIT.windows, "window or window_x says how far a window reaches back"),
     (lambda: boundfit.check(FIT, [1, 2]), "claim=1: expected two ends of each parameter"),
+    (lambda: boundfit.check(3, [(1, 2), (3, 4)]), "problem is of type int: expected a fit of exact x, as boundfit.fit returns it"),  # type: ignore[arg-type]
+    (lambda: boundfit.check(FIT, [(1, numpy.inf), (3, 4)]), "claim: the upper end of theta1 is inf: expected a number, or None"),
+    (lambda: boundfit.check(FIT, [(1, 2), ("-inf", 4)]), "claim: the lower end of theta2 is -inf: expected a number, or None"),
+    (lambda: boundfit.fit_groups(LAZY, "a", "a", "b", 1), "frame is of type LazyFrame: expected a frame with its rows, such as that of its"),
+    (lambda: boundfit.fit_groups(3, "g", "x", "y", 1), "frame is of type int: expected a frame, or a dictionary of columns"),
+    (lambda: boundfit.fit_groups({"g": 3, "x": [1], "y": [1]}, "g", "x", "y", 1), "the column 'g' is of type int: expected an array or a list"),
+    (lambda: boundfit.fit_groups(FRAME, 0, "x", "y", 1), "by: 0 is of type int: expected the name of a column"),  # type: ignore[arg-type]
+    (lambda: boundfit.fit_groups(FRAME, "g", 1, "y", 1), "x: 1 is of type int: expected the name of a column"),  # type: ignore[arg-type]
     (lambda: boundfit.fit_groups(FRAME, "g", "x", ("y", "y"), 1), "y: ('y', 'y') is of type tuple: expected the name of a column"),
     (lambda: boundfit.fit_groups(FRAME, FRAME["g"], "x", "y", 1), "by: 1 is of type int: expected the name of a column"),
 ]
@@ -122,6 +139,8 @@ def test_what_has_no_meaning_is_refused_by_name(call: Callable[[], Any], words: 
     with pytest.raises(ValueError) as refused:
         call()
     assert str(refused.value).startswith(words)
+    # There is no skipping of what is asked.
+    assert words != MISSING or "skip" not in str(refused.value)
 
 
 def test_one_reading_is_one() -> None:
@@ -151,3 +170,53 @@ def test_a_number_is_no_path():
     for write in (fit.to_csv, fit.lesson, lambda path: boundfit.verify(fit.proof(), path)):
         with pytest.raises(TypeError):
             write(1)
+
+
+@pytest.mark.parametrize("read", [boundfit.fit_file, boundfit.linearity_file, boundfit.reduce_file])
+def test_a_file_that_is_not_there_is_not_found(read: Callable[..., Any], tmp_path: Path) -> None:
+    path = str(tmp_path / "none.csv")
+    bound = {} if read is boundfit.linearity_file else {"eps": 1}
+    with pytest.raises(FileNotFoundError) as missing:
+        read(path, x="x", y="y", **bound)
+    told = pickle.loads(pickle.dumps(missing.value))
+    assert isinstance(told, ValueError) and (told.errno, told.filename) == (errno.ENOENT, path)
+    assert str(told).startswith(f"{path}: cannot read: ")
+    with pytest.raises(FileNotFoundError, match="cannot read"):
+        boundfit.polygon_file(path)
+
+
+class Array(Quantity):
+    """As those of xarray: an array around one of any kind."""
+
+    data: Any = None
+
+
+def test_the_unit_within_an_array_is_not_dropped(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Array, "__module__", "xarray.core.dataarray")
+    with pytest.raises(ValueError, match="^y has the unit mm: expected numbers without one"):
+        boundfit.fit([0, 1], Array([0, 0.5], data=Quantity([0, 0.5], units="mm")), 1)
+    assert boundfit.fit([0, 1], Array([0, 0.5], data=numpy.array([0, 0.5])), 0).vertices == [(Fraction(1, 2), Fraction(0))]
+
+
+def test_the_proof_is_a_report() -> None:
+    assert FIT.report("proof") == FIT.proof()
+
+
+@pytest.mark.parametrize("read", [boundfit.fit_file, boundfit.reduce_file, boundfit.linearity_file])
+def test_stored_doubles_are_not_read_as_decimals(read: Callable[..., Any], tmp_path: Path) -> None:
+    path = tmp_path / "doubles.mat"
+    savemat(path, {"x": [0.0, 1.0], "y": [0.0, 0.1]})
+    bound = {} if read is boundfit.linearity_file else {"eps": 0}
+    with pytest.raises(ValueError, match='^reading="decimal": the data store doubles and no decimals'):
+        read(path, x="x", y="y", reading="decimal", **bound)
+    assert read(path, x="x", y="y", **bound)
+    assert boundfit.fit_file(path, "x", "y", 0).vertices == [(Fraction(0.1), 0)]
+
+
+def test_one_number_is_no_list(tmp_path: Path) -> None:
+    (tmp_path / "one.csv").write_text("x,y\n0,1\n")
+    for key in ("eps", "x_eps", "x_origin"):
+        with pytest.raises(ValueError, match=rf'^{key}=\[1\]: expected one number, such as 0.5 or "1/3"$'):
+            boundfit.fit_file(tmp_path / "one.csv", "x", "y", **{"eps": 1, key: [1]})
+    with pytest.raises(ValueError, match="^encoding: 5: expected a text$"):
+        boundfit.fit_file(tmp_path / "one.csv", "x", "y", 1, encoding=5)

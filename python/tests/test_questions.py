@@ -9,7 +9,7 @@ import random
 from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import Any, get_type_hints
 
 import boundfit
 import numpy
@@ -451,3 +451,16 @@ def test_answers_say_what_they_are_in_a_line() -> None:
     assert repr(boundfit.range(x, y, "0.1")) == "<boundfit.LinearRange: 3 runs, the longest from row 1 to row 2>"
     assert repr(boundfit.linearity(x, [0, 1, 2, 4])) == "<boundfit.Linearity: independent 0.333334, 8.33334 % of full scale>"
     assert repr(boundfit.polygon([[1, 0], [0, 1]], [1, 1])) == "<boundfit.Polygon: unbounded-polygon, 1 vertex>"
+
+
+def test_sets_without_any_end_have_intervals_as_fits_have() -> None:
+    free = boundfit.fit([1], [2], "1/2").pui
+    assert free == boundfit.Intervals(boundfit.ProvedInterval(None, None), boundfit.ProvedInterval(None, None))
+    assert boundfit.fit([1], [2], "1/2", x_eps="1/10").pui == free
+    assert [own.pui for own in boundfit.windows([1, 2], [2, 3], "1/2", window=1)] == [free, free]
+    assert boundfit.range([1], [2], "1/2").pui == free
+    never = boundfit.fit([1, 1], [0, 9], 1, x_eps=0)
+    assert never.pui is None and {own.pui for own in never.sides if own.kind == "empty"} == {None}
+    assert boundfit.windows([1, 1], [0, 9], 1, window=2)[0].pui is None
+    for proved in (boundfit.Fit, boundfit.XErrorFit, boundfit.LinearRange):
+        assert get_type_hints(proved.pui.fget)["return"] == boundfit.Intervals[boundfit.ProvedInterval] | None

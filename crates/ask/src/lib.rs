@@ -62,6 +62,7 @@ mod surface;
 mod tables;
 mod value_problem;
 mod window;
+mod wrong_type;
 mod x_errors;
 
 pub use asked::{Asked, AskedXBounds, XErrors};

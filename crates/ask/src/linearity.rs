@@ -78,8 +78,14 @@ impl Linearity {
             (None, Some(up), Some(down), None) => CalibrationResponse::Two { up, down },
             _ => return Err(Refusal::Misuse(Misuse::Response)),
         };
-        if columns.second.is_some() {
-            return Err(Refusal::Misuse(Misuse::LinearityOfTwoRegressors));
+        let misuses = [
+            (columns.second.is_some(), Misuse::LinearityOfTwoRegressors),
+            (!asked.question.conditions.is_empty(), Misuse::LinearityUnderConditions),
+            (columns.form.through_origin, Misuse::LinearityThroughOrigin),
+            (!columns.form.x_origin.is_zero(), Misuse::LinearityFromOrigin),
+        ];
+        if let Some((_, misuse)) = misuses.into_iter().find(|(is_there, _)| *is_there) {
+            return Err(Refusal::Misuse(misuse));
         }
         Ok(CalibrationColumns { x: columns.first.clone(), response })
     }

@@ -108,6 +108,14 @@ misuses! {
     Response: "expected {y}, or {y} and {direction}, or {up} and {down}",
     /// Two regressors are no characteristic.
     LinearityOfTwoRegressors: "linearity is about a line: two regressors have no characteristic",
+    /// Conditions are about sets of parameters.
+    LinearityUnderConditions: "{where} is about the set of all lines that agree, and linearity compares readings with lines of its own",
+    /// The lines of linearity have an offset, except one through a point.
+    LinearityThroughOrigin: "{through_origin} is about fits: zero-based linearity has the line through the origin, or {through} another \
+                 point",
+    /// The lines of linearity are those of x as it is.
+    LinearityFromOrigin: "{x_origin} is about fits: linearity takes x as it is, and {through} is a point of the line of zero-based \
+                 linearity",
 }
 
 /// The reason why there is no proof.

@@ -22,7 +22,7 @@ pub enum Refusal {
     Key {
         /// The key.
         key: String,
-        /// The problem, as the reader of JSON says it.
+        /// The problem: the value, and what was expected.
         problem: String,
     },
     /// The value of a key makes no sense.

@@ -21,6 +21,7 @@ use crate::readings::{Common, Readings, take_key};
 use crate::refusal::{Refusal, ValueProblem};
 use crate::status::Status;
 use crate::window::Window;
+use crate::wrong_type::wrong_type;
 use crate::x_errors::FitXErrors;
 
 /// One form of an answer.
@@ -195,6 +196,7 @@ fn object(json: &str) -> Result<Map<String, Value>, Refusal> {
 
 /// Reads a question, and names the key that is of another type: the one that alone is refused in the same words.
 fn of_object<Q: DeserializeOwned>(keys: Map<String, Value>) -> Result<Q, Refusal> {
+    const MISSING: &str = "missing field `";
     let keys = Value::Object(keys);
     let error = match Q::deserialize(&keys) {
         Ok(question) => return Ok(question),
@@ -207,7 +209,11 @@ fn of_object<Q: DeserializeOwned>(keys: Map<String, Value>) -> Result<Q, Refusal
     };
     let is_unknown = words.starts_with("unknown field");
     match keys.as_object().and_then(|keys| keys.iter().find(is_refused)).filter(|_| !is_unknown) {
-        Some((key, _)) => Err(Refusal::Key { key: key.clone(), problem: words }),
+        Some((key, _)) => Err(Refusal::Key { key: key.clone(), problem: wrong_type(&error) }),
+        None if words.starts_with(MISSING) => {
+            let key = words.split('`').nth(1).unwrap_or_default().to_owned();
+            Err(Refusal::Key { key, problem: "it is missing".to_owned() })
+        }
         None => Err(no_request(error)),
     }
 }

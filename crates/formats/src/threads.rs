@@ -3,14 +3,28 @@
 
 #[cfg(feature = "parallel")]
 use std::sync::Mutex;
+#[cfg(feature = "parallel")]
+use std::sync::atomic::{AtomicU32, Ordering};
 
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-/// Returns the number of threads in the current pool.
+/// Returns true in a process that another one forked after its first use of the pool. A fork copies no thread: work for the pool would
+/// wait for ever, so that such a process has the calling thread alone.
+#[cfg(feature = "parallel")]
+fn is_forked() -> bool {
+    // No process has this number.
+    const NOBODY: u32 = 0;
+    static OWNER: AtomicU32 = AtomicU32::new(NOBODY);
+    let own = std::process::id();
+    let owner = OWNER.compare_exchange(NOBODY, own, Ordering::Relaxed, Ordering::Relaxed);
+    owner.is_err_and(|owner| owner != own)
+}
+
+/// Returns the number of threads in the current pool, and one where there is none.
 #[cfg(feature = "parallel")]
 pub(crate) fn count() -> usize {
-    rayon::current_num_threads().max(1)
+    if is_forked() { 1 } else { rayon::current_num_threads().max(1) }
 }
 
 /// One thread: this one.
@@ -23,7 +37,7 @@ pub(crate) fn count() -> usize {
 #[allow(clippy::expect_used, reason = "each slot is visited once, and a panic in it ends the visit of all")]
 pub fn map<I: Send, T: Send>(items: Vec<I>, make: impl Fn(I) -> T + Sync + Send) -> Vec<T> {
     #[cfg(feature = "parallel")]
-    if items.len() > 1 {
+    if items.len() > 1 && !is_forked() {
         let slots: Vec<Mutex<(Option<I>, Option<T>)>> =
             items.into_iter().map(|item| Mutex::new((Some(item), None))).collect();
         for_each(slots.len(), &|index| {
@@ -48,6 +62,9 @@ fn for_each(count: usize, visit: &(dyn Fn(usize) + Sync)) {
 #[cfg(feature = "parallel")]
 #[allow(clippy::expect_used, reason = "a scope ends when what was given to the pool is done")]
 pub fn beside<A: Send, B>(there: impl FnOnce() -> A + Send, here: impl FnOnce() -> B) -> (A, B) {
+    if is_forked() {
+        return (there(), here());
+    }
     let mut result = None;
     let made_here = rayon::in_place_scope(|scope| {
         let result = &mut result;

@@ -4,6 +4,7 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 use crate::refusal::Refusal;
+use crate::wrong_type::wrong_type;
 
 /// Takes a key out of an object. A key that is null is as good as one that is not there.
 ///
@@ -16,7 +17,7 @@ pub fn take_key<T: DeserializeOwned + Default>(
     match object.remove(key) {
         None | Some(Value::Null) => Ok(T::default()),
         Some(value) => serde_json::from_value(value)
-            .map_err(|error| Refusal::Key { key: key.to_owned(), problem: error.to_string() }),
+            .map_err(|error| Refusal::Key { key: key.to_owned(), problem: wrong_type(&error) }),
     }
 }
 

@@ -63,7 +63,7 @@ fn words_that_exclude_or_need_each_other_are_refused_by_their_keys() {
         (format!("{line}, \"without\": \"1..\""), "<without> 1..: no row is left"),
         (format!("{line}, \"where\": [\"theta3 > 0\"]"), "<where> theta3 > 0: neither a number"),
         (format!("{line}, \"missing\": \"drop\""), "<missing> drop: expected one of \"refuse\", \"skip\""),
-        (format!("{line}, \"header\": true"), "<header>: invalid type: boolean"),
+        (format!("{line}, \"header\": true"), "<header>: true: expected a text"),
         (format!("{line}, \"limits\": {{\"depth\": 1}}"), "<limits> depth: expected one of \"digits\""),
         (
             format!("{line}, \"limits\": {{\"nesting\": 121}}"),
@@ -113,18 +113,34 @@ fn what_bounds_errors_of_x_is_a_number_or_else_a_column() {
     assert!(bounds(r#"{"exact": "ux"}"#).is_err());
 }
 
+/// Asks about two readings under a uniform bound, with further keys.
+fn asked(ask: &str, keys: &str) -> Result<(), String> {
+    let json = format!(r#"{{"ask": "{ask}", "x": "V", "y": "z", "eps": "1"{keys}}}"#);
+    let answer = || {
+        let (request, Common { readings, .. }) = Request::with_readings(&json)?;
+        let asked = request.resolve(&readings, readings.table.reading(false)?)?;
+        let source = Source::of_bytes("table", "V,z\n0,0\n1,1.5\n".as_bytes().to_vec());
+        request.answer(&asked, source, Form::Json, None, &Style::default())
+    };
+    answer().map(|_| ()).map_err(|refusal: Refusal| refusal.words(&Keys))
+}
+
+#[test]
+fn linearity_refuses_what_only_fits_are_asked_under() {
+    for (keys, words) in [
+        (r#", "where": ["theta1 >= 0"]"#, "<where> is about the set of all lines that agree"),
+        (r#", "through_origin": true"#, "<through_origin> is about fits"),
+        (r#", "x_origin": "1980""#, "<x_origin> is about fits"),
+    ] {
+        assert!(asked("linearity", keys).is_err_and(|refused| refused.starts_with(words)), "{keys}");
+        assert_eq!(asked("fit", keys), Ok(()));
+    }
+    assert_eq!(asked("linearity", r#", "x_origin": "0", "through_origin": false, "where": []"#), Ok(()));
+}
+
 #[test]
 fn errors_of_x_are_refused_where_every_x_is_exact() {
-    let asked = |ask: &str, own: &str| {
-        let json = format!(r#"{{"ask": "{ask}", "x": "V", "y": "z", "eps": "1"{own}, "x_eps": "5"}}"#);
-        let answer = || {
-            let (request, Common { readings, .. }) = Request::with_readings(&json)?;
-            let asked = request.resolve(&readings, readings.table.reading(false)?)?;
-            let source = Source::of_bytes("table", "V,z\n0,0\n1,1.5\n".as_bytes().to_vec());
-            request.answer(&asked, source, Form::Json, None, &Style::default())
-        };
-        answer().map(|_| ()).map_err(|refusal: Refusal| refusal.words(&Keys))
-    };
+    let asked = |ask: &str, keys: &str| asked(ask, &format!(r#"{keys}, "x_eps": "5""#));
     let refused = "<x_eps> says how large the errors of x may be, and this question takes every x for exact";
     for ask in ["fit", "linearity", "next", "outliers", "range", "status"] {
         assert!(asked(ask, "").is_err_and(|words| words.starts_with(refused)), "{ask}");
@@ -149,16 +165,20 @@ fn a_request_says_which_question_and_which_readings() {
         (r#"{"ask": "range", "most": 1}"#, "request: unknown field `most`"),
         (
             r#"{"ask": "outliers", "max_sets": 2, "most": "1"}"#,
-            "<most>: invalid type: string \"1\", expected usize",
+            "<most>: \"1\": expected an integer that is at least 0",
         ),
-        (
-            r#"{"ask": "predict", "at": "5", "proofs": true}"#,
-            "<at>: invalid type: string \"5\", expected a sequence",
-        ),
+        (r#"{"ask": "predict", "at": "5", "proofs": true}"#, "<at>: \"5\": expected an array"),
         (
             r#"{"ask": "window", "step": -1, "window": 3}"#,
-            "<step>: invalid value: integer `-1`, expected usize",
+            "<step>: -1: expected an integer that is at least 0",
         ),
+        (r#"{"ask": "fleet", "x": "V"}"#, "<by>: it is missing"),
+        (r#"{"ask": "range", "by": ["x"]}"#, "<by>: an array: expected a text"),
+        (r#"{"ask": "next", "within": ["1"]}"#, "<within>: an array of 1: expected an array of two"),
+        (r#"{"ask": "next", "within": ["1", "2", "3"]}"#, "<within>: an array of 3: expected fewer elements"),
+        (r#"{"ask": "window", "window_x": true}"#, "<window_x>: expected a number as text"),
+        (r#"{"ask": "range", "x": 5}"#, "<x>: expected the name or number of a column"),
+        (r#"{"ask": "range", "digits": 1e9}"#, "<digits>: 1000000000.0: expected an integer from 0 to 65535"),
         ("[]", "request: invalid type"),
     ] {
         let refused = Request::with_readings(json).unwrap_err().words(&Keys);

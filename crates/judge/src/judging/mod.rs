@@ -67,7 +67,8 @@ impl Findings {
 
 impl Ground<'_> {
     /// Judges a solution: status, objective, primal and dual feasibility, complementary slackness, gap and certificates, each
-    /// on its own. Exact. Cost: a pass over the coefficients for each aspect.
+    /// on its own. Exact. Numbers beyond the model are passed over and missing ones are 0, which [`Solution::of_size`] refuses.
+    /// Cost: a pass over the coefficients for each aspect.
     pub fn judge(&self, solution: &Solution, tolerances: &Tolerances) -> Findings {
         let mut findings: Vec<Finding> = [
             self.objective(solution, tolerances),

@@ -267,6 +267,29 @@ fn files_are_refused_that_are_not_about_the_model() {
 }
 
 #[test]
+fn lists_of_another_program_are_refused() {
+    let file =
+        read_solution("{\"x\": [2, 6], \"duals\": [0, 1.5, 1], \"status\": \"optimal\"}", &Limits::default())
+            .unwrap();
+    let solution = Solution::new(&file, &textbook()).unwrap();
+    assert_eq!(solution.clone().of_size(&textbook()).unwrap(), solution);
+    let other = |change: &dyn Fn(&mut Solution)| {
+        let mut other = solution.clone();
+        change(&mut other);
+        other.of_size(&textbook()).unwrap_err().to_string()
+    };
+    let column = "(expected 2, one for each column of the program)";
+    assert_eq!(
+        other(&|own| own.point.as_mut().unwrap().truncate(1)),
+        format!("the point has 1 number {column}")
+    );
+    let row = "(expected 3, one for each row of the program)";
+    assert_eq!(other(&|own| own.duals = own.point.clone()), format!("the list of duals has 2 numbers {row}"));
+    let reduced = format!("the list of reduced costs has 3 numbers {column}");
+    assert_eq!(other(&|own| own.reduced_costs = own.duals.clone()), reduced);
+}
+
+#[test]
 fn gurobi_miplib_and_clp_are_read() {
     for text in [
         "# Solution for model textbook\n# Objective value = 36\nx 2\ny 6\n",

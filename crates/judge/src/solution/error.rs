@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use boundfit_exact::english::counted;
 use boundfit_exact::{Foreign, Limit, ParseNumberError};
 use thiserror::Error;
 
@@ -98,6 +99,18 @@ pub enum SolutionError {
         format: &'static str,
         /// The name.
         column: Foreign,
+    },
+    /// A list that belongs to another program.
+    #[error("{list} has {} (expected {expected}, one for each {kind} of the program)", counted(*.count, "number", "numbers"))]
+    Count {
+        /// The list.
+        list: &'static str,
+        /// The length that it has.
+        count: usize,
+        /// The length that it should have.
+        expected: usize,
+        /// Column or row.
+        kind: &'static str,
     },
     /// XML that is none.
     #[error("{} (expected a <CPLEXSolution>, as CPLEX writes it)", Foreign::from(.0.to_string()))]

@@ -105,6 +105,30 @@ impl Solution {
             other_rows: other_rows.filter(|_| is_optimal),
         })
     }
+
+    /// Refuses a solution that another program has: each of its lists has an entry for each column, or for each row, of the model. A
+    /// solution that [`Solution::new`] made has them. Cost: nothing.
+    ///
+    /// # Errors
+    /// [`SolutionError::Count`] with the first list of another length.
+    pub fn of_size(self, model: &Model) -> Result<Self, SolutionError> {
+        let (columns, rows) = (("column", model.columns.len()), ("row", model.rows.len()));
+        let lists = [
+            ("the point", &self.point, columns),
+            ("the list of duals", &self.duals, rows),
+            ("the list of reduced costs", &self.reduced_costs, columns),
+            ("the ray", &self.ray, columns),
+            ("the list of multipliers", &self.farkas, rows),
+        ];
+        let counts =
+            lists.into_iter().filter_map(|(list, given, of)| Some((list, given.as_ref()?.len(), of)));
+        for (list, count, (kind, expected)) in counts {
+            if count != expected {
+                return Err(SolutionError::Count { list, count, expected, kind });
+            }
+        }
+        Ok(self)
+    }
 }
 
 impl Entry {
