@@ -37,7 +37,8 @@ pub struct FractionCells {
 impl fmt::Display for Selection {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Selection { rows, without, conditions } = self;
-        f.write_str("rows")?;
+        let is_one = rows.as_ref().is_some_and(|rows| rows.parse::<usize>().is_ok());
+        f.write_str(if is_one { "row" } else { "rows" })?;
         rows.iter().try_for_each(|rows| write!(f, " {rows}"))?;
         without.iter().try_for_each(|without| write!(f, " without {without}"))?;
         if !conditions.is_empty() {
@@ -45,5 +46,19 @@ impl fmt::Display for Selection {
             write!(f, " where {}", conditions.join(" and "))?;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_row_is_a_row() {
+        let text = |rows: &str| Selection { rows: Some(rows.to_owned()), ..Selection::default() }.to_string();
+        assert_eq!(["7", "7..8", "7,9", "7.."].map(text), ["row 7", "rows 7..8", "rows 7,9", "rows 7.."]);
+        let conditions = vec!["t >= 20".to_owned().into()];
+        let conditional = Selection { without: Some("31".to_owned()), conditions, ..Selection::default() };
+        assert_eq!(conditional.to_string(), "rows without 31 where t >= 20");
     }
 }
