@@ -143,12 +143,12 @@ impl Refusal {
                 )
             }
             Refusal::FurtherError(reason) => format!(
-                "{} needs the error bound of the reading, and {reason}: say it with {}",
+                "{} needs the error bound of the reading, but {reason}; state it with {}",
                 surface.key("from"),
                 surface.key("new_eps")
             ),
             Refusal::NextError(reason) => format!(
-                "the error bound of the next reading is needed, and {reason}: say it with {}",
+                "{reason}; state the error bound of the next reading with {}",
                 surface.key("new_eps")
             ),
             Refusal::Outliers { why, steps } => of_outliers(why, *steps, surface),

@@ -11,6 +11,7 @@ use boundfit_tests::program::{Run, binary};
 use tempfile::TempDir;
 
 use boundfit_tests::cli::{boundfit, directory_with, files_in, finish, words};
+use boundfit_tests::generate::one_in;
 
 /// Readings that all shape the feasible set, so that its report is long: points of a parabola, with a group each.
 fn parabola() -> String {
@@ -223,6 +224,7 @@ fn killed(line: &str, output: &str, new: &[(String, Vec<u8>)], moment: impl FnOn
 #[test]
 fn a_killed_program_leaves_each_file_old_or_new() {
     const MOMENTS: u32 = 8;
+    let moments = || (0..MOMENTS).step_by(one_in().min(4));
     for line in TO_FILE.into_iter().chain([TO_FOLDER]) {
         let whole = directory_with(&[("data.csv", parabola().as_bytes())]);
         fs::create_dir(whole.path().join("folder")).unwrap();
@@ -234,11 +236,11 @@ fn a_killed_program_leaves_each_file_old_or_new() {
         assert!([0, 3].contains(&run.status), "{line}: {run:?}");
         let new = contents(&whole.path().join("folder"));
         assert!(new.iter().all(|(_, bytes)| bytes.len() > 4096), "{line}");
-        for k in 0..MOMENTS {
+        for k in moments() {
             killed(line, &output, &new, |_| sleep(time * k / (MOMENTS - 2)));
         }
         // Between the first byte and the last: as soon as there is a temporary file, and a little later.
-        for pause in 0..MOMENTS {
+        for pause in moments() {
             killed(line, &output, &new, |folder| {
                 let patience = Instant::now();
                 while !has_temporary(folder) && patience.elapsed() < 2 * time {

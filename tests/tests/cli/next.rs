@@ -216,8 +216,8 @@ fn what_makes_no_question_is_refused() {
         &root(),
         "next fixtures/steam-generator/steam_generator.csv --x x --y y --eps-column eps",
         2,
-        "the error bound of the next reading is needed, and each reading has an error bound of its own, and a further one has none \
-         yet: say it with '--new-eps'",
+        "each reading has an error bound of its own, so a further one has none yet; state the error bound of the next reading with \
+         '--new-eps'",
     );
 }
 

@@ -273,8 +273,8 @@ fn bad_usage_is_refused() {
         &root(),
         "predict fixtures/clock/offset.csv --x t --lower at_least --upper at_most --from 1",
         2,
-        "'--from' needs the error bound of the reading, and the readings are intervals, and nothing says how wide a further one is: \
-         say it with '--new-eps'",
+        "'--from' needs the error bound of the reading, but the readings are intervals, and nothing says how wide a further one is; \
+         state it with '--new-eps'",
     );
     let both = boundfit(&root(), &format!("{PREDICT} --at 1 --from 2 --format csv"));
     assert!(both.stderr.starts_with("error: '--format csv' writes one table"), "{}", both.stderr);

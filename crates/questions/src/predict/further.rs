@@ -25,7 +25,7 @@ struct Terms {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum NoFurtherError {
     /// Each reading has its own.
-    #[error("each reading has an error bound of its own, and a further one has none yet")]
+    #[error("each reading has an error bound of its own, so a further one has none yet")]
     PerRow,
     /// Readings are intervals.
     #[error("the readings are intervals, and nothing says how wide a further one is")]
