@@ -147,10 +147,9 @@ impl Refusal {
                 surface.key("from"),
                 surface.key("new_eps")
             ),
-            Refusal::NextError(reason) => format!(
-                "{reason}; state the error bound of the next reading with {}",
-                surface.key("new_eps")
-            ),
+            Refusal::NextError(reason) => {
+                format!("{reason}; state the error bound of the next reading with {}", surface.key("new_eps"))
+            }
             Refusal::Outliers { why, steps } => of_outliers(why, *steps, surface),
             Refusal::Form { ask, form, forms } => {
                 let forms: Vec<&str> = forms.iter().map(|form| form.name()).collect();

@@ -281,7 +281,10 @@ impl Style {
         let read = value.shortest_of_f64();
         match read.as_ref().and_then(|read| read.exact_decimal(GIVEN_DIGITS)) {
             Some(decimal) => Text::new().number(decimal).words(" (as a double)"),
-            None => self.proof(value),
+            None => match value.exact_decimal(LONGEST_READABLE) {
+                Some(decimal) => Text::new().number(decimal),
+                None => self.proof(value),
+            },
         }
     }
 
@@ -366,7 +369,7 @@ pub(crate) fn range(lower: Option<Text>, upper: Option<Text>) -> Text {
 
 #[cfg(test)]
 mod tests {
-    use boundfit_exact::Endpoint;
+    use boundfit_exact::{Endpoint, Limits, Reading};
 
     use super::*;
 
@@ -404,6 +407,10 @@ mod tests {
         let style = Style::default();
         assert_eq!(style.given(&Rational::ratio(373_923_265, 1_000_000_000)).to_string(), "0.373923265");
         assert_eq!(style.given(&Rational::ratio(1, 3)).to_string(), "1/3");
+        for text in ["0.733333333333333333333", "123456789012345678901.5"] {
+            let given = Reading::Decimal.read(text, &Limits::default()).unwrap();
+            assert_eq!(style.given(&given).to_string(), text);
+        }
         for (double, text) in [(0.1, "0.1 (as a double)"), (-2e-7, "-2e-7 (as a double)"), (0.75, "0.75")] {
             assert_eq!(style.given(&Rational::from_f64(double).unwrap()).to_string(), text);
         }

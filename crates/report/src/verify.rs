@@ -43,7 +43,11 @@ pub fn verify_text(verdict: &Verdict, proof: &str, data: &str) -> String {
         Found::Rows(count) => of_rows(*count),
     });
     let lines = lines.into_iter().map(|(label, line)| format!("  {label:<7} {line}\n"));
-    format!("verified: {proof} is true of {data}\n{}", lines.collect::<String>())
+    let verdict = match &statement.found {
+        Found::Rows(_) => format!("verified: {proof} is about {data}"),
+        Found::Set(_) | Found::Claims(_) => format!("verified: {proof} is true of {data}"),
+    };
+    format!("{verdict}\n{}", lines.collect::<String>())
 }
 
 /// The proved facts about a set, as lines with labels.
@@ -61,7 +65,7 @@ fn of_rows(count: usize) -> Vec<(&'static str, String)> {
     let rows = counted(count, "row", "rows");
     vec![(
         "agrees",
-        format!("{rows} and all conditions of the theorem, exactly; coqc checks what follows from them"),
+        format!("{rows} and all conditions of the theorem, exactly; only coqc checks what it concludes"),
     )]
 }
 

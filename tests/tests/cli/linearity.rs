@@ -31,6 +31,20 @@ fn pairs(expected: [(&str, &str); 4]) -> Vec<(String, String)> {
     expected.map(|(deviation, percent)| (deviation.to_owned(), percent.to_owned())).into()
 }
 
+/// A deviation in a data sheet must not be below the true one, so it is rounded up as in JSON.
+#[test]
+fn deviations_and_percentages_in_csv_are_rounded_up() {
+    let data = b"x,y\n8,-9\n5.41,-7.54\n-5.01,-3.7\n";
+    let run = boundfit_with_input(&root(), "linearity - --x x --y y --format csv", data);
+    let lines: Vec<Vec<&str>> = run.stdout.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(lines[1][1..4], ["independent", "0.2024442736356649", "3.8197032761446206"]);
+    let numbers = lines[1..].iter().flat_map(|row| [(row[2], row[6]), (row[3], row[7])]);
+    for (double, exact) in numbers.filter(|(double, _)| !double.is_empty()) {
+        let double: f64 = double.parse().unwrap();
+        assert_eq!(double, number(exact).ceil_to_f64(), "{exact}");
+    }
+}
+
 #[test]
 fn the_sensor_of_the_course_to_every_digit() {
     let report = report(&root(), LVDT);
@@ -180,7 +194,7 @@ fn every_format_is_written_and_recognised_as_ours() {
     }
     let csv = fs::read_to_string(directory.path().join("out.csv")).unwrap();
     assert!(csv.contains(
-        "\naverage,independent,0.105,2.7450980392156863,0.3825,0.095,21/200,140/51,153/400,19/200,1 5 6\n"
+        "\naverage,independent,0.10500000000000001,2.7450980392156863,0.3825,0.095,21/200,140/51,153/400,19/200,1 5 6\n"
     ));
     let png = boundfit(directory.path(), &format!("{line} -o a.txt --figure a.png"));
     assert_eq!(png.status, 0);

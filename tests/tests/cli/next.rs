@@ -221,6 +221,20 @@ fn what_makes_no_question_is_refused() {
     );
 }
 
+/// A rounded number would make "more than" false of what lies between.
+#[test]
+fn twice_the_error_bound_is_repeated_in_full() {
+    for (epsilon, twice) in [("0.7123456", "1.4246912"), ("0.7 --digits 1", "1.4"), ("1/3", "2/3")] {
+        let line = format!("next - --x x --y y --eps {epsilon}");
+        let run = boundfit_with_input(&root(), &line, b"x,y\n1,2\n2,3\n3,4.1\n4,5\n");
+        assert!(
+            run.stdout.replace("\n  ", " ").contains(&format!("2 eps = {twice} apart")),
+            "{}",
+            run.stdout
+        );
+    }
+}
+
 #[test]
 fn the_figure_is_refused_where_the_question_is() {
     let of = |options: &str| {

@@ -214,7 +214,7 @@ mod unix {
             "verify: verified: proof.json is true of transducer.csv",
             "verify: verified: proof.json is true of transducer.csv",
             "verify: Set-membership fit",
-            "verify: verified: answer.v is true of transducer.csv",
+            "verify: verified: answer.v is about transducer.csv",
             "polygon: Half-planes of square.ine, 4 rows",
             "polygon: ",
             "polygon: Generators of corners.ext, 4 rows",

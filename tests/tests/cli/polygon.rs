@@ -227,6 +227,27 @@ fn the_text_says_why_rows_are_redundant() {
     assert!(text.ends_with("\nNo row is redundant.\n"), "{text}");
 }
 
+/// The first of equal half-planes is irredundant, but an equation behind it says the same.
+#[test]
+fn a_row_is_redundant_that_an_equation_behind_it_has_too() {
+    let polygon = |rows: &str| {
+        let count = rows.lines().count();
+        let file = format!("H-representation\nlinearity 1 2\nbegin\n{count} 3 rational\n{rows}end\n");
+        printed_with_input(&root(), "polygon -", file.as_bytes())
+    };
+    let text = polygon("0 0 1\n0 0 2\n");
+    assert!(
+        text.ends_with("\nRedundant rows: 1\n  row  why\n  1    the same half-plane as row 2\n"),
+        "{text}"
+    );
+    // Without the third row the set is larger, without the first it is not.
+    let text = polygon("1 -1 0\n1 -1 0\n0 0 1\n");
+    assert!(
+        text.ends_with("\nRedundant rows: 1\n  row  why\n  1    the same half-plane as row 2\n"),
+        "{text}"
+    );
+}
+
 #[test]
 fn the_text_lists_vertices_and_ranges() {
     let text = printed(&root(), "polygon fixtures/polygon/house.ine");

@@ -114,12 +114,12 @@ fn what_agrees_and_where_it_does_not_is_said_in_a_line() {
         boundfit(directory.path(), "verify a.v a.csv --x x --y y --eps 0.2 --rows 2..4 --where theta1<=3");
     assert_eq!(run.status, 0, "{run:?}");
     assert!(
-        run.stdout.starts_with("verified: a.v is true of a.csv\n  model   y = theta1*x + theta2 + e\n"),
+        run.stdout.starts_with("verified: a.v is about a.csv\n  model   y = theta1*x + theta2 + e\n"),
         "{}",
         run.stdout
     );
     let last =
-        "  agrees  3 rows and all conditions of the theorem, exactly; coqc checks what follows from them\n";
+        "  agrees  3 rows and all conditions of the theorem, exactly; only coqc checks what it concludes\n";
     assert!(run.stdout.ends_with(last), "{}", run.stdout);
     let other = boundfit(directory.path(), "verify a.v a.csv --x x --y y --eps 0.3");
     assert_eq!(other.status, 4, "{other:?}");

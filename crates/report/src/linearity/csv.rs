@@ -21,8 +21,8 @@ const COLUMNS: [&str; 11] = [
 ];
 
 /// The linearity as a table: a row for each method of each characteristic (`average`, `up`, `down`), then `hysteresis` and
-/// `repeatability` where they are known. Numbers are doubles to nearest, the same numbers exactly, and the data rows, with
-/// blanks between, where the value is reached.
+/// `repeatability` where they are known. Deviations and percentages are doubles rounded up, slopes and intercepts doubles to nearest.
+/// The same numbers follow exactly, and the data rows, with blanks between, where the value is reached.
 pub fn linearity_csv(linearity: &Linearity) -> String {
     let mut writer = Writer::from_writer(Vec::new());
     let mut row = |cells: [String; 11]| {
@@ -60,10 +60,12 @@ pub fn linearity_csv(linearity: &Linearity) -> String {
 
 /// A row of the table.
 fn cells(name: &str, method: &str, numbers: [Option<&Rational>; 4], rows: &[usize]) -> [String; 11] {
-    let double = |number: Option<&Rational>| number.map_or_else(String::new, |n| format!("{:?}", n.to_f64()));
+    let double = |number: Option<f64>| number.map_or_else(String::new, |number| format!("{number:?}"));
     let exact = |number: Option<&Rational>| number.map_or_else(String::new, ToString::to_string);
     let rows: Vec<String> = rows.iter().map(ToString::to_string).collect();
-    let [a, b, c, d] = numbers.map(double);
+    let [deviation, percent, slope, intercept] = numbers;
+    let [a, b] = [deviation, percent].map(|number| double(number.map(Rational::ceil_to_f64)));
+    let [c, d] = [slope, intercept].map(|number| double(number.map(Rational::to_f64)));
     let [e, f, g, h] = numbers.map(exact);
     [name.to_owned(), method.replace(['-', ' '], "_"), a, b, c, d, e, f, g, h, rows.join(" ")]
 }

@@ -80,7 +80,7 @@ fn certainty(report: &NextReadingReport, next: &NextReading, style: &Style) -> T
     let (x, epsilon) = (report.x(), &next.epsilon);
     let style = next.unsure.as_ref().map_or(*style, |unsure| style.resolving(unsure));
     let twice = Text::from("2 ").symbol(Symbol::Epsilon).operator(Operator::Equals);
-    let twice = twice.number(style.upper(&(epsilon + epsilon)));
+    let twice = twice.then(style.given(&(epsilon + epsilon)));
     let certain = next.certain();
     let single = next.unsure.as_ref().and_then(|unsure| unsure.ends()).filter(|(from, to)| from == to);
     let surely = " certainly makes the set smaller, whatever it shows";

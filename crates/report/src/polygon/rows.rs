@@ -1,7 +1,9 @@
 //! The rows of a file of half-planes or generators, as reports name them.
 
+use std::collections::{HashMap, HashSet};
+
 use boundfit_formats::HalfPlaneFile;
-use boundfit_geometry::Polyhedron;
+use boundfit_geometry::{Constraint, Polyhedron};
 
 /// The rows of the file behind inequalities that are active at a vertex or boundary, ascending, each once. For a
 /// V-representation these are the rows of the points that equal the vertex or lie on the boundary.
@@ -33,8 +35,33 @@ pub(super) fn redundant_rows(file: &HalfPlaneFile, polyhedron: &Polyhedron) -> V
         }
         None => {
             let every: Vec<usize> = (0..file.origins.len()).collect();
-            (rows_of(file, &polyhedron.irredundant()), rows_of(file, &every))
+            let mut irredundant = polyhedron.irredundant();
+            let within = within_equations(file, polyhedron);
+            irredundant.retain(|index| !within.contains_key(index));
+            (rows_of(file, &irredundant), rows_of(file, &every))
         }
     };
     all.into_iter().filter(|row| needed.binary_search(row).is_err()).collect()
+}
+
+/// The irredundant half-planes that a needed equation behind them has too, each with the half-plane of the equation. Of equal
+/// half-planes the first is irredundant, but the row of the equation says what both rows say.
+pub(super) fn within_equations(file: &HalfPlaneFile, polyhedron: &Polyhedron) -> HashMap<usize, usize> {
+    let row = |index: usize| file.origins.get(index).map(|origin| origin.row);
+    let mut equations: HashSet<usize> =
+        file.origins.iter().filter(|origin| origin.reversed).map(|origin| origin.row).collect();
+    if equations.is_empty() {
+        return HashMap::new();
+    }
+    let irredundant = polyhedron.irredundant();
+    let needed: HashSet<usize> = irredundant.iter().filter_map(|&index| row(index)).collect();
+    equations.retain(|equation| needed.contains(equation));
+    let constraints = polyhedron.system().constraints();
+    let is_of_equation = |index: usize| row(index).is_some_and(|row| equations.contains(&row));
+    let of_equations: HashMap<&Constraint, usize> = (0..constraints.len())
+        .filter(|&index| is_of_equation(index))
+        .map(|index| (&constraints[index], index))
+        .collect();
+    let others = irredundant.into_iter().filter(|&index| !is_of_equation(index));
+    others.filter_map(|index| Some((index, *of_equations.get(&constraints[index])?))).collect()
 }

@@ -6,7 +6,7 @@ use boundfit_exact::english::{counted, list};
 use boundfit_formats::{HalfPlaneFile, RowOrigin};
 use boundfit_geometry::{Direction, Generator, Generators, Inequality, Multiplier, Polyhedron, Redundancy};
 
-use super::rows::redundant_rows;
+use super::rows::{redundant_rows, within_equations};
 use crate::document::{Block, Table, Text};
 use crate::formula::products;
 use crate::style::Style;
@@ -54,24 +54,26 @@ fn redundancy(
     style: &Style,
 ) -> Vec<Vec<Text>> {
     let mut rows = Vec::new();
-    for (index, reason) in polyhedron.redundancies().iter().enumerate() {
+    let within = within_equations(file, polyhedron);
+    for (index, reason) in polyhedron.redundancies().into_iter().enumerate() {
         let RowOrigin { row, reversed } = file.origins[index];
-        let Some(reason) = reason.as_ref().filter(|_| redundant.binary_search(&row).is_ok()) else {
+        let reason = reason.or_else(|| within.get(&index).copied().map(Redundancy::SameAs));
+        let Some(reason) = reason.filter(|_| redundant.binary_search(&row).is_ok()) else {
             continue;
         };
         let reason = match reason {
             Redundancy::Always => "holds everywhere".into(),
             Redundancy::SameAs(other) => {
-                let RowOrigin { row, reversed } = file.origins[*other];
+                let RowOrigin { row, reversed } = file.origins[other];
                 format!("the same half-plane as row {row}{}", direction(reversed)).into()
             }
             Redundancy::EmptyWithout => "the region is empty without it".into(),
             Redundancy::Dominated { by, slack } if slack.is_zero() => {
-                Text::from("touches the region; implied by ").then(products_of(file, by, style))
+                Text::from("touches the region; implied by ").then(products_of(file, &by, style))
             }
             Redundancy::Dominated { by, slack } => {
-                let products = Text::from("implied by ").then(products_of(file, by, style));
-                products.words(" with ").number(style.nearest(slack)).words(" to spare")
+                let products = Text::from("implied by ").then(products_of(file, &by, style));
+                products.words(" with ").number(style.nearest(&slack)).words(" to spare")
             }
         };
         rows.push(vec![format!("{row}{}", direction(reversed)).into(), reason]);
