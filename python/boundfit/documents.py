@@ -381,7 +381,7 @@ class VerifyDocument(TypedDict):
     schema: Literal["boundfit/verify/1"]
     """The name and number of this schema."""
     verified: bool
-    """True if every statement is true of the data, and the question is the one asked. Of a theorem for Coq only the rows and conditions are compared: `coqc` alone checks what it concludes."""
+    """True if every statement is true of the data, and the question is the one asked. Only the rows and conditions of a theorem for Coq are compared: `coqc` alone checks what it concludes."""
     half_planes: int | None
     """The number of half-planes; null unless the proof is true."""
     falsehood: str | None

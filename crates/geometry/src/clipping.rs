@@ -5,6 +5,8 @@
 //! ordinary points have `w > 0`, points at infinity `w = 0`. There the plane, a half-plane or a strip is a polygon
 //! like any other, and one rule (Sutherland and Hodgman 1974) clips all ten kinds.
 
+use std::sync::Arc;
+
 use boundfit_exact::{Integer, Rational, Sign};
 
 use crate::active::Active;
@@ -25,9 +27,9 @@ pub struct Step {
     /// The inequality that was added.
     pub index: usize,
     /// The region before.
-    pub before: Region,
-    /// The region after.
-    pub after: Region,
+    pub before: Arc<Region>,
+    /// The region after; that of the step before where nothing changed.
+    pub after: Arc<Region>,
     /// Vertices of the region after that were none before.
     pub born: Vec<Point>,
     /// Vertices of the region before that are none after.
@@ -64,41 +66,46 @@ pub fn intersect(system: &System) -> Region {
 
 /// The region of a system, by clipping in the given order of indices, with a report of every step.
 ///
-/// Exact. Cost: inequalities times vertices, with a copy of the region per step.
+/// Exact. Cost: inequalities times vertices, with a copy of the region for each step that changes it.
 ///
 /// # Panics
 /// When an index is out of range.
 pub fn steps(system: &System, order: &[usize]) -> Vec<Step> {
     let mut clipper = Clipper::new(system);
-    let mut before = clipper.region();
+    let mut before = Arc::new(clipper.region());
     order
         .iter()
         .map(|&index| {
-            let redundant = clipper.redundancy(index, &before);
-            // Most steps leave everything as it is.
-            let changed = clipper.clip(index).then(|| clipper.region());
-            let [born, lost] = changed.as_ref().map_or_else(Default::default, |after| {
-                [missing_in(after, &before), missing_in(&before, after)]
-            });
-            let after = changed.unwrap_or_else(|| before.clone());
-            let before = std::mem::replace(&mut before, after.clone());
+            let effect = clipper.clip(index);
+            // A region that loses something does not satisfy the inequality.
+            let redundant = if effect == Effect::Cut { None } else { clipper.redundancy(index, &before) };
+            let changed = (effect != Effect::None).then(|| Arc::new(clipper.region()));
+            let [born, lost] =
+                changed.as_ref().map_or_else(Default::default, |after| born_and_lost(&before, after));
+            let after = changed.unwrap_or_else(|| Arc::clone(&before));
+            let before = std::mem::replace(&mut before, Arc::clone(&after));
             Step { index, born, lost, redundant, before, after }
         })
         .collect()
 }
 
-/// The vertices of a region that are none of another one. Most are vertices of both, in the same order around them, so that
-/// each is looked for behind the one found last.
-fn missing_in(region: &Region, other: &Region) -> Vec<Point> {
-    let others = other.vertices();
-    let mut next = 0;
-    let is_missing = |vertex: &&Vertex| {
-        let mut behind = (next..others.len()).chain(0..next);
-        let found = behind.find(|&number| others[number].point() == vertex.point());
-        next = found.map_or(next, |number| number + 1);
+/// The vertices that only the second of two regions has, and those that only the first has. Most are vertices of both, in the
+/// same order around them, so that each is looked for behind the one found last.
+fn born_and_lost(before: &Region, after: &Region) -> [Vec<Point>; 2] {
+    let olds = before.vertices();
+    let (mut next, mut is_kept) = (0, vec![false; olds.len()]);
+    let is_born = |vertex: &&Vertex| {
+        let mut behind = (next..olds.len()).chain(0..next);
+        let found = behind.find(|&number| olds[number].point() == vertex.point());
+        if let Some(number) = found {
+            (next, is_kept[number]) = (number + 1, true);
+        }
         found.is_none()
     };
-    region.vertices().iter().filter(is_missing).map(|vertex| vertex.point().clone()).collect()
+    let point = |vertex: &Vertex| vertex.point().clone();
+    let born = after.vertices().iter().filter(is_born).map(point).collect();
+    let lost = olds.iter().zip(&is_kept).filter(|(_, is_kept)| !**is_kept).map(|(vertex, _)| point(vertex));
+    [born, lost.collect()]
 }
 
 /// A corner of the polygon on the sphere.
@@ -161,6 +168,15 @@ enum State {
     Empty(Farkas),
 }
 
+/// The effect of an inequality on the region.
+#[derive(PartialEq, Eq)]
+enum Effect {
+    None,
+    /// It is active at a point of the region, and takes none away.
+    Touch,
+    Cut,
+}
+
 /// The region cut so far.
 #[derive(Debug, Clone)]
 struct Clipper<'a> {
@@ -177,23 +193,23 @@ impl<'a> Clipper<'a> {
         Clipper { system, state: State::Plane, nodes: nodes.collect() }
     }
 
-    /// Adds an inequality, and returns false if that leaves the region and the half-planes active at its points as they are.
-    fn clip(&mut self, index: usize) -> bool {
+    /// Adds an inequality.
+    fn clip(&mut self, index: usize) -> Effect {
         match &self.system.constraints()[index] {
-            _ if matches!(self.state, State::Empty(_)) => return false,
-            Constraint::Always => return false,
+            _ if matches!(self.state, State::Empty(_)) => Effect::None,
+            Constraint::Always => Effect::None,
             Constraint::Never => {
                 self.state = State::Empty(Farkas::new(vec![Multiplier { index, value: Rational::one() }]));
+                Effect::Cut
             }
-            Constraint::HalfPlane(half_plane) => return self.clip_by(index, half_plane),
+            Constraint::HalfPlane(half_plane) => self.clip_by(index, half_plane),
         }
-        true
     }
 
-    fn clip_by(&mut self, index: usize, half_plane: &HalfPlane) -> bool {
+    fn clip_by(&mut self, index: usize, half_plane: &HalfPlane) -> Effect {
         let signs: Vec<Sign> = self.nodes.iter().map(|node| node.sign(half_plane)).collect();
         if signs.iter().all(|sign| *sign == Sign::Negative) {
-            return false;
+            return Effect::None;
         }
         if signs.contains(&Sign::Positive) {
             // A finite point on the near side, or a direction that leads there, shows that something is left.
@@ -205,7 +221,7 @@ impl<'a> Clipper<'a> {
                 self.state = State::Empty(
                     NormalFan::of(self.system, &self.region()).contradiction(self.system, index),
                 );
-                return true;
+                return Effect::Cut;
             }
             self.state = State::Cut;
         }
@@ -215,24 +231,31 @@ impl<'a> Clipper<'a> {
                 active.settle();
             }
         }
-        if signs.contains(&Sign::Positive) {
-            self.cut((index, half_plane), &signs);
+        if !signs.contains(&Sign::Positive) {
+            return Effect::Touch;
         }
-        true
+        self.cut((index, half_plane), &signs);
+        Effect::Cut
     }
 
     /// Keeps what lies on the near side: nodes that do, and a new node wherever an edge crosses.
     fn cut(&mut self, cut: (usize, &HalfPlane), signs: &[Sign]) {
         let (index, half_plane) = cut;
-        let mut kept: Vec<Node> = Vec::with_capacity(self.nodes.len() + 2);
-        for (position, (node, &sign)) in self.nodes.iter().zip(signs).enumerate() {
-            let next = (position + 1) % self.nodes.len();
-            if sign != Sign::Positive {
-                kept.push(node.clone());
-            }
-            if let (Sign::Negative, Sign::Positive) | (Sign::Positive, Sign::Negative) = (sign, signs[next]) {
-                kept.extend(self.crossing(node, &self.nodes[next], cut));
-            }
+        let nexts = self.nodes.iter().zip(signs).cycle().skip(1);
+        let crossings =
+            self.nodes.iter().zip(signs).zip(nexts).map(|((node, sign), (next, sign_of_next))| {
+                let is_crossed = matches!(
+                    (sign, sign_of_next),
+                    (Sign::Negative, Sign::Positive) | (Sign::Positive, Sign::Negative)
+                );
+                is_crossed.then(|| self.crossing(node, next, cut)).flatten()
+            });
+        let crossings: Vec<Option<Node>> = crossings.collect();
+        let (mut kept, mut dropped) = (Vec::with_capacity(self.nodes.len() + 2), Vec::new());
+        for ((node, sign), crossing) in std::mem::take(&mut self.nodes).into_iter().zip(signs).zip(crossings)
+        {
+            if *sign == Sign::Positive { &mut dropped } else { &mut kept }.push(node);
+            kept.extend(crossing);
         }
         kept.dedup_by(|next, node| node.same_place(next));
         while kept.len() > 1 && kept[0].same_place(&kept[kept.len() - 1]) {
@@ -246,7 +269,8 @@ impl<'a> Clipper<'a> {
         });
         if let Some(position) = gap {
             let point = foot(half_plane);
-            let active = self.touching(self.nodes.iter().flat_map(Node::active).chain([&index]), &point);
+            let active = kept.iter().chain(&dropped).flat_map(Node::active).chain([&index]);
+            let active = self.touching(active, &point);
             kept.insert(position + 1, Node::Finite { point, active });
         }
         self.nodes = kept;

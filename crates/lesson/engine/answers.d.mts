@@ -359,7 +359,7 @@ export interface JudgeDocument {
 export interface VerifyDocument {
   /** The name and number of this schema. */
   schema: "boundfit/verify/1";
-  /** True if every statement is true of the data, and the question is the one asked. Of a theorem for Coq only the rows and conditions are compared: `coqc` alone checks what it concludes. */
+  /** True if every statement is true of the data, and the question is the one asked. Only the rows and conditions of a theorem for Coq are compared: `coqc` alone checks what it concludes. */
   verified: boolean;
   /** The number of half-planes; null unless the proof is true. */
   half_planes: number | null;

@@ -44,6 +44,7 @@ mod half_planes;
 mod layers;
 mod leave_one_out;
 mod number;
+mod numbered;
 mod options;
 mod orders;
 mod outliers;

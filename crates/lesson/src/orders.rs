@@ -115,7 +115,7 @@ fn worst_first(fit: &Fit) -> (Vec<usize>, Message) {
 fn outcome(steps: &[Step]) -> Message {
     let count = steps.len();
     let last = steps.iter().rposition(|step| step.redundant.is_none()).map(|position| position + 1);
-    match (last, steps.last().map(|step| &step.after)) {
+    match (last, steps.last().map(|step| &*step.after)) {
         (Some(last), Some(Region::Empty(_))) => text!("order.empty", last: last, count: count),
         (Some(last), _) if last == count => text!("order.last", count: count),
         (Some(last), _) => text!("order.final", last: last, count: count),

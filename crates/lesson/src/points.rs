@@ -1,34 +1,31 @@
 //! The points of the parameter plane, each kept once.
 
-use std::collections::HashMap;
-
 use boundfit_exact::Rational;
 use boundfit_geometry::Point;
 use boundfit_report::{Number, Style};
 
 use crate::number::point;
+use crate::numbered::Numbered;
 
 /// A pool of points; the rest of the data refers to them by index, in the order in which they first came up.
 #[derive(Debug)]
 pub(crate) struct Points {
     styles: [Style; 2],
-    indices: HashMap<Point, usize>,
+    known: Numbered<Point>,
     numbers: Vec<[Number; 2]>,
 }
 
 impl Points {
     pub(crate) fn new(styles: [Style; 2]) -> Self {
-        Points { styles, indices: HashMap::new(), numbers: Vec::new() }
+        Points { styles, known: Numbered::default(), numbers: Vec::new() }
     }
 
     /// The index of a point, which is added when it is new.
     pub(crate) fn index(&mut self, at: &Point) -> usize {
-        if let Some(&index) = self.indices.get(at) {
-            return index;
+        let (index, is_new) = self.known.number(at);
+        if is_new {
+            self.numbers.push(point(&self.styles, &at.coordinates()));
         }
-        let index = self.numbers.len();
-        self.indices.insert(at.clone(), index);
-        self.numbers.push(point(&self.styles, &at.coordinates()));
         index
     }
 

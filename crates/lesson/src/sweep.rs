@@ -1,7 +1,5 @@
 //! The family of sets under a common factor on all error bounds.
 
-use std::collections::HashMap;
-
 use boundfit_estimation::{Breakpoint, Family, Fit, Linear, MovingVertex, Piece, Problem};
 use boundfit_exact::Rational;
 use boundfit_report::Number;
@@ -9,6 +7,7 @@ use boundfit_report::answer::{BreakpointJson, LinearJson, PieceJson};
 use serde::Serialize;
 
 use crate::number::STYLE;
+use crate::numbered::Numbered;
 
 /// The family. Sets share most of their vertices: each is written once, as functions of the factor, and the sets refer
 /// to them by index.
@@ -48,7 +47,7 @@ pub(crate) fn sweep(problem: &Problem, fit: &Fit) -> SweepJson {
 /// The ways of vertices, each kept once.
 #[derive(Debug, Default)]
 struct Paths<'a> {
-    indices: HashMap<&'a [Linear; 2], usize>,
+    known: Numbered<&'a [Linear; 2]>,
     written: Vec<[LinearJson; 2]>,
 }
 
@@ -58,10 +57,11 @@ impl<'a> Paths<'a> {
     }
 
     fn index(&mut self, path: &'a [Linear; 2]) -> usize {
-        *self.indices.entry(path).or_insert_with(|| {
+        let (index, is_new) = self.known.number(&path);
+        if is_new {
             self.written.push(path.each_ref().map(LinearJson::from));
-            self.written.len() - 1
-        })
+        }
+        index
     }
 }
 

@@ -1,5 +1,7 @@
 //! The report of the family of sets over the error bound.
 
+use std::sync::Arc;
+
 use boundfit_estimation::{
     BoundName, Breakpoint, Family, Linear, MovingArea, MovingBoundary, MovingVertex, Piece, Problem,
 };
@@ -84,7 +86,7 @@ fn piece_blocks(piece: &Piece, style: &Style) -> Vec<Block> {
     let function = |function: &Linear| linear_text(function, style);
     let title = Text::from("For ").then(from_to(style.proof(&piece.from), style.proof(&piece.to)));
     let title = title.words(format!(": {}", kind_text(piece.kind, piece.vertices.len())));
-    let vertex = |(number, vertex): (usize, &MovingVertex)| {
+    let vertex = |(number, vertex): (usize, &Arc<MovingVertex>)| {
         let [theta1, theta2] = vertex.theta.each_ref().map(function);
         vec![Text::new().number(number), theta1, theta2, names_of(&vertex.active).into()]
     };

@@ -1,5 +1,7 @@
 //! The family of sets over the error bound as JSON: part of `boundfit/fit/2`.
 
+use std::sync::Arc;
+
 use boundfit_estimation::{
     ActiveBounds, BoundName, Breakpoint, Family, Linear, MovingArea, MovingVertex, Piece, Problem, Section,
     SectionVertex, Ties,
@@ -46,7 +48,7 @@ fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) ->
 }
 
 fn piece_json(piece: &Piece, style: &Style) -> PieceJson {
-    let vertex = |vertex: &MovingVertex| VertexJson {
+    let vertex = |vertex: &Arc<MovingVertex>| VertexJson {
         theta: vertex.theta.each_ref().map(LinearJson::from),
         active: listed(&vertex.active),
     };

@@ -23,7 +23,7 @@ fn in_the_given_order_every_step_ends_at_the_region_of_the_prefix() {
         for (count, step) in steps.iter().enumerate() {
             // Equal in every part, the certificate too: a prefix has the indices of the whole.
             let prefix = subsystem(&system, &order[..=count]);
-            assert_eq!(step.after, envelope::intersect(&prefix), "{:?}", prefix.inequalities());
+            assert_eq!(*step.after, envelope::intersect(&prefix), "{:?}", prefix.inequalities());
         }
     }
     assert_all_cases(&tally);
@@ -84,7 +84,7 @@ fn check_steps(system: &System, order: &[usize], steps: &[Step], tally: &mut Tal
     let question = (order, system.inequalities());
     assert_eq!(steps.iter().map(|step| step.index).collect::<Vec<_>>(), order, "{question:?}");
     if let Some(first) = steps.first() {
-        assert_eq!(first.before, Region::Plane, "{question:?}");
+        assert_eq!(*first.before, Region::Plane, "{question:?}");
     }
     for pair in steps.windows(2) {
         assert_eq!(pair[0].after, pair[1].before, "{question:?}");
@@ -232,7 +232,7 @@ fn the_unit_square_step_by_step() {
         step(RegionKind::Empty, &[], &[], &[], already_empty),
     ];
     check_written(&steps, &written);
-    assert_eq!(steps[0].before, Region::Plane);
+    assert_eq!(*steps[0].before, Region::Plane);
     // θ1 + θ2 ≤ 1, θ1 ≥ 1 and θ2 ≥ 1 add up to 0 ≤ -1.
     let certificate = steps[11].after.certificate().map(|certificate| certificate.multipliers());
     assert_eq!(certificate, Some(multipliers(&[(8, 1), (10, 1), (11, 1)]).as_slice()));

@@ -1,5 +1,7 @@
 //! Two half-planes of a set that are neighbours by angle, and the redundant ones between them.
 
+use std::sync::Arc;
+
 use boundfit_exact::{Fraction, Integer, Rational, Sign};
 
 use super::functions::{Linear, MovingVertex};
@@ -8,7 +10,7 @@ use super::growing::GrowingSystem;
 /// All that two neighbours say about every set in which they are neighbours.
 pub(super) struct Neighbours {
     /// Their corner; `None` where the set goes on between them.
-    pub(super) corner: Option<MovingVertex>,
+    pub(super) corner: Option<Arc<MovingVertex>>,
     /// True if no other half-plane goes along with the corner.
     pub(super) is_simple: bool,
     /// The factors at which they can be neighbours.
@@ -82,7 +84,7 @@ impl Neighbours {
         let [from, to] = [from, to].map(|root| root.map(Rational::from));
         reach.narrow(&Reach { from: from.unwrap_or_default(), to });
         let is_simple = active.len() == 2;
-        let corner = theta.map(|theta| MovingVertex { theta, active: system.active(&active) });
+        let corner = theta.map(|theta| Arc::new(MovingVertex { theta, active: system.active(&active) }));
         Neighbours { corner, is_simple, reach, met }
     }
 }

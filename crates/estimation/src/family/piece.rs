@@ -1,5 +1,7 @@
 //! The form of a family between two breakpoints.
 
+use std::sync::Arc;
+
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::{Direction, Point, Polyhedron, RegionKind, Support};
 
@@ -19,8 +21,8 @@ pub struct Piece {
     pub to: Rational,
     /// The kind of region of the sets.
     pub kind: RegionKind,
-    /// Counter-clockwise, the lexicographically smallest first.
-    pub vertices: Vec<MovingVertex>,
+    /// Counter-clockwise, the lexicographically smallest first. Pieces share most of them.
+    pub vertices: Vec<Arc<MovingVertex>>,
     /// Extreme recession directions.
     pub rays: Vec<Direction>,
     /// Directions of the lines in the sets.
@@ -84,7 +86,7 @@ impl Piece {
     /// shape no polygon. The ends of the piece are left to the caller.
     pub(super) fn polygon(shape: &mut Shape, spokes: &[usize]) -> Option<Self> {
         let corners = around(spokes).map(|[before, spoke, _]| shape.neighbours(before, spoke).corner.clone());
-        let vertices = corners.collect::<Option<Vec<MovingVertex>>>()?;
+        let vertices = corners.collect::<Option<Vec<_>>>()?;
         // The vertex furthest in a direction: the half-planes up to that angle come before it, the others behind it.
         let end = |axis: usize, is_before: fn(&[Rational; 2]) -> bool| {
             let number = spokes.partition_point(|&spoke| is_before(shape.system.form(spoke)));
@@ -115,7 +117,7 @@ impl Piece {
 
     /// The set at a factor within the piece.
     pub(super) fn at(&self, s: &Rational) -> Section {
-        let vertex = |vertex: &MovingVertex| SectionVertex {
+        let vertex = |vertex: &Arc<MovingVertex>| SectionVertex {
             theta: vertex.theta.each_ref().map(|coordinate| coordinate.at(s)),
             active: vertex.active.clone(),
         };
@@ -141,7 +143,7 @@ impl Piece {
 
 /// The moving corner at each vertex: that of two irredundant half-planes, next to each other by angle, which are both active
 /// there. Vertices and corners go around the set in the same way.
-fn moving_vertices(polyhedron: &Polyhedron, shape: &mut Shape) -> Vec<MovingVertex> {
+fn moving_vertices(polyhedron: &Polyhedron, shape: &mut Shape) -> Vec<Arc<MovingVertex>> {
     let spokes = polyhedron.irredundant_by_angle();
     let mut next = 0;
     let mut found = Vec::with_capacity(spokes.len());
@@ -153,7 +155,8 @@ fn moving_vertices(polyhedron: &Polyhedron, shape: &mut Shape) -> Vec<MovingVert
             next = number + 1;
             Some(corner.flatten()?.theta.clone())
         });
-        found.extend(theta.map(|theta| MovingVertex { theta, active: shape.system.active(vertex.active()) }));
+        let moving = |theta| MovingVertex { theta, active: shape.system.active(vertex.active()) };
+        found.extend(theta.map(moving).map(Arc::new));
     }
     found
 }
@@ -185,7 +188,8 @@ impl Piece {
             RegionKind::Point | RegionKind::Segment | RegionKind::Ray | RegionKind::Line => &[],
             _ => return None,
         };
-        let at_zero = corners.iter().map(|MovingVertex { theta: [theta1, theta2], .. }| {
+        let at_zero = corners.iter().map(|corner| {
+            let [theta1, theta2] = &corner.theta;
             Point::new(&theta1.constant, &theta2.constant)
         });
         Some(MovingArea::new(at_zero.collect(), &self.growth))

@@ -3,8 +3,6 @@
 //! The shape holds as long as certain linear functions of s are not negative. Each is about two or three half-planes,
 //! whichever others there are, so that it is the same one in every piece in which these are neighbours: it is kept.
 
-use std::collections::HashMap;
-
 use boundfit_geometry::Direction;
 use boundfit_geometry::predicates::angle_order;
 
@@ -21,9 +19,18 @@ pub(super) struct Shape<'a> {
     directions: Vec<Vec<usize>>,
     /// The place of each half-plane in this order.
     places: Vec<usize>,
-    neighbours: HashMap<[usize; 2], Neighbours>,
-    /// The factors at which there is an edge along the second half-plane between the first and the third.
-    edges: HashMap<[usize; 3], Reach>,
+    /// For each half-plane, those that were its next neighbours, with the facts about both.
+    neighbours: Vec<Known<usize, Neighbours>>,
+    /// For each half-plane, the pairs that it had an edge between, with the factors at which it has.
+    edges: Vec<Known<[usize; 2], Reach>>,
+}
+
+/// Facts by their keys. There are few, and the last ones are asked for most.
+type Known<K, F> = Vec<(K, F)>;
+
+/// The place of a fact, if it is known.
+fn place<K: PartialEq, F>(facts: &Known<K, F>, key: &K) -> Option<usize> {
+    facts.iter().rposition(|(known, _)| known == key)
 }
 
 impl<'a> Shape<'a> {
@@ -39,7 +46,9 @@ impl<'a> Shape<'a> {
             same.iter().for_each(|&(_, index)| places[index] = directions.len());
             directions.push(same.iter().map(|&(_, index)| index).collect());
         }
-        Shape { system, directions, places, neighbours: HashMap::new(), edges: HashMap::new() }
+        let neighbours = places.iter().map(|_| Known::new()).collect();
+        let edges = places.iter().map(|_| Known::new()).collect();
+        Shape { system, directions, places, neighbours, edges }
     }
 
     /// Sorts half-planes by angle, from behind that of (-1, 0).
@@ -49,23 +58,27 @@ impl<'a> Shape<'a> {
 
     /// Returns the facts about two half-planes that are neighbours in a set.
     pub(super) fn neighbours(&mut self, f: usize, g: usize) -> &Neighbours {
-        let (first, last) = (self.places[f], self.places[g]);
-        self.neighbours.entry([f, g]).or_insert_with(|| {
-            let all = self.directions.as_slice();
+        let facts = &mut self.neighbours[f];
+        let place = place(facts, &g).unwrap_or_else(|| {
+            let (first, last, all) = (self.places[f], self.places[g], self.directions.as_slice());
             let between =
                 if first < last { [&all[first..=last], &[]] } else { [&all[first..], &all[..=last]] };
-            Neighbours::new(self.system, [f, g], between.into_iter().flatten().flatten().copied())
-        })
+            let between = between.into_iter().flatten().flatten().copied();
+            facts.push((g, Neighbours::new(self.system, [f, g], between)));
+            facts.len() - 1
+        });
+        &self.neighbours[f][place].1
     }
 
     /// The factors at which there is an edge along the second half-plane between the first and the third.
     pub(super) fn edge(&mut self, before: usize, spoke: usize, next: usize) -> &Reach {
-        if !self.edges.contains_key(&[before, spoke, next]) {
+        let place = place(&self.edges[spoke], &[before, next]).unwrap_or_else(|| {
             let length = self.length(before, spoke, next);
-            self.edges
-                .insert([before, spoke, next], length.map_or_else(Reach::default, |own| Reach::of(&own)));
-        }
-        &self.edges[&[before, spoke, next]]
+            let reach = length.map_or_else(Reach::default, |own| Reach::of(&own));
+            self.edges[spoke].push(([before, next], reach));
+            self.edges[spoke].len() - 1
+        });
+        &self.edges[spoke][place].1
     }
 
     /// The length of an edge, in a positive unit: its boundary runs to the left of its normal.

@@ -13,8 +13,8 @@ pub struct VerifyJson<'a> {
     /// The name and number of this schema.
     #[cfg_attr(feature = "schema", schemars(extend("const" = VerifyJson::SCHEMA)))]
     pub schema: &'static str,
-    /// True if every statement is true of the data, and the question is the one asked. Of a theorem for Coq only the rows and
-    /// conditions are compared: `coqc` alone checks what it concludes.
+    /// True if every statement is true of the data, and the question is the one asked. Only the rows and conditions of a theorem
+    /// for Coq are compared: `coqc` alone checks what it concludes.
     pub verified: bool,
     /// The number of half-planes; null unless the proof is true.
     pub half_planes: Option<usize>,

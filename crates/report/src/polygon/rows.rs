@@ -44,8 +44,8 @@ pub(super) fn redundant_rows(file: &HalfPlaneFile, polyhedron: &Polyhedron) -> V
     all.into_iter().filter(|row| needed.binary_search(row).is_err()).collect()
 }
 
-/// The irredundant half-planes that a needed equation behind them has too, each with the half-plane of the equation. Of equal
-/// half-planes the first is irredundant, but the row of the equation says what both rows say.
+/// The irredundant half-planes that a needed equation behind them has too, each with the half-plane of the equation. The first
+/// of equal half-planes is irredundant, but the row of the equation says what both rows say.
 pub(super) fn within_equations(file: &HalfPlaneFile, polyhedron: &Polyhedron) -> HashMap<usize, usize> {
     let row = |index: usize| file.origins.get(index).map(|origin| origin.row);
     let mut equations: HashSet<usize> =
