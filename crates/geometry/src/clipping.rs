@@ -172,7 +172,7 @@ enum State {
 #[derive(PartialEq, Eq)]
 enum Effect {
     None,
-    /// It is active at a point of the region, and takes none away.
+    /// The boundary meets the region, which loses nothing.
     Touch,
     Cut,
 }

@@ -19,9 +19,9 @@ pub(super) struct Shape<'a> {
     directions: Vec<Vec<usize>>,
     /// The place of each half-plane in this order.
     places: Vec<usize>,
-    /// For each half-plane, those that were its next neighbours, with the facts about both.
+    /// The half-planes that were the next neighbours of each, with the facts about both.
     neighbours: Vec<Known<usize, Neighbours>>,
-    /// For each half-plane, the pairs that it had an edge between, with the factors at which it has.
+    /// The pairs that each half-plane had an edge between, with the factors at which it has.
     edges: Vec<Known<[usize; 2], Reach>>,
 }
 
