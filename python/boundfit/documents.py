@@ -699,7 +699,7 @@ class Header(TypedDict):
     comment: bool
     """True if that line is a comment."""
     open: bool
-    """True if nothing told a header from a reading: every cell of the first line is a number or missing."""
+    """True if nothing told a header from a reading: every cell of the first line that is used is a number or missing."""
     row_names: bool
     """True if each row begins with a name, so that it has a cell more than the header."""
 

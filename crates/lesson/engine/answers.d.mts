@@ -657,7 +657,7 @@ export interface Header {
   line: number | null;
   /** True if that line is a comment. */
   comment: boolean;
-  /** True if nothing told a header from a reading: every cell of the first line is a number or missing. */
+  /** True if nothing told a header from a reading: every cell of the first line that is used is a number or missing. */
   open: boolean;
   /** True if each row begins with a name, so that it has a cell more than the header. */
   row_names: boolean;

@@ -73,9 +73,53 @@ fn line_1_is_a_header_where_a_cell_of_it_is_no_number_above_numbers() {
     assert!(said("years-as-names.csv", &["1960", "1970"], &auto()).starts_with(by_name));
     assert_eq!(
         said("counts-in-line-1.csv", &["1", "2"], &auto()),
-        "150 4: 51/10 7/2 and 8 more; header in line 1"
+        "150 4: 51/10 7/2 and 8 more; header in line 1 (else header no)"
     );
-    assert_eq!(said("yearheads.csv", &["2", "3"], &auto()), "2010 2011: 2 3 and 2 more; header in line 1");
+    let years = "2010 2011: 2 3 and 2 more; header in line 1 (else header no)";
+    assert_eq!(said("yearheads.csv", &["2", "3"], &auto()), years);
+}
+
+/// Names, rows and words of a text whose wanted columns are asked for by these numbers, or the message.
+fn said_of(text: &str, columns: &[&str], missing_as: &[&str]) -> (String, usize, String) {
+    let words = missing_as.iter().map(|&word| word.to_owned());
+    let table = TableOptions {
+        missing: Missing::Skip,
+        missing_as: MissingWords::new(words),
+        ..TableOptions::default()
+    };
+    let (names, rows, words) = read(text.as_bytes(), columns, table, 1 << 18).unwrap();
+    (names.join(" "), rows.len(), words.unwrap_or_default())
+}
+
+#[test]
+fn a_word_for_a_missing_value_is_no_name() {
+    let reading = "no header, the first line is a reading (else header yes)";
+    let overload = "OVLD,2.5,1.5\n5,3,2\n6,4,4\n";
+    for (text, columns, missing_as, rows) in [
+        (overload, ["2", "3"], ["OVLD"].as_slice(), 3),
+        (&overload.replace("OVLD", "NA"), ["2", "3"], &[], 3),
+        ("1,OL\n2,3\n3,4\n4,5.1\n", ["1", "2"], &["OL"], 3),
+        ("OL,OL\n2,3\n3,4\n4,5.1\n", ["1", "2"], &["OL"], 3),
+    ] {
+        let names = columns.map(|column| format!("col{column}")).join(" ");
+        assert_eq!(said_of(text, &columns, missing_as), (names, rows, reading.to_owned()), "{text:?}");
+    }
+}
+
+#[test]
+fn a_first_line_that_may_be_a_reading_leaves_the_header_open() {
+    let open = "header in line 1 (else header no)";
+    for (text, words) in [
+        ("OVLD,2.5,1.5\n5,3,2\n6,4,4\n", open),
+        ("OVLD,NA,1.5\n5,3,2\n6,4,4\n", open),
+        ("when,12:30,1.5\n5,3,2\n6,4,4\n", "header in line 1"),
+        ("run,x,1.5\n5,3,2\n6,4,4\n", "header in line 1"),
+        ("run,x,y\n5,3,2\n6,4,4\n", ""),
+    ] {
+        assert_eq!(said_of(text, &["2", "3"], &[]).2, words, "{text:?}");
+    }
+    // A number that no column has is a name.
+    assert_eq!(said_of("run,2019,2020\n5,3,2\n6,4,4\n", &["2019", "2020"], &[]).2, "header in line 1");
 }
 
 #[test]

@@ -39,7 +39,7 @@ pub struct HeaderJson {
     pub line: Option<u64>,
     /// True if that line is a comment.
     pub comment: bool,
-    /// True if nothing told a header from a reading: every cell of the first line is a number or missing.
+    /// True if nothing told a header from a reading: every cell of the first line that is used is a number or missing.
     pub open: bool,
     /// True if each row begins with a name, so that it has a cell more than the header.
     pub row_names: bool,
