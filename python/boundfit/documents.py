@@ -697,7 +697,7 @@ class Header(TypedDict):
     line: int | None
     """The number of the line, or of the row of a sheet; null without names."""
     comment: bool
-    """True if that line is a comment."""
+    """True if that line is a comment, or a row that begins as one."""
     open: bool
     """True if nothing told a header from a reading: every cell of the first line that is used is a number or missing."""
     row_names: bool

@@ -124,6 +124,14 @@ impl Heading {
         Heading { width: names.len(), names: Some(names), is_open: false, prefers_names: false, line }
     }
 
+    /// Takes the comment mark off the first name of a header that begins with one and a blank: `# speed,dist`. Returns whether it does.
+    pub(crate) fn take_mark(&mut self) -> bool {
+        let first = self.names.as_mut().and_then(|names| names.first_mut());
+        let Some(first) = first.filter(|name| without_mark(name.raw()) != name.raw()) else { return false };
+        *first = without_mark(first.raw()).into();
+        true
+    }
+
     /// This heading of a table whose first column is the names of rows, and has none.
     pub(crate) fn after_row_names(mut self) -> Self {
         self.width += 1;
@@ -217,11 +225,17 @@ fn behind_mark(name: &str) -> &str {
     name.trim_start_matches(['#', '%']).trim_start()
 }
 
+/// A name without a comment mark and a blank in front of it; a mark alone is a name.
+pub(crate) fn without_mark(name: &str) -> &str {
+    let is_marked = name.starts_with("# ") || name.starts_with("% ");
+    if is_marked { behind_mark(name) } else { name }
+}
+
 /// Returns whether a cell of the first row is a name rather than a number, a failed number or a missing one.
 pub(crate) fn looks_like_name(cell: &[u8]) -> bool {
     let text = String::from_utf8_lossy(cell);
     let text = text.trim();
-    let text = if text.starts_with("# ") || text.starts_with("% ") { behind_mark(text) } else { text };
+    let text = without_mark(text);
     text.starts_with(|first: char| first.is_alphabetic() || first == '_')
         && !is_missing(text)
         && !["inf", "infinity"].contains(&text.to_lowercase().as_str())

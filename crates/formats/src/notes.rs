@@ -30,7 +30,7 @@ pub struct TableNotes {
 pub struct HeaderNote {
     /// The line with the names, from 1; `None` where there are none.
     pub line: Option<u64>,
-    /// `true` if that line is a comment.
+    /// `true` if that line is a comment, or a row that begins as one.
     pub is_comment: bool,
     /// `true` if nothing but its cells told whether the first line is a header, and it could be the other as well.
     pub is_open: bool,

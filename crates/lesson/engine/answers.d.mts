@@ -655,7 +655,7 @@ export interface Guarantee {
 export interface Header {
   /** The number of the line, or of the row of a sheet; null without names. */
   line: number | null;
-  /** True if that line is a comment. */
+  /** True if that line is a comment, or a row that begins as one. */
   comment: boolean;
   /** True if nothing told a header from a reading: every cell of the first line that is used is a number or missing. */
   open: boolean;

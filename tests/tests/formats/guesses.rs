@@ -163,6 +163,34 @@ fn a_remark_names_no_columns() {
 }
 
 #[test]
+fn the_mark_before_the_names_is_none_of_them() {
+    let comment = "names in the comment of line";
+    for (text, columns, names, words) in [
+        (
+            "# Speed (m/s), Dist (m)\n1,2\n2,3\n3,5\n",
+            ["Speed", "Dist"],
+            "Speed (m/s) Dist (m)",
+            format!("{comment} 1"),
+        ),
+        ("% Speed, Dist\n1,2\n2,3\n3,5\n", ["1", "2"], "Speed Dist", format!("{comment} 1")),
+        ("# a log\n# Speed, Dist\n1,2\n2,3\n3,5\n", ["Speed", "2"], "Speed Dist", format!("{comment} 2")),
+        ("# Speed;Dist\n1;2\n2;3\n3;5\n", ["# Speed", "Dist"], "Speed Dist", format!("{comment} 1")),
+        // A mark without a blank may be a part of the name, and so may one within quotes.
+        ("#,n\n1,2\n2,3\n3,5\n", ["#", "n"], "# n", String::new()),
+        ("#1,n\n1,2\n2,3\n3,5\n", ["#1", "n"], "#1 n", String::new()),
+        ("\"# n\",y\n1,2\n2,3\n3,5\n", ["# n", "y"], "# n y", String::new()),
+    ] {
+        assert_eq!(said_of(text, &columns, &[]), (names.to_owned(), 3, words), "{text:?}");
+    }
+    // It is a header that further blocks may repeat.
+    let all = with(|options| options.block = AskedBlock::parse("all"));
+    let text = b"# x,y\n1,2\n\n\n# x,y\n3,4\n";
+    let (names, rows, words) = read(text, &["x", "y"], all, 100).unwrap();
+    assert_eq!((names.join(" "), rows.len()), ("x y".to_owned(), 2));
+    assert_eq!(words.as_deref(), Some("names in the comment of line 1, all 2 blocks, 1 header repeated"));
+}
+
+#[test]
 fn blocks_are_told_apart() {
     let list = "1 (run 1), lines 2 to 4, 3 rows; 2 (run 2), lines 8 to 10, 3 rows";
     let expected = "(expected a block by its number or its name)";

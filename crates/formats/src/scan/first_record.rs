@@ -111,6 +111,7 @@ impl<'a> FirstRecord<'a> {
             units = start.peek(reader, &mut cursor).map(|found| (found.cells, found.line));
             records_before += usize::from(units.is_some());
         }
+        let is_marked = has_header && preamble.is_marked && heading.take_mark();
         let mut shape = Shape::of_first(&first.cells);
         let mut has_row_names = false;
         if has_header {
@@ -144,6 +145,7 @@ impl<'a> FirstRecord<'a> {
             has_row_names,
             ..HeaderNote::default()
         };
+        layout.is_header_marked = is_marked;
         layout.skipped.lines = preamble.unasked;
         layout.title = preamble.title();
         layout.first_line = first.line;

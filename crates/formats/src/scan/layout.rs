@@ -11,7 +11,7 @@ use crate::columns::Role;
 use crate::columns::{ColumnPlace, ColumnSelector, decode, refuse_same};
 use crate::dialect::{BLANKS, CommentMark, Dialect, Encoding};
 use crate::error::{InputError, InputErrorKind};
-use crate::heading::Heading;
+use crate::heading::{Heading, without_mark};
 use crate::notes::{BlockNote, HeaderNote, SheetLooks, Skipped, TableNotes};
 use crate::records::{Record, Records, Syntax};
 use crate::selection::RowCondition;
@@ -62,6 +62,8 @@ pub(super) struct Layout<'a> {
     pub(super) syntax: Syntax,
     /// The line that names the columns.
     pub(super) names_in: HeaderNote,
+    /// `true` if that line is a record that begins with a comment mark, which is none of its first name.
+    pub(super) is_header_marked: bool,
     pub(super) skipped: Skipped,
     /// The block that is read, of a file with several.
     pub(super) block: Option<BlockNote>,
@@ -135,6 +137,7 @@ impl<'a> Layout<'a> {
             passed: preamble.passed,
             syntax,
             names_in: HeaderNote::default(),
+            is_header_marked: false,
             skipped: Skipped::default(),
             block: None,
             title: None,
@@ -163,7 +166,11 @@ impl<'a> Layout<'a> {
         let has_numbers = self.names_in.line.is_some() && self.places.iter().any(is_number);
         TableNotes {
             sheet: None,
-            header: HeaderNote { has_numbers, ..self.names_in },
+            header: HeaderNote {
+                has_numbers,
+                is_comment: self.names_in.is_comment || self.is_header_marked,
+                ..self.names_in
+            },
             dialect: self.dialect(),
             is_sheet: false,
             looks: SheetLooks::default(),
@@ -225,8 +232,12 @@ impl<'a> Layout<'a> {
             return false;
         }
         let names = self.header.get(usize::from(self.names_in.has_row_names)..).unwrap_or_default();
-        let is_name =
-            |(cell, name): (&[u8], &Foreign)| decode(cell).is_ok_and(|cell| cell.trim() == name.raw());
+        let is_name = |(cell, name): (&[u8], &Foreign)| {
+            let cell = decode(cell).map(str::trim);
+            cell.is_ok_and(|cell| {
+                cell == name.raw() || self.is_header_marked && without_mark(cell) == name.raw()
+            })
+        };
         // Names that are numbers may be a row.
         record.len() == names.len()
             && record.cells().zip(names).all(is_name)

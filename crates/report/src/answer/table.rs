@@ -37,7 +37,7 @@ pub struct TableJson {
 pub struct HeaderJson {
     /// The number of the line, or of the row of a sheet; null without names.
     pub line: Option<u64>,
-    /// True if that line is a comment.
+    /// True if that line is a comment, or a row that begins as one.
     pub comment: bool,
     /// True if nothing told a header from a reading: every cell of the first line that is used is a number or missing.
     pub open: bool,
