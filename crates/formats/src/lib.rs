@@ -51,6 +51,7 @@ mod memory_use;
 mod notes;
 mod open;
 mod packing;
+mod quoted_name;
 mod quotes;
 mod records;
 mod reduction;

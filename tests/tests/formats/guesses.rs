@@ -222,6 +222,31 @@ fn blocks_are_told_apart() {
 }
 
 #[test]
+fn a_block_whose_name_is_the_number_of_another_is_refused() {
+    let text = "# 2\n1 2\n2 3\n\n\n# 1\n5 6\n6 8\n7 9\n";
+    let rows = |text: &str, asked: &str| {
+        let block = with(|options| options.block = AskedBlock::parse(asked));
+        read(text.as_bytes(), &["1", "2"], block, 7).map(|(_, rows, _)| rows.len())
+    };
+    for (asked, named) in [("2", 1), ("1", 2)] {
+        let message = format!(
+            "data: \"{asked}\" is the name of block {named} and the number of another one (expected '\"{asked}\"', with \
+             the quotes, for the name; for the number the name of that block)"
+        );
+        assert_eq!(rows(text, asked), Err(message));
+    }
+    assert_eq!((rows(text, "\"2\""), rows(text, "'1'"), rows(text, "all")), (Ok(2), Ok(3), Ok(5)));
+    // A block may have its own number for a name.
+    let own = text.replace("# 2", "# one").replace("# 1", "# 2");
+    assert_eq!((rows(&own, "2"), rows(&own, "1"), rows(&own, "\"2\"")), (Ok(3), Ok(2), Ok(3)));
+    let message = rows(&text.replace("# 2", "# 2014"), "2014").unwrap_err();
+    assert!(message.contains("there is no block 2014; the file has 2: 1 (2014), lines 2 to 3"), "{message}");
+    let expected =
+        "(expected '\"2014\"', with the quotes, for the name, or another block by its number or its name)";
+    assert!(message.ends_with(expected), "{message}");
+}
+
+#[test]
 fn the_header_of_each_block_is_no_row_of_all_of_them() {
     let all = with(|options| options.block = AskedBlock::parse("all"));
     let text = |between: &str, header: &str| format!("x,y\n1,2\n2,3\n{between}{header}\n3,4\n");

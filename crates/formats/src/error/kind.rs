@@ -250,6 +250,8 @@ pub enum InputErrorKind {
     UnknownBlock {
         /// The block asked for.
         wanted: AskedBlock,
+        /// `true` if it is asked for by a number that is the name of a block.
+        is_name: bool,
         /// The number of all.
         total: usize,
         /// The first of them.
@@ -262,6 +264,14 @@ pub enum InputErrorKind {
         name: Foreign,
         /// The number of blocks with this name.
         count: usize,
+    },
+    /// A number of one block that is the name of another.
+    #[error("\"{wanted}\" is the name of block {named} and the number of another one")]
+    BlockNameOrNumber {
+        /// The block asked for.
+        wanted: usize,
+        /// The block with this name.
+        named: usize,
     },
     /// Another block begins: what the readers of rows say to each other.
     #[error("another block of rows begins here")]
@@ -584,6 +594,14 @@ impl InputErrorKind {
             }
             InputErrorKind::NoValue => "a value: open the workbook in a spreadsheet and save it".to_owned(),
             InputErrorKind::AmbiguousBlock { .. } => "the number of a block".to_owned(),
+            InputErrorKind::BlockNameOrNumber { wanted, .. } => format!(
+                "'\"{wanted}\"', with the quotes, for the name; for the number the name of that block"
+            ),
+            InputErrorKind::UnknownBlock { wanted, is_name: true, .. } => {
+                format!(
+                    "'\"{wanted}\"', with the quotes, for the name, or another block by its number or its name"
+                )
+            }
             InputErrorKind::SeveralBlocks { .. } | InputErrorKind::UnknownBlock { .. } => {
                 "a block by its number or its name".to_owned()
             }
