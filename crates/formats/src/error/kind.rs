@@ -166,6 +166,12 @@ pub enum InputErrorKind {
         /// The expected form.
         expected: &'static str,
     },
+    /// JSON that ends too early.
+    #[error("read as JSON, the file ends here, before {expected}")]
+    JsonEnds {
+        /// What belongs there.
+        expected: &'static str,
+    },
     /// An object or array of JSON where a number belongs.
     #[error("an object or array, not a number")]
     NestedJson,
@@ -621,6 +627,7 @@ impl InputErrorKind {
             InputErrorKind::Json { .. } => {
                 "JSON with an object for each row, or a table of text such as CSV".to_owned()
             }
+            InputErrorKind::JsonEnds { .. } => "a complete file".to_owned(),
             InputErrorKind::NestedJson => {
                 "JSON with an object for each row; in pandas table.to_json('FILE', orient='records')"
                     .to_owned()
