@@ -988,6 +988,8 @@ class Table(TypedDict):
     """`comma`, `semicolon`, `tab`, `space`, `pipe` or the character; null for sheets and JSON."""
     decimal: Literal["point", "comma"]
     """The decimal mark."""
+    decimal_open: NotRequired[bool]
+    """True if the comma that was taken for the decimal mark may as well group digits; absent otherwise."""
     thousands: str | None
     """The character that groups digits; null where there is none."""
     encoding: str | None
@@ -1536,6 +1538,8 @@ class HalfPlaneFile(TypedDict):
     """The file as it was named; null for standard input."""
     rows: int
     """The number of rows."""
+    table: Table | None
+    """The format of the table as it was read; null for files that are neither text nor a sheet nor JSON."""
     reading: Literal["decimal", "binary64"]
     """The reading of numbers: exactly as written, or as the nearest doubles."""
     sha256: str

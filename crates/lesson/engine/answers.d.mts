@@ -921,6 +921,8 @@ export interface Table {
   delimiter: string | null;
   /** The decimal mark. */
   decimal: "point" | "comma";
+  /** True if the comma that was taken for the decimal mark may as well group digits; absent otherwise. */
+  decimal_open?: boolean;
   /** The character that groups digits; null where there is none. */
   thousands: string | null;
   /** The encoding of the text, such as `UTF-8`; null for sheets. */
@@ -1430,6 +1432,8 @@ export interface HalfPlaneFile {
   file: string | null;
   /** The number of rows. */
   rows: number;
+  /** The format of the table as it was read; null for files that are neither text nor a sheet nor JSON. */
+  table: Table | null;
   /** The reading of numbers: exactly as written, or as the nearest doubles. */
   reading: "decimal" | "binary64";
   /** SHA-256 of the bytes of the file. */

@@ -393,6 +393,25 @@ fn quoted_decimal_commas_are_told_from_grouped_digits() {
 }
 
 #[test]
+fn a_comma_that_may_group_digits_is_a_guess() {
+    let options = ScanOptions { chunk_bytes: 9, ..ScanOptions::default() };
+    for (text, is_guess) in [
+        ("x;y\n1;60,323\n2;83,200\n", true),
+        ("x\ty\n1\t2\n2\t-1,234\n", true),
+        ("x;y\n1;6,3\n2;83,200\n", false),
+        ("x;y\n1;0,323\n2;83,200\n", false),
+        ("x;y\n1;1234,567\n2;83,200\n", false),
+        ("x;y\n1;60.323\n2;83.200\n", false),
+        ("x,y\n1,\"6,3\"\n2,\"83,200\"\n", false),
+    ] {
+        let source = Source::new("data", std::io::Cursor::new(text.as_bytes().to_vec()));
+        let (scanned, _) = batches(source, &["x", "y"].map(ColumnSelector::name), &options).unwrap();
+        let notes = scanned.table.unwrap();
+        assert_eq!([notes.is_comma_open, notes.has_guesses()], [is_guess; 2], "{text:?}");
+    }
+}
+
+#[test]
 fn words_and_numbers_for_missing_values_are_told() {
     let words = || MissingWords::new(["OVLD", "-999"].map(str::to_owned));
     let skipped = with(|options| (options.missing, options.missing_as) = (Missing::Skip, words()));

@@ -130,6 +130,7 @@ fn notes(encoding: Encoding, missing: Missing) -> TableNotes {
         looks: SheetLooks::default(),
         is_records: true,
         block: None,
+        is_comma_open: false,
         skipped: Skipped::default(),
     }
 }

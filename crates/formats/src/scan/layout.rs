@@ -72,6 +72,8 @@ pub(super) struct Layout<'a> {
     pub(super) first_line: u64,
     /// The known facts about decimal marks so far.
     pub(super) mark: Mark,
+    /// `true` if the comma that told the mark may as well group digits.
+    pub(super) is_comma_open: bool,
     pub(super) numbers: Numbers<'a>,
     /// The work on the numbers that were read.
     meter: WorkMeter,
@@ -143,6 +145,7 @@ impl<'a> Layout<'a> {
             title: None,
             first_line: 1,
             mark: Mark::of(dialect, syntax.delimiter),
+            is_comma_open: false,
             numbers: Numbers::new(&options.table, syntax.delimiter),
             meter: WorkMeter::default(),
             places,
@@ -175,6 +178,7 @@ impl<'a> Layout<'a> {
             is_sheet: false,
             looks: SheetLooks::default(),
             is_records: false,
+            is_comma_open: self.is_comma_open,
             block: self.block.clone(),
             skipped: self.skipped,
         }

@@ -16,6 +16,9 @@ pub struct TableJson {
     /// The decimal mark.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = ["point", "comma"])))]
     pub decimal: &'static str,
+    /// True if the comma that was taken for the decimal mark may as well group digits; absent otherwise.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub decimal_open: bool,
     /// The character that groups digits; null where there is none.
     pub thousands: Option<&'static str>,
     /// The encoding of the text, such as `UTF-8`; null for sheets.
