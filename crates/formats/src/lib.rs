@@ -55,6 +55,7 @@ mod quoted_name;
 mod quotes;
 mod records;
 mod reduction;
+mod relations;
 mod roles;
 mod row_range;
 mod scan;

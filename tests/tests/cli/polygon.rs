@@ -186,6 +186,35 @@ fn columns_are_found_by_name_or_without_a_header_by_place() {
 }
 
 #[test]
+fn columns_beside_a_half_plane_do_not_make_it_another_one() {
+    let relation = |place: &str| {
+        format!(
+            "error: standard input: {place}: a relation, and every row means a1*theta1 + a2*theta2 <= b (expected no such \
+             column: change all signs of a row with >=, and write a row with = both ways)\n"
+        )
+    };
+    let beside = |place: &str| {
+        format!(
+            "error: standard input: {place}: a cell beside a1, a2 and b in a table without a header (expected 3 columns, or \
+             a header with the names a1, a2 and b: other columns are then ignored)\n"
+        )
+    };
+    for (table, message) in [
+        ("a1,a2,rel,b\n1,0,>=,0\n0,1,>=,0\n2,3,<=,6\n", relation("line 2, column 3 (rel): \">=\"")),
+        ("a1,a2,b,rel\n1,0,0,\n0,1,0,=\n2,3,6,\n", relation("line 3, column 4 (rel): \"=\"")),
+        ("1,0,\u{2264},5\n0,1,\u{2264},5\n", relation("line 1, column 3: \"\u{2264}\"")),
+        ("1,0,0,5\n0,1,0,5\n", beside("line 1, column 4: \"5\"")),
+        ("[{\"a1\": 1, \"a2\": 0, \"rel\": \"<\", \"b\": 0}]", relation("line 1, column 3 (rel): \"<\"")),
+    ] {
+        let run = boundfit_with_input(&root(), "polygon -", table.as_bytes());
+        assert_eq!((run.status, run.stdout.as_str(), run.stderr), (1, "", message), "{table:?}");
+    }
+    let plain = without_file(answer("a1,a2,b\n-1,0,0\n0,-1,0\n2,3,6\n"));
+    let others = without_file(answer("a1,a2,b,w\n-1,0,0,>= 1\n0,-1,0,5\n2,3,6,\n"));
+    assert_eq!(others["region"], plain["region"]);
+}
+
+#[test]
 fn equations_of_an_h_representation_are_redundant_like_other_rows() {
     let report = report(&root(), "polygon fixtures/polygon/segment.ine", b"");
     let segment = &report["region"];

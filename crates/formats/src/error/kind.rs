@@ -407,6 +407,12 @@ pub enum InputErrorKind {
     /// The line after `begin` is not of the form `rows columns type`.
     #[error("the size line is not understood")]
     BadSizeLine,
+    /// A relation in a table of half-planes, whose rows all have the same one.
+    #[error("a relation, and every row means a1*theta1 + a2*theta2 <= b")]
+    Relation,
+    /// A cell beside a1, a2 and b that no header names.
+    #[error("a cell beside a1, a2 and b in a table without a header")]
+    BesideHalfPlane,
     /// A polyhedron that is not in the plane.
     #[error("the matrix has {0} columns, so it is not about the plane")]
     NotThePlane(usize),
@@ -685,6 +691,14 @@ impl InputErrorKind {
             }
             InputErrorKind::MoreThanThePlane { .. } => {
                 "columns a1, a2 and b: a1*theta1 + a2*theta2 <= b".to_owned()
+            }
+            InputErrorKind::Relation => {
+                "no such column: change all signs of a row with >=, and write a row with = both ways"
+                    .to_owned()
+            }
+            InputErrorKind::BesideHalfPlane => {
+                "3 columns, or a header with the names a1, a2 and b: other columns are then ignored"
+                    .to_owned()
             }
             InputErrorKind::NotThePlane(_) => "3 columns: b, -a1, -a2 or 1, x, y".to_owned(),
             InputErrorKind::OtherSet { instead } => (*instead).to_owned(),

@@ -14,6 +14,7 @@ use crate::error::{InputError, InputErrorKind};
 use crate::heading::{Heading, without_mark};
 use crate::notes::{BlockNote, HeaderNote, SheetLooks, Skipped, TableNotes};
 use crate::records::{Record, Records, Syntax};
+use crate::relations::refuse_beside;
 use crate::selection::RowCondition;
 use crate::table::TableRow;
 use crate::times::{is_time, or_time};
@@ -318,6 +319,21 @@ impl<'a> Layout<'a> {
             false => InputErrorKind::RaggedRow { found, expected },
         };
         Err(InputError::of_line(self.file, line, kind))
+    }
+
+    /// Returns whether cells that are not asked for may make a row another one.
+    pub(super) fn looks_beside(&self) -> bool {
+        self.options.table.are_half_planes && self.shape.width > self.places.len()
+    }
+
+    /// Refuses cells beside the numbers of a half-plane that make it another one.
+    pub(super) fn check_beside(&self, record: &Record, line: u64) -> Result<(), InputError> {
+        for (index, cell) in record.cells().enumerate().filter(|_| self.looks_beside()) {
+            let place = ColumnPlace { position: index + 1, name: self.header.get(index).cloned() };
+            let is_asked = self.places.iter().any(|asked| asked.position == place.position);
+            refuse_beside(self.file, &place, line, cell, is_asked)?;
+        }
+        Ok(())
     }
 
     /// The numbers of a record. Where the decimal mark was open, the first one tells it: that is noted, with the error that its
