@@ -32,7 +32,7 @@ pub(crate) struct AskedColumns<'a> {
     pub(crate) missing_as: &'a MissingWords,
 }
 
-/// What a cell of the first record may be by its own text, and by the cells below it.
+/// The look of a cell of the first record, by its own text and by the cells below it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CellLook {
     /// `true` if a number stands below it.

@@ -169,7 +169,7 @@ pub enum InputErrorKind {
     /// JSON that ends too early.
     #[error("read as JSON, the file ends here, before {expected}")]
     JsonEnds {
-        /// What belongs there.
+        /// The expected form.
         expected: &'static str,
     },
     /// An object or array of JSON where a number belongs.
