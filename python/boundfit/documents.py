@@ -697,9 +697,9 @@ class Header(TypedDict):
     line: int | None
     """The number of the line, or of the row of a sheet; null without names."""
     comment: bool
-    """True if that line is a comment."""
+    """True if that line is a comment, or a row that begins as one."""
     open: bool
-    """True if nothing told a header from a reading: every cell of the first line is a number or missing."""
+    """True if nothing told a header from a reading: every cell of the first line that is used is a number or missing."""
     row_names: bool
     """True if each row begins with a name, so that it has a cell more than the header."""
 
@@ -988,6 +988,8 @@ class Table(TypedDict):
     """`comma`, `semicolon`, `tab`, `space`, `pipe` or the character; null for sheets and JSON."""
     decimal: Literal["point", "comma"]
     """The decimal mark."""
+    decimal_open: NotRequired[bool]
+    """True if the comma that was taken for the decimal mark may as well group digits; absent otherwise."""
     thousands: str | None
     """The character that groups digits; null where there is none."""
     encoding: str | None
@@ -1536,6 +1538,8 @@ class HalfPlaneFile(TypedDict):
     """The file as it was named; null for standard input."""
     rows: int
     """The number of rows."""
+    table: Table | None
+    """The format of the table as it was read; null for files that are neither text nor a sheet nor JSON."""
     reading: Literal["decimal", "binary64"]
     """The reading of numbers: exactly as written, or as the nearest doubles."""
     sha256: str

@@ -4,6 +4,8 @@ use std::fmt;
 
 use boundfit_exact::Foreign;
 
+use crate::quoted_name::in_quotes;
+
 /// The block to read from a file with several blocks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum AskedBlock {
@@ -16,9 +18,12 @@ pub enum AskedBlock {
 }
 
 impl AskedBlock {
-    /// Reads `all`, a number from 1 or a name; 0 is no number of a block.
+    /// Reads `all`, a number from 1 or a name; 0 is no number of a block. A text in quotes is a name.
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim();
+        if let Some(name) = in_quotes(text) {
+            return Some(AskedBlock::Name(name.trim().into()));
+        }
         match text.parse() {
             Ok(0) => None,
             Ok(number) => Some(AskedBlock::Number(number)),
@@ -77,5 +82,9 @@ mod tests {
         assert_eq!(AskedBlock::parse(" run 2 "), Some(AskedBlock::Name("run 2".into())));
         assert_eq!(AskedBlock::parse("all"), Some(AskedBlock::All));
         assert_eq!(["0", " "].map(AskedBlock::parse), [None, None]);
+        let named = ["\"2\"", "'2'", " \" 2\" "].map(AskedBlock::parse);
+        assert_eq!(named, [(); 3].map(|()| Some(AskedBlock::Name("2".into()))));
+        assert_eq!(AskedBlock::parse("\"all\""), Some(AskedBlock::Name("all".into())));
+        assert_eq!(AskedBlock::parse("\"\""), Some(AskedBlock::Name("\"\"".into())));
     }
 }

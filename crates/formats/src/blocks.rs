@@ -96,8 +96,8 @@ pub(crate) struct Blocks {
     /// `true` if comments precede the table, so that a mark always starts one.
     has_comments: bool,
     complete: Vec<Block>,
-    /// The names of the first many.
-    names: Vec<Foreign>,
+    /// The numbers and names of the first many that have names.
+    names: Vec<(usize, Foreign)>,
     /// The number of complete blocks, listed or not.
     count: usize,
     current: Option<Block>,
@@ -181,7 +181,8 @@ impl Blocks {
                 delimiter => cells_of(line, delimiter).count(),
             };
             self.shape = Some((delimiter, width));
-            self.names.extend(gap.title.clone().filter(|_| self.names.len() < MOST_NAMES));
+            let name = gap.title.clone().filter(|_| self.names.len() < MOST_NAMES);
+            self.names.extend(name.map(|name| (self.count + 1, name)));
             self.current = Some(Block { name: gap.title, lines: [number; 2], rows: 0 });
         }
         let delimiter = self.shape.map_or(BLANKS, |(delimiter, _)| delimiter);
@@ -226,9 +227,9 @@ impl Blocks {
         Blocks { line, gap: Gap::default(), ..self }
     }
 
-    /// Returns the number of blocks with this name.
-    pub(crate) fn named(&self, name: &Foreign) -> usize {
-        self.names.iter().filter(|own| *own == name).count()
+    /// Returns the numbers of the blocks with this name.
+    pub(crate) fn named(&self, name: &str) -> Vec<usize> {
+        self.names.iter().filter(|(_, own)| own.raw() == name).map(|(number, _)| *number).collect()
     }
 
     /// The line of the next text.
@@ -244,11 +245,12 @@ impl Blocks {
     /// The error that there are several, or that the one that is asked for is not there.
     pub(crate) fn error(mut self, file: &str, wanted: Option<&AskedBlock>) -> InputError {
         self.end();
+        let is_name = matches!(wanted, Some(AskedBlock::Number(n)) if !self.named(&n.to_string()).is_empty());
         let (total, blocks) = (self.count, self.complete);
         InputError::of_file(
             file,
             match wanted.cloned() {
-                Some(wanted) => InputErrorKind::UnknownBlock { wanted, total, blocks },
+                Some(wanted) => InputErrorKind::UnknownBlock { wanted, is_name, total, blocks },
                 None => InputErrorKind::SeveralBlocks { total, blocks },
             },
         )

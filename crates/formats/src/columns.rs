@@ -3,6 +3,7 @@
 use boundfit_exact::Foreign;
 
 use crate::error::{InputError, InputErrorKind, Place};
+use crate::quoted_name::in_quotes;
 
 /// The values that a column takes from its cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -47,11 +48,7 @@ impl ColumnSelector {
     /// assert_eq!(ColumnSelector::name_or_number("\"2\""), ColumnSelector::name("2"));
     /// ```
     pub fn name_or_number(text: &str) -> Self {
-        let quoted = ['"', '\''].into_iter().find_map(|quote| {
-            let name = text.trim().strip_prefix(quote)?.strip_suffix(quote)?;
-            (!name.trim().is_empty()).then_some(name)
-        });
-        if let Some(name) = quoted {
+        if let Some(name) = in_quotes(text) {
             return ColumnSelector::name(name);
         }
         let mut selector = ColumnSelector { text: text.trim().into(), position: None, role: Role::default() };

@@ -4,6 +4,7 @@ use boundfit_exact::english::split_unit;
 use boundfit_exact::{Foreign, is_missing};
 
 use crate::columns::{ColumnPlace, ColumnSelector, Header, decode};
+use crate::dialect::MissingWords;
 use crate::error::{InputError, InputErrorKind};
 
 /// The information in the first record about the columns of a table.
@@ -27,6 +28,17 @@ pub(crate) struct AskedColumns<'a> {
     pub(crate) columns: &'a [ColumnSelector],
     /// The columns that are wanted for another purpose.
     pub(crate) others: &'a [&'a ColumnSelector],
+    /// Further words for missing values, which name no column.
+    pub(crate) missing_as: &'a MissingWords,
+}
+
+/// The look of a cell of the first record, by its own text and by the cells below it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct CellLook {
+    /// `true` if a number stands below it.
+    pub(crate) is_above_number: bool,
+    /// `true` if a reading may have it: it is a number, or says that the number is missing.
+    pub(crate) may_be_read: bool,
 }
 
 impl<'a> AskedColumns<'a> {
@@ -37,13 +49,20 @@ impl<'a> AskedColumns<'a> {
     /// Returns whether the question alone tells that a record with these cells is a header: names are asked for, or stand in the cells that
     /// numbers are wanted from.
     pub(crate) fn tell(self, cells: &[&[u8]]) -> bool {
-        let asked: Vec<&[u8]> = self
-            .columns
-            .iter()
-            .filter_map(|column| cells.get(column.position()?.checked_sub(1)?).copied())
-            .collect();
+        let asked = self.numbers_of(cells);
         self.all().any(ColumnSelector::is_name)
-            || (!asked.is_empty() && asked.iter().all(|cell| looks_like_name(cell)))
+            || (!asked.is_empty() && asked.iter().all(|cell| self.is_name(cell)))
+    }
+
+    /// Returns those of the cells that numbers are wanted from.
+    fn numbers_of<T: Copy>(self, cells: &[T]) -> Vec<T> {
+        let place = |column: &ColumnSelector| column.position()?.checked_sub(1);
+        self.columns.iter().filter_map(|column| cells.get(place(column)?).copied()).collect()
+    }
+
+    /// Returns whether a cell is a name rather than a word for a missing value.
+    fn is_name(self, cell: &[u8]) -> bool {
+        looks_like_name(cell) && !decode(cell).is_ok_and(|cell| self.missing_as.lists(cell))
     }
 
     /// Returns whether a number is asked for that can be nothing but one of these names.
@@ -74,21 +93,20 @@ fn is_text(cell: &[u8], column: &ColumnSelector) -> bool {
 }
 
 impl Heading {
-    /// Reads the cells of the first record, which starts on this line. `has_numbers_below` tells whether numbers stand below a cell,
-    /// counted from 0.
+    /// Reads the cells of the first record, which starts on this line.
     pub(crate) fn new(
         file: &str,
         cells: &[&[u8]],
         line: u64,
         header: Header,
         asked: AskedColumns,
-        has_numbers_below: &dyn Fn(usize) -> bool,
+        looks: &[CellLook],
     ) -> Result<Self, InputError> {
         let (is_header, is_open) = match header {
             Header::Present => (true, false),
             Header::Absent => (false, false),
             Header::Auto if asked.tell(cells) => (true, false),
-            Header::Auto => guess(cells, asked, has_numbers_below),
+            Header::Auto => guess(cells, asked, looks),
         };
         let names = cells.iter().enumerate().map(|(index, &cell)| {
             decode(cell).map(|name| Foreign::from(name.trim())).map_err(|problem| {
@@ -104,6 +122,14 @@ impl Heading {
     /// Columns with these names, which a comment before the first record gives.
     pub(crate) fn of_comment(names: Vec<Foreign>, line: u64) -> Self {
         Heading { width: names.len(), names: Some(names), is_open: false, prefers_names: false, line }
+    }
+
+    /// Takes the comment mark off the first name of a header that begins with one and a blank: `# speed,dist`. Returns whether it does.
+    pub(crate) fn take_mark(&mut self) -> bool {
+        let first = self.names.as_mut().and_then(|names| names.first_mut());
+        let Some(first) = first.filter(|name| without_mark(name.raw()) != name.raw()) else { return false };
+        *first = without_mark(first.raw()).into();
+        true
     }
 
     /// This heading of a table whose first column is the names of rows, and has none.
@@ -171,7 +197,8 @@ pub fn find_column(
     column: &ColumnSelector,
 ) -> Result<usize, InputError> {
     let cells: Vec<&[u8]> = names.iter().map(|name| name.raw().as_bytes()).collect();
-    let prefers_names = AskedColumns { columns: asked, others: &[] }.prefers_names(&cells);
+    let missing_as = &MissingWords::default();
+    let prefers_names = AskedColumns { columns: asked, others: &[], missing_as }.prefers_names(&cells);
     let heading =
         Heading { width: names.len(), names: Some(names.to_vec()), is_open: false, prefers_names, line: 1 };
     Ok(heading.find(file, column)?.position)
@@ -179,14 +206,15 @@ pub fn find_column(
 
 /// Returns whether a record is a header by its own cells and those below, and whether it could be the other as well.
 ///
-/// A word above numbers is a name. So is nothing above numbers, as in pandas' `,0,1`; but a reading may lack a number. A number that is
-/// asked for and that no column has is a name.
-fn guess(cells: &[&[u8]], asked: AskedColumns, has_numbers_below: &dyn Fn(usize) -> bool) -> (bool, bool) {
+/// A word above numbers is a name. So is nothing above numbers, as in pandas' `,0,1`; but a reading may lack a number, and it may have a
+/// word where nobody asks for a number. A number that is asked for and that no column has is a name.
+fn guess(cells: &[&[u8]], asked: AskedColumns, looks: &[CellLook]) -> (bool, bool) {
     let is_above = |is_meant: &dyn Fn(&[u8]) -> bool| {
-        (0..).zip(cells).any(|(index, cell)| is_meant(cell) && has_numbers_below(index))
+        cells.iter().zip(looks).any(|(cell, look)| look.is_above_number && is_meant(cell))
     };
-    if is_above(&looks_like_name) {
-        return (true, false);
+    if is_above(&|cell| asked.is_name(cell)) {
+        let may_be_reading = asked.numbers_of(looks).iter().all(|look| look.may_be_read);
+        return (true, may_be_reading && !asked.has_numbers_as_names(cells));
     }
     let is_empty = |cell: &[u8]| cell.trim_ascii().is_empty();
     (asked.has_numbers_as_names(cells) || is_above(&is_empty), true)
@@ -197,11 +225,17 @@ fn behind_mark(name: &str) -> &str {
     name.trim_start_matches(['#', '%']).trim_start()
 }
 
+/// A name without a comment mark and a blank in front of it; a mark alone is a name.
+pub(crate) fn without_mark(name: &str) -> &str {
+    let is_marked = name.starts_with("# ") || name.starts_with("% ");
+    if is_marked { behind_mark(name) } else { name }
+}
+
 /// Returns whether a cell of the first row is a name rather than a number, a failed number or a missing one.
 pub(crate) fn looks_like_name(cell: &[u8]) -> bool {
     let text = String::from_utf8_lossy(cell);
     let text = text.trim();
-    let text = if text.starts_with("# ") || text.starts_with("% ") { behind_mark(text) } else { text };
+    let text = without_mark(text);
     text.starts_with(|first: char| first.is_alphabetic() || first == '_')
         && !is_missing(text)
         && !["inf", "infinity"].contains(&text.to_lowercase().as_str())

@@ -19,6 +19,8 @@ pub struct TableNotes {
     pub looks: SheetLooks,
     /// `true` if the table is records of JSON, whose keys are the names; then the delimiter means nothing.
     pub is_records: bool,
+    /// `true` if the comma that was taken for a decimal one may as well group digits: `60,323`.
+    pub is_comma_open: bool,
     /// The block that was read, for a file with several blocks.
     pub block: Option<BlockNote>,
     /// Skipped lines, and rows that differ from the first one.
@@ -30,7 +32,7 @@ pub struct TableNotes {
 pub struct HeaderNote {
     /// The line with the names, from 1; `None` where there are none.
     pub line: Option<u64>,
-    /// `true` if that line is a comment.
+    /// `true` if that line is a comment, or a row that begins as one.
     pub is_comment: bool,
     /// `true` if nothing but its cells told whether the first line is a header, and it could be the other as well.
     pub is_open: bool,
@@ -139,14 +141,15 @@ impl TableNotes {
         (!words.is_empty()).then(|| words.join(", "))
     }
 
-    /// Returns whether something about the table was guessed: its sheet, which line has the names, which rows belong to it. The
-    /// way in which the table is written is detected where that is safe, and not guessed.
+    /// Returns whether something about the table was guessed: its sheet, which line has the names, which rows belong to it, the
+    /// meaning of a comma. The rest of the way in which the table is written is detected where that is safe, and not guessed.
     pub fn has_guesses(&self) -> bool {
         self.header_words().is_some()
             || self.sheet.as_ref().is_some_and(|sheet| !sheet.is_asked)
             || self.block.is_some()
             || !self.skipped_words().is_empty()
             || self.looks != SheetLooks::default()
+            || self.is_comma_open
     }
 
     fn sheet_words(&self) -> Option<String> {

@@ -53,6 +53,8 @@ pub struct TableOptions {
     pub keep_cells: bool,
     /// The reading of numbers.
     pub reading: Reading,
+    /// `true` if the rows are half-planes. Then relations are refused, and cells beside the columns asked for that have no name.
+    pub are_half_planes: bool,
     /// Limits on one number.
     pub limits: Limits,
     /// Limits on the file as a whole.

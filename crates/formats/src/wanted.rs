@@ -50,8 +50,9 @@ impl<'a> WantedColumns<'a> {
         let others: Vec<&ColumnSelector> =
             key.into_iter().chain(identity).chain(conditions.iter().map(RowCondition::column)).collect();
         let cells: Vec<&[u8]> = names.iter().map(|name| name.raw().as_bytes()).collect();
-        let asked = AskedColumns { columns: selectors, others: &others };
-        let heading = Heading::new(file, &cells, 1, Header::Present, asked, &|_| false)?;
+        let missing_as = &options.table.missing_as;
+        let asked = AskedColumns { columns: selectors, others: &others, missing_as };
+        let heading = Heading::new(file, &cells, 1, Header::Present, asked, &[])?;
         let find = |selector| {
             heading.find(file, selector).map_err(|mut error| {
                 // There are no lines here.

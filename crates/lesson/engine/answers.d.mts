@@ -655,9 +655,9 @@ export interface Guarantee {
 export interface Header {
   /** The number of the line, or of the row of a sheet; null without names. */
   line: number | null;
-  /** True if that line is a comment. */
+  /** True if that line is a comment, or a row that begins as one. */
   comment: boolean;
-  /** True if nothing told a header from a reading: every cell of the first line is a number or missing. */
+  /** True if nothing told a header from a reading: every cell of the first line that is used is a number or missing. */
   open: boolean;
   /** True if each row begins with a name, so that it has a cell more than the header. */
   row_names: boolean;
@@ -921,6 +921,8 @@ export interface Table {
   delimiter: string | null;
   /** The decimal mark. */
   decimal: "point" | "comma";
+  /** True if the comma that was taken for the decimal mark may as well group digits; absent otherwise. */
+  decimal_open?: boolean;
   /** The character that groups digits; null where there is none. */
   thousands: string | null;
   /** The encoding of the text, such as `UTF-8`; null for sheets. */
@@ -1430,6 +1432,8 @@ export interface HalfPlaneFile {
   file: string | null;
   /** The number of rows. */
   rows: number;
+  /** The format of the table as it was read; null for files that are neither text nor a sheet nor JSON. */
+  table: Table | null;
   /** The reading of numbers: exactly as written, or as the nearest doubles. */
   reading: "decimal" | "binary64";
   /** SHA-256 of the bytes of the file. */

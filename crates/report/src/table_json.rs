@@ -15,7 +15,8 @@ use crate::document::Text;
 impl TableJson {
     /// Returns the description in these notes.
     pub fn new(notes: &TableNotes) -> Self {
-        let TableNotes { header, dialect, is_sheet, is_records, block, skipped, sheet, looks } = notes;
+        let TableNotes { header, dialect, is_sheet, is_records, block, skipped, sheet, looks, is_comma_open } =
+            notes;
         let Dialect { delimiter, notation, comment, encoding, .. } = dialect;
         let named = DELIMITERS.iter().find(|(_, byte)| byte == delimiter);
         let delimiter =
@@ -33,6 +34,7 @@ impl TableJson {
             },
             delimiter: (!is_sheet && !is_records).then_some(delimiter),
             decimal: notation.decimal.name(),
+            decimal_open: *is_comma_open,
             thousands: notation.thousands.map(|mark| mark.mark()),
             encoding: (!is_sheet).then(|| encoding.name()),
             comment: marks,

@@ -47,6 +47,26 @@ fn what_is_found_out_is_said() {
 }
 
 #[test]
+fn a_comma_that_may_group_digits_is_said_where_no_report_says_it() {
+    let directory = directory_with(&[
+        ("open.csv", b"x;y\n1;60,323\n2;83,200\n3;101,500\n"),
+        ("told.csv", b"x;y\n1;60,3\n2;83,200\n3;101,500\n"),
+    ]);
+    let note = "note: open.csv: decimal comma, separated by semicolons\n";
+    for line in [
+        "fit FILE --x x --y y --eps 9 --format csv",
+        "plot FILE --x x --y y --eps 9",
+        "reduce FILE --x x --y y --eps 9",
+        "convert FILE --x x --y y --eps 9 --to lp --objective theta1-min",
+    ] {
+        let stderr = |file: &str| boundfit(directory.path(), &line.replace("FILE", file)).stderr;
+        assert_eq!((stderr("open.csv").as_str(), stderr("told.csv").as_str()), (note, ""), "{line}");
+    }
+    let run = boundfit(directory.path(), "fit open.csv --x x --y y --eps 9");
+    assert!(run.stderr.is_empty(), "{}", run.stderr);
+}
+
+#[test]
 fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
     let directory = directory_with(&[
         ("missing.csv", b"x,y,z,w\n1,NA,1,1\n2,3,1,2\n,4,1,3\n5,6,?,4\n"),

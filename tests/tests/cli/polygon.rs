@@ -106,23 +106,24 @@ fn the_redundant_rows_are_those_that_can_be_left_out_together() {
     });
 }
 
-fn without_hash(mut report: Value) -> Value {
+fn without_file(mut report: Value) -> Value {
     report["input"]["sha256"].take();
     report["input"]["file"].take();
+    report["input"]["table"].take();
     report
 }
 
 #[test]
 fn both_formats_give_the_same_answer() {
     let directory = root();
-    let table = without_hash(report(&directory, "polygon fixtures/polygon/house.csv", b""));
+    let table = without_file(report(&directory, "polygon fixtures/polygon/house.csv", b""));
     for file in ["house.ine", "house-with-comments.ine"] {
-        let other = without_hash(report(&directory, &format!("polygon fixtures/polygon/{file}"), b""));
+        let other = without_file(report(&directory, &format!("polygon fixtures/polygon/{file}"), b""));
         assert_eq!(other, table, "{file}");
     }
     for case in cases().iter().filter(|case| case.equations.is_empty()) {
-        let matrix = without_hash(answer(&h_representation(&case.csv, &[])));
-        assert_eq!(matrix, without_hash(answer(&case.csv)), "{}", case.csv);
+        let matrix = without_file(answer(&h_representation(&case.csv, &[])));
+        assert_eq!(matrix, without_file(answer(&case.csv)), "{}", case.csv);
     }
 }
 
@@ -172,7 +173,7 @@ fn the_number_types_of_an_h_representation_mean_the_same_numbers() {
 
 #[test]
 fn columns_are_found_by_name_or_without_a_header_by_place() {
-    let named = without_hash(answer("a1,a2,b\n-1,0,0\n0,-1,0\n2,3,6\n"));
+    let named = without_file(answer("a1,a2,b\n-1,0,0\n0,-1,0\n2,3,6\n"));
     for table in [
         "-1,0,0\n0,-1,0\n2,3,6\n",
         "b,a2,a1\n0,0,-1\n0,-1,0\n6,3,2\n",
@@ -180,8 +181,37 @@ fn columns_are_found_by_name_or_without_a_header_by_place() {
         "a1\ta2\tb\n-1\t0\t0\n0\t-1\t0\n2\t3\t6\n",
         "\u{feff}a1,a2,b\r\n-1,0,0\r\n\r\n0,-1,0\r\n2,3,6",
     ] {
-        assert_eq!(without_hash(answer(table)), named, "{table:?}");
+        assert_eq!(without_file(answer(table)), named, "{table:?}");
     }
+}
+
+#[test]
+fn columns_beside_a_half_plane_do_not_make_it_another_one() {
+    let relation = |place: &str| {
+        format!(
+            "error: standard input: {place}: a relation, and every row means a1*theta1 + a2*theta2 <= b (expected no such \
+             column: change all signs of a row with >=, and write a row with = both ways)\n"
+        )
+    };
+    let beside = |place: &str| {
+        format!(
+            "error: standard input: {place}: a cell beside a1, a2 and b in a table without a header (expected 3 columns, or \
+             a header with the names a1, a2 and b: other columns are then ignored)\n"
+        )
+    };
+    for (table, message) in [
+        ("a1,a2,rel,b\n1,0,>=,0\n0,1,>=,0\n2,3,<=,6\n", relation("line 2, column 3 (rel): \">=\"")),
+        ("a1,a2,b,rel\n1,0,0,\n0,1,0,=\n2,3,6,\n", relation("line 3, column 4 (rel): \"=\"")),
+        ("1,0,\u{2264},5\n0,1,\u{2264},5\n", relation("line 1, column 3: \"\u{2264}\"")),
+        ("1,0,0,5\n0,1,0,5\n", beside("line 1, column 4: \"5\"")),
+        ("[{\"a1\": 1, \"a2\": 0, \"rel\": \"<\", \"b\": 0}]", relation("line 1, column 3 (rel): \"<\"")),
+    ] {
+        let run = boundfit_with_input(&root(), "polygon -", table.as_bytes());
+        assert_eq!((run.status, run.stdout.as_str(), run.stderr), (1, "", message), "{table:?}");
+    }
+    let plain = without_file(answer("a1,a2,b\n-1,0,0\n0,-1,0\n2,3,6\n"));
+    let others = without_file(answer("a1,a2,b,w\n-1,0,0,>= 1\n0,-1,0,5\n2,3,6,\n"));
+    assert_eq!(others["region"], plain["region"]);
 }
 
 #[test]
@@ -209,7 +239,23 @@ fn an_equation_is_one_row_that_proves_both_ways() {
     assert_eq!(upper["active"], json!([{"row": 1, "bound": "lower", "multiplier": half}]));
     // The older word for the same thing.
     let older = answer("equality 1 1\nbegin\n2 3 integer\n-3 2 0\n0 0 1\nend\n");
-    assert_eq!(without_hash(older), without_hash(report));
+    assert_eq!(without_file(older), without_file(report));
+}
+
+#[test]
+fn the_format_of_a_table_of_half_planes_is_said() {
+    let table = b"a1;a2;b\n1;0;60,323\n0;1;83,200\n";
+    let text = printed_with_input(&root(), "polygon -", table);
+    let start = "Half-planes of standard input, 2 rows\n  table     decimal comma, separated by semicolons\n\nRegion: ";
+    assert!(text.starts_with(start), "{text}");
+    let json = report(&root(), "polygon -", table);
+    let [delimiter, decimal, open] =
+        ["delimiter", "decimal", "decimal_open"].map(|key| &json["input"]["table"][key]);
+    assert_eq!([delimiter, decimal, open], [&json!("semicolon"), &json!("comma"), &json!(true)]);
+    let run = boundfit_with_input(&root(), "polygon - --format ine", table);
+    assert_eq!(run.stderr, "note: standard input: decimal comma, separated by semicolons\n");
+    let matrix = answer("begin\n1 3 integer\n1 -1 0\nend\n");
+    assert_eq!(matrix["input"]["table"], serde_json::Value::Null);
 }
 
 #[test]

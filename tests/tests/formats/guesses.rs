@@ -73,9 +73,53 @@ fn line_1_is_a_header_where_a_cell_of_it_is_no_number_above_numbers() {
     assert!(said("years-as-names.csv", &["1960", "1970"], &auto()).starts_with(by_name));
     assert_eq!(
         said("counts-in-line-1.csv", &["1", "2"], &auto()),
-        "150 4: 51/10 7/2 and 8 more; header in line 1"
+        "150 4: 51/10 7/2 and 8 more; header in line 1 (else header no)"
     );
-    assert_eq!(said("yearheads.csv", &["2", "3"], &auto()), "2010 2011: 2 3 and 2 more; header in line 1");
+    let years = "2010 2011: 2 3 and 2 more; header in line 1 (else header no)";
+    assert_eq!(said("yearheads.csv", &["2", "3"], &auto()), years);
+}
+
+/// Names, rows and words of a text whose wanted columns are asked for by these numbers, or the message.
+fn said_of(text: &str, columns: &[&str], missing_as: &[&str]) -> (String, usize, String) {
+    let words = missing_as.iter().map(|&word| word.to_owned());
+    let table = TableOptions {
+        missing: Missing::Skip,
+        missing_as: MissingWords::new(words),
+        ..TableOptions::default()
+    };
+    let (names, rows, words) = read(text.as_bytes(), columns, table, 1 << 18).unwrap();
+    (names.join(" "), rows.len(), words.unwrap_or_default())
+}
+
+#[test]
+fn a_word_for_a_missing_value_is_no_name() {
+    let reading = "no header, the first line is a reading (else header yes)";
+    let overload = "OVLD,2.5,1.5\n5,3,2\n6,4,4\n";
+    for (text, columns, missing_as, rows) in [
+        (overload, ["2", "3"], ["OVLD"].as_slice(), 3),
+        (&overload.replace("OVLD", "NA"), ["2", "3"], &[], 3),
+        ("1,OL\n2,3\n3,4\n4,5.1\n", ["1", "2"], &["OL"], 3),
+        ("OL,OL\n2,3\n3,4\n4,5.1\n", ["1", "2"], &["OL"], 3),
+    ] {
+        let names = columns.map(|column| format!("col{column}")).join(" ");
+        assert_eq!(said_of(text, &columns, missing_as), (names, rows, reading.to_owned()), "{text:?}");
+    }
+}
+
+#[test]
+fn a_first_line_that_may_be_a_reading_leaves_the_header_open() {
+    let open = "header in line 1 (else header no)";
+    for (text, words) in [
+        ("OVLD,2.5,1.5\n5,3,2\n6,4,4\n", open),
+        ("OVLD,NA,1.5\n5,3,2\n6,4,4\n", open),
+        ("when,12:30,1.5\n5,3,2\n6,4,4\n", "header in line 1"),
+        ("run,x,1.5\n5,3,2\n6,4,4\n", "header in line 1"),
+        ("run,x,y\n5,3,2\n6,4,4\n", ""),
+    ] {
+        assert_eq!(said_of(text, &["2", "3"], &[]).2, words, "{text:?}");
+    }
+    // A number that no column has is a name.
+    assert_eq!(said_of("run,2019,2020\n5,3,2\n6,4,4\n", &["2019", "2020"], &[]).2, "header in line 1");
 }
 
 #[test]
@@ -119,6 +163,34 @@ fn a_remark_names_no_columns() {
 }
 
 #[test]
+fn the_mark_before_the_names_is_none_of_them() {
+    let comment = "names in the comment of line";
+    for (text, columns, names, words) in [
+        (
+            "# Speed (m/s), Dist (m)\n1,2\n2,3\n3,5\n",
+            ["Speed", "Dist"],
+            "Speed (m/s) Dist (m)",
+            format!("{comment} 1"),
+        ),
+        ("% Speed, Dist\n1,2\n2,3\n3,5\n", ["1", "2"], "Speed Dist", format!("{comment} 1")),
+        ("# a log\n# Speed, Dist\n1,2\n2,3\n3,5\n", ["Speed", "2"], "Speed Dist", format!("{comment} 2")),
+        ("# Speed;Dist\n1;2\n2;3\n3;5\n", ["# Speed", "Dist"], "Speed Dist", format!("{comment} 1")),
+        // A mark without a blank may be a part of the name, and so may one within quotes.
+        ("#,n\n1,2\n2,3\n3,5\n", ["#", "n"], "# n", String::new()),
+        ("#1,n\n1,2\n2,3\n3,5\n", ["#1", "n"], "#1 n", String::new()),
+        ("\"# n\",y\n1,2\n2,3\n3,5\n", ["# n", "y"], "# n y", String::new()),
+    ] {
+        assert_eq!(said_of(text, &columns, &[]), (names.to_owned(), 3, words), "{text:?}");
+    }
+    // It is a header that further blocks may repeat.
+    let all = with(|options| options.block = AskedBlock::parse("all"));
+    let text = b"# x,y\n1,2\n\n\n# x,y\n3,4\n";
+    let (names, rows, words) = read(text, &["x", "y"], all, 100).unwrap();
+    assert_eq!((names.join(" "), rows.len()), ("x y".to_owned(), 2));
+    assert_eq!(words.as_deref(), Some("names in the comment of line 1, all 2 blocks, 1 header repeated"));
+}
+
+#[test]
 fn blocks_are_told_apart() {
     let list = "1 (run 1), lines 2 to 4, 3 rows; 2 (run 2), lines 8 to 10, 3 rows";
     let expected = "(expected a block by its number or its name)";
@@ -147,6 +219,31 @@ fn blocks_are_told_apart() {
             format!("data: there is no block {wanted}; the file has 2: {list} {expected}")
         );
     }
+}
+
+#[test]
+fn a_block_whose_name_is_the_number_of_another_is_refused() {
+    let text = "# 2\n1 2\n2 3\n\n\n# 1\n5 6\n6 8\n7 9\n";
+    let rows = |text: &str, asked: &str| {
+        let block = with(|options| options.block = AskedBlock::parse(asked));
+        read(text.as_bytes(), &["1", "2"], block, 7).map(|(_, rows, _)| rows.len())
+    };
+    for (asked, named) in [("2", 1), ("1", 2)] {
+        let message = format!(
+            "data: \"{asked}\" is the name of block {named} and the number of another one (expected '\"{asked}\"', with \
+             the quotes, for the name; for the number the name of that block)"
+        );
+        assert_eq!(rows(text, asked), Err(message));
+    }
+    assert_eq!((rows(text, "\"2\""), rows(text, "'1'"), rows(text, "all")), (Ok(2), Ok(3), Ok(5)));
+    // A block may have its own number for a name.
+    let own = text.replace("# 2", "# one").replace("# 1", "# 2");
+    assert_eq!((rows(&own, "2"), rows(&own, "1"), rows(&own, "\"2\"")), (Ok(3), Ok(2), Ok(3)));
+    let message = rows(&text.replace("# 2", "# 2014"), "2014").unwrap_err();
+    assert!(message.contains("there is no block 2014; the file has 2: 1 (2014), lines 2 to 3"), "{message}");
+    let expected =
+        "(expected '\"2014\"', with the quotes, for the name, or another block by its number or its name)";
+    assert!(message.ends_with(expected), "{message}");
 }
 
 #[test]
@@ -293,6 +390,25 @@ fn quoted_decimal_commas_are_told_from_grouped_digits() {
     let asked = with(|options| options.dialect.thousands = Some(boundfit_exact::Thousands::Comma));
     let read = read(text("", "n,\"1,234\",1\n").as_bytes(), &["x", "y"], asked, 1);
     assert_eq!(read.unwrap().1[5], ["1234", "1"]);
+}
+
+#[test]
+fn a_comma_that_may_group_digits_is_a_guess() {
+    let options = ScanOptions { chunk_bytes: 9, ..ScanOptions::default() };
+    for (text, is_guess) in [
+        ("x;y\n1;60,323\n2;83,200\n", true),
+        ("x\ty\n1\t2\n2\t-1,234\n", true),
+        ("x;y\n1;6,3\n2;83,200\n", false),
+        ("x;y\n1;0,323\n2;83,200\n", false),
+        ("x;y\n1;1234,567\n2;83,200\n", false),
+        ("x;y\n1;60.323\n2;83.200\n", false),
+        ("x,y\n1,\"6,3\"\n2,\"83,200\"\n", false),
+    ] {
+        let source = Source::new("data", std::io::Cursor::new(text.as_bytes().to_vec()));
+        let (scanned, _) = batches(source, &["x", "y"].map(ColumnSelector::name), &options).unwrap();
+        let notes = scanned.table.unwrap();
+        assert_eq!([notes.is_comma_open, notes.has_guesses()], [is_guess; 2], "{text:?}");
+    }
 }
 
 #[test]

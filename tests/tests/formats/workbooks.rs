@@ -247,6 +247,19 @@ fn records_that_are_torn_are_refused_before_their_columns() {
         "line 2: \"2}]\": read as JSON, where ':' belongs here (expected JSON with an object for each row, or a table \
          of text such as CSV)"
     );
+    let ends = |line: u32, before: &str| {
+        format!("line {line}: read as JSON, the file ends here, before {before} (expected a complete file)")
+    };
+    for (text, line, before) in [
+        ("[{\"x\": 1, \"y\": 2},\n{\"x\": 2,", 2, "a text in quotes"),
+        ("[{\"x\": 1, \"y\": 2},\n{\"x\": 2,\n\n", 4, "a text in quotes"),
+        ("[{\"x\": 1, \"y\": 2}", 1, "',' or ']'"),
+        ("[{\"x\": 1, \"y\"", 1, "':'"),
+        ("{\"x\": 1, \"y\": [3", 1, "the end of an object or array"),
+        ("[[1, 2],\n[3, \"4", 2, "the quote that ends a text"),
+    ] {
+        assert_eq!(read(text.as_bytes(), &["1", "2"], |_| ()).unwrap_err(), ends(line, before), "{text:?}");
+    }
     let unknown = "there is no column \"y\" (expected one of \"x\", \"z\" or a number from 1 to 2)";
     assert_eq!(wrong(b"[{\"x\": 1, \"z\": 2},\n{\"x\" 2}]"), unknown);
 }

@@ -119,7 +119,9 @@ pub(super) fn run(arguments: &PolygonArguments) -> CommandResult {
     let name = source.name().to_owned();
     let file = read_half_planes(source, &options).map_err(refused)?;
     refuse_long(name.borrowed(), &file.system.work(), times::POLYGON, &arguments.table.limits)?;
-    input::say_table(name.borrowed(), file.table.as_ref(), 0);
+    if !Form::from(format).has_input() {
+        input::say_table(name.borrowed(), file.table.as_ref(), 0);
+    }
     let polyhedron = Polyhedron::intersect(file.system.clone());
     let name_of = |&index: &usize| {
         let row = file.origins.get(index).map_or(0, |origin| origin.row);

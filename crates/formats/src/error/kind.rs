@@ -166,6 +166,12 @@ pub enum InputErrorKind {
         /// The expected form.
         expected: &'static str,
     },
+    /// JSON that ends too early.
+    #[error("read as JSON, the file ends here, before {expected}")]
+    JsonEnds {
+        /// The expected form.
+        expected: &'static str,
+    },
     /// An object or array of JSON where a number belongs.
     #[error("an object or array, not a number")]
     NestedJson,
@@ -250,6 +256,8 @@ pub enum InputErrorKind {
     UnknownBlock {
         /// The block asked for.
         wanted: AskedBlock,
+        /// `true` if it is asked for by a number that is the name of a block.
+        is_name: bool,
         /// The number of all.
         total: usize,
         /// The first of them.
@@ -262,6 +270,14 @@ pub enum InputErrorKind {
         name: Foreign,
         /// The number of blocks with this name.
         count: usize,
+    },
+    /// A number of one block that is the name of another.
+    #[error("\"{wanted}\" is the name of block {named} and the number of another one")]
+    BlockNameOrNumber {
+        /// The block asked for.
+        wanted: usize,
+        /// The block with this name.
+        named: usize,
     },
     /// Another block begins: what the readers of rows say to each other.
     #[error("another block of rows begins here")]
@@ -391,6 +407,12 @@ pub enum InputErrorKind {
     /// The line after `begin` is not of the form `rows columns type`.
     #[error("the size line is not understood")]
     BadSizeLine,
+    /// A relation in a table of half-planes, whose rows all have the same one.
+    #[error("a relation, and every row means a1*theta1 + a2*theta2 <= b")]
+    Relation,
+    /// A cell beside a1, a2 and b that no header names.
+    #[error("a cell beside a1, a2 and b in a table without a header")]
+    BesideHalfPlane,
     /// A polyhedron that is not in the plane.
     #[error("the matrix has {0} columns, so it is not about the plane")]
     NotThePlane(usize),
@@ -584,6 +606,14 @@ impl InputErrorKind {
             }
             InputErrorKind::NoValue => "a value: open the workbook in a spreadsheet and save it".to_owned(),
             InputErrorKind::AmbiguousBlock { .. } => "the number of a block".to_owned(),
+            InputErrorKind::BlockNameOrNumber { wanted, .. } => format!(
+                "'\"{wanted}\"', with the quotes, for the name; for the number the name of that block"
+            ),
+            InputErrorKind::UnknownBlock { wanted, is_name: true, .. } => {
+                format!(
+                    "'\"{wanted}\"', with the quotes, for the name, or another block by its number or its name"
+                )
+            }
             InputErrorKind::SeveralBlocks { .. } | InputErrorKind::UnknownBlock { .. } => {
                 "a block by its number or its name".to_owned()
             }
@@ -603,6 +633,7 @@ impl InputErrorKind {
             InputErrorKind::Json { .. } => {
                 "JSON with an object for each row, or a table of text such as CSV".to_owned()
             }
+            InputErrorKind::JsonEnds { .. } => "a complete file".to_owned(),
             InputErrorKind::NestedJson => {
                 "JSON with an object for each row; in pandas table.to_json('FILE', orient='records')"
                     .to_owned()
@@ -660,6 +691,14 @@ impl InputErrorKind {
             }
             InputErrorKind::MoreThanThePlane { .. } => {
                 "columns a1, a2 and b: a1*theta1 + a2*theta2 <= b".to_owned()
+            }
+            InputErrorKind::Relation => {
+                "no such column: change all signs of a row with >=, and write a row with = both ways"
+                    .to_owned()
+            }
+            InputErrorKind::BesideHalfPlane => {
+                "3 columns, or a header with the names a1, a2 and b: other columns are then ignored"
+                    .to_owned()
             }
             InputErrorKind::NotThePlane(_) => "3 columns: b, -a1, -a2 or 1, x, y".to_owned(),
             InputErrorKind::OtherSet { instead } => (*instead).to_owned(),

@@ -6,6 +6,10 @@ use strsim::osa_distance;
 /// Returns the advice behind the message that there is no such column.
 pub(super) fn advice(wanted: &Foreign, available: &[Foreign], numbers: Option<usize>) -> String {
     match (nearest(wanted.raw(), available), numbers) {
+        // Where several columns are asked for, a comma separates their names.
+        (Some(name), _) if name.raw().contains(',') => {
+            format!("; did you mean '\"{name}\"', with the quotes?")
+        }
         (Some(name), _) => format!("; did you mean {name:?}?"),
         (None, Some(columns)) if are_no_names(available) => {
             format!("; the file has no header: ask for columns by number, 1 to {columns}")
@@ -78,6 +82,10 @@ mod tests {
             "; the file has no header: ask for columns by number, 1 to 2"
         );
         assert_eq!(advice(&"Y".into(), &names(&["x", "y"]), Some(2)), "; did you mean \"y\"?");
+        assert_eq!(
+            advice(&"U".into(), &names(&["U, V", "y"]), None),
+            "; did you mean '\"U, V\"', with the quotes?"
+        );
         assert_eq!(advice(&"z".into(), &names(&["x", "y"]), Some(2)), "");
     }
 }

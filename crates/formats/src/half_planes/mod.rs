@@ -58,7 +58,8 @@ pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPl
         return parse_cdd(name.raw(), &content, sha256, options);
     }
     let columns = [("a1", 1), ("a2", 2), ("b", 3)].map(|(name, at)| ColumnSelector::name_at(name, at));
-    let options = TableOptions { row_cost: options.row_cost.max(OF_A_HALF_PLANE), ..options.clone() };
+    let row_cost = options.row_cost.max(OF_A_HALF_PLANE);
+    let options = TableOptions { row_cost, are_half_planes: true, ..options.clone() };
     let table = read_table(Source::new(name.clone(), Cursor::new(content)), &columns, &options)?;
     if let Some(column) = table.header.iter().find(|column| is_coefficient_beyond_the_plane(column.raw())) {
         let column = column.clone();

@@ -23,6 +23,7 @@ use crate::error::{InputError, InputErrorKind};
 use crate::lacking::Lacking;
 use crate::memory::{BadNumber, Cells, Part, TextCells};
 use crate::notes::{HeaderNote, SheetLooks, Skipped, TableNotes};
+use crate::relations::refuse_beside;
 use crate::scan::check_rows;
 use crate::scan::{Consumer, ScanOptions, Scanned};
 use crate::wanted::WantedColumns;
@@ -130,6 +131,7 @@ fn notes(encoding: Encoding, missing: Missing) -> TableNotes {
         looks: SheetLooks::default(),
         is_records: true,
         block: None,
+        is_comma_open: false,
         skipped: Skipped::default(),
     }
 }
@@ -193,6 +195,14 @@ fn hand_out(
     let mut seen: Vec<Option<usize>> = vec![None; names.len()];
     for ((row, &line), cells) in lines.iter().enumerate().zip(records.iter()) {
         for (column, text) in cells {
+            if wanted.options.table.are_half_planes {
+                let place = ColumnPlace {
+                    position: column + 1,
+                    name: names.get(column).filter(|name| !name.is_empty()).cloned(),
+                };
+                let is_asked = wanted.places.iter().any(|asked| asked.position == place.position);
+                refuse_beside(wanted.file, &place, line, text.as_bytes(), is_asked)?;
+            }
             let Some(cell) =
                 columns.get_mut(column).and_then(Option::as_mut).and_then(|cells| cells.get_mut(row))
             else {

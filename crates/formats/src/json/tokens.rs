@@ -129,7 +129,12 @@ impl<'a, R: Read> Tokens<'a, R> {
         let shown = shown.lines().next().unwrap_or_default().trim_end_matches(char::REPLACEMENT_CHARACTER);
         let text = (!shown.is_empty()).then(|| shown.into());
         let place = Place { line: Some(self.line), text, ..Place::default() };
-        InputError::new(self.file, place, InputErrorKind::Json { expected })
+        // The next byte was looked for before: where there is none, the text ends.
+        let kind = match rest.is_empty() {
+            true => InputErrorKind::JsonEnds { expected },
+            false => InputErrorKind::Json { expected },
+        };
+        InputError::new(self.file, place, kind)
     }
 
     /// Counts so many bytes that are held of a record.

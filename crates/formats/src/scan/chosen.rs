@@ -129,12 +129,8 @@ impl Run<'_, '_> {
         if let Some(problem) = reader.failure() {
             return Err(InputError::of_file(self.file, problem));
         }
-        if let AskedBlock::Name(name) = &wanted
-            && blocks.named(name) > 1
-        {
-            let problem = InputErrorKind::AmbiguousBlock { name: name.clone(), count: blocks.named(name) };
-            return Err(InputError::of_file(self.file, problem));
-        }
+        refuse_several(&wanted, number, &blocks)
+            .map_err(|problem| InputError::of_file(self.file, problem))?;
         layout.block = BlockNote::of(Some(number), name, blocks.total());
         Ok(total)
     }
@@ -173,6 +169,20 @@ impl Run<'_, '_> {
         }
         blocks.read(reader.pending());
         blocks.error(self.file, None)
+    }
+}
+
+/// Refuses a name of several blocks, and a number that is the name of another block.
+fn refuse_several(wanted: &AskedBlock, number: usize, blocks: &Blocks) -> Result<(), InputErrorKind> {
+    match wanted {
+        AskedBlock::Name(name) if blocks.named(name.raw()).len() > 1 => {
+            Err(InputErrorKind::AmbiguousBlock { name: name.clone(), count: blocks.named(name.raw()).len() })
+        }
+        AskedBlock::Number(wanted) => {
+            let named = blocks.named(&wanted.to_string()).into_iter().find(|&named| named != number);
+            named.map_or(Ok(()), |named| Err(InputErrorKind::BlockNameOrNumber { wanted: *wanted, named }))
+        }
+        _ => Ok(()),
     }
 }
 

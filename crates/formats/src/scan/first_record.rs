@@ -7,7 +7,7 @@ use crate::chunks::ChunkReader;
 use crate::columns::{ColumnSelector, Header, decode};
 use crate::dialect::CommentMark;
 use crate::error::{InputError, InputErrorKind};
-use crate::heading::{AskedColumns, Heading};
+use crate::heading::{AskedColumns, CellLook, Heading};
 use crate::notes::HeaderNote;
 use crate::records::{Records, Syntax};
 use crate::selection::RowCondition;
@@ -96,8 +96,8 @@ impl<'a> FirstRecord<'a> {
         let mut heading = match commented {
             Some(names) => Heading::of_comment(names.into_iter().map(Foreign::from).collect(), first.line),
             None => {
-                let below = start.below(&first, columns, reader, behind);
-                start.heading(&first, columns, &below).map_err(explained)?
+                let looks = start.looks(&first, columns, reader, behind);
+                start.heading(&first, columns, &looks).map_err(explained)?
             }
         };
         let has_header = heading.names.is_some() && !is_commented;
@@ -111,6 +111,7 @@ impl<'a> FirstRecord<'a> {
             units = start.peek(reader, &mut cursor).map(|found| (found.cells, found.line));
             records_before += usize::from(units.is_some());
         }
+        let is_marked = has_header && preamble.is_marked && heading.take_mark();
         let mut shape = Shape::of_first(&first.cells);
         let mut has_row_names = false;
         if has_header {
@@ -144,6 +145,7 @@ impl<'a> FirstRecord<'a> {
             has_row_names,
             ..HeaderNote::default()
         };
+        layout.is_header_marked = is_marked;
         layout.skipped.lines = preamble.unasked;
         layout.title = preamble.title();
         layout.first_line = first.line;
@@ -246,19 +248,19 @@ impl Start<'_> {
         self.record(reader, cursor, MOST_BLANK_LINES).unwrap_or_default()
     }
 
-    /// Returns for each cell of the first record `true` if a number stands below it. It looks at the first
-    /// two cells that are not missing, since the first may be a unit. Where the question tells whether the
-    /// record is a header, nothing is looked at.
-    fn below(
+    /// Returns what each cell of the first record looks like. It looks at the first two cells below that are
+    /// not missing, since the first may be a unit. Where the question tells whether the record is a header,
+    /// nothing is looked at.
+    fn looks(
         &self,
         first: &Found,
         columns: &[ColumnSelector],
         reader: &mut ChunkReader,
         behind: Cursor,
-    ) -> Vec<bool> {
+    ) -> Vec<CellLook> {
         let table = &self.options.table;
         let others = others(self.options);
-        let asked = AskedColumns { columns, others: &others };
+        let asked = AskedColumns { columns, others: &others, missing_as: &table.missing_as };
         let cells: Vec<&[u8]> = first.cells.iter().map(Vec::as_slice).collect();
         if table.header != Header::Auto || asked.tell(&cells) {
             return Vec::new();
@@ -288,7 +290,11 @@ impl Start<'_> {
                 break;
             }
         }
-        below.into_iter().map(|(_, is_number)| is_number).collect()
+        let look = |((_, is_above_number), cell)| {
+            let may_be_read = numbers.is_missing(cell) || numbers.is_number(cell, Mark::Open);
+            CellLook { is_above_number, may_be_read }
+        };
+        below.into_iter().zip(cells).map(look).collect()
     }
 
     /// The names in the comment right before the first record, if that is a row: it has as many cells, and a number. Numbers are no
@@ -310,19 +316,18 @@ impl Start<'_> {
         cells.iter().map(name).collect()
     }
 
-    /// The information in the first record, above cells with numbers or not.
+    /// The information in the first record, whose cells look like this.
     fn heading(
         &self,
         first: &Found,
         columns: &[ColumnSelector],
-        below: &[bool],
+        looks: &[CellLook],
     ) -> Result<Heading, InputError> {
         let cells: Vec<&[u8]> = first.cells.iter().map(Vec::as_slice).collect();
         let others = others(self.options);
-        let asked = AskedColumns { columns, others: &others };
-        let has_numbers_below = |index: usize| below.get(index).copied().unwrap_or_default();
-        let header = self.options.table.header;
-        Heading::new(self.file, &cells, first.line, header, asked, &has_numbers_below)
+        let missing_as = &self.options.table.missing_as;
+        let asked = AskedColumns { columns, others: &others, missing_as };
+        Heading::new(self.file, &cells, first.line, self.options.table.header, asked, looks)
     }
 }
 

@@ -62,6 +62,7 @@ impl Route {
             || !table.missing_as.is_empty()
             || (table.keep_others && table.selects_rows())
             || table.keep_cells
+            || layout.looks_beside()
         {
             return None;
         }

@@ -11,9 +11,10 @@ use crate::columns::Role;
 use crate::columns::{ColumnPlace, ColumnSelector, decode, refuse_same};
 use crate::dialect::{BLANKS, CommentMark, Dialect, Encoding};
 use crate::error::{InputError, InputErrorKind};
-use crate::heading::Heading;
+use crate::heading::{Heading, without_mark};
 use crate::notes::{BlockNote, HeaderNote, SheetLooks, Skipped, TableNotes};
 use crate::records::{Record, Records, Syntax};
+use crate::relations::refuse_beside;
 use crate::selection::RowCondition;
 use crate::table::TableRow;
 use crate::times::{is_time, or_time};
@@ -62,6 +63,8 @@ pub(super) struct Layout<'a> {
     pub(super) syntax: Syntax,
     /// The line that names the columns.
     pub(super) names_in: HeaderNote,
+    /// `true` if that line is a record that begins with a comment mark, which is none of its first name.
+    pub(super) is_header_marked: bool,
     pub(super) skipped: Skipped,
     /// The block that is read, of a file with several.
     pub(super) block: Option<BlockNote>,
@@ -70,6 +73,8 @@ pub(super) struct Layout<'a> {
     pub(super) first_line: u64,
     /// The known facts about decimal marks so far.
     pub(super) mark: Mark,
+    /// `true` if the comma that told the mark may as well group digits.
+    pub(super) is_comma_open: bool,
     pub(super) numbers: Numbers<'a>,
     /// The work on the numbers that were read.
     meter: WorkMeter,
@@ -135,11 +140,13 @@ impl<'a> Layout<'a> {
             passed: preamble.passed,
             syntax,
             names_in: HeaderNote::default(),
+            is_header_marked: false,
             skipped: Skipped::default(),
             block: None,
             title: None,
             first_line: 1,
             mark: Mark::of(dialect, syntax.delimiter),
+            is_comma_open: false,
             numbers: Numbers::new(&options.table, syntax.delimiter),
             meter: WorkMeter::default(),
             places,
@@ -163,11 +170,16 @@ impl<'a> Layout<'a> {
         let has_numbers = self.names_in.line.is_some() && self.places.iter().any(is_number);
         TableNotes {
             sheet: None,
-            header: HeaderNote { has_numbers, ..self.names_in },
+            header: HeaderNote {
+                has_numbers,
+                is_comment: self.names_in.is_comment || self.is_header_marked,
+                ..self.names_in
+            },
             dialect: self.dialect(),
             is_sheet: false,
             looks: SheetLooks::default(),
             is_records: false,
+            is_comma_open: self.is_comma_open,
             block: self.block.clone(),
             skipped: self.skipped,
         }
@@ -225,8 +237,12 @@ impl<'a> Layout<'a> {
             return false;
         }
         let names = self.header.get(usize::from(self.names_in.has_row_names)..).unwrap_or_default();
-        let is_name =
-            |(cell, name): (&[u8], &Foreign)| decode(cell).is_ok_and(|cell| cell.trim() == name.raw());
+        let is_name = |(cell, name): (&[u8], &Foreign)| {
+            let cell = decode(cell).map(str::trim);
+            cell.is_ok_and(|cell| {
+                cell == name.raw() || self.is_header_marked && without_mark(cell) == name.raw()
+            })
+        };
         // Names that are numbers may be a row.
         record.len() == names.len()
             && record.cells().zip(names).all(is_name)
@@ -303,6 +319,21 @@ impl<'a> Layout<'a> {
             false => InputErrorKind::RaggedRow { found, expected },
         };
         Err(InputError::of_line(self.file, line, kind))
+    }
+
+    /// Returns whether cells that are not asked for may make a row another one.
+    pub(super) fn looks_beside(&self) -> bool {
+        self.options.table.are_half_planes && self.shape.width > self.places.len()
+    }
+
+    /// Refuses cells beside the numbers of a half-plane that make it another one.
+    pub(super) fn check_beside(&self, record: &Record, line: u64) -> Result<(), InputError> {
+        for (index, cell) in record.cells().enumerate().filter(|_| self.looks_beside()) {
+            let place = ColumnPlace { position: index + 1, name: self.header.get(index).cloned() };
+            let is_asked = self.places.iter().any(|asked| asked.position == place.position);
+            refuse_beside(self.file, &place, line, cell, is_asked)?;
+        }
+        Ok(())
     }
 
     /// The numbers of a record. Where the decimal mark was open, the first one tells it: that is noted, with the error that its

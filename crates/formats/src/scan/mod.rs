@@ -81,6 +81,7 @@ pub(crate) fn scan_text(
         layout.block = BlockNote::of(None, None, notes.breaks + 1);
     }
     layout.mark = notes.mark_after(layout.mark);
+    layout.is_comma_open = notes.comma().is_some_and(|cell| layout.numbers.has_group_commas(cell.as_bytes()));
     layout.has_comments = notes.has_comments;
     // A character that tells it may stand in any row.
     layout.encoding = reader.encoding();

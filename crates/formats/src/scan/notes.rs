@@ -97,6 +97,12 @@ impl Notes {
         }
     }
 
+    /// The cell whose comma told that the decimal mark is one.
+    pub(super) fn comma(&self) -> Option<&str> {
+        let (mark, place) = self.mark.as_ref()?;
+        Some(place.place.text.as_ref()?.raw()).filter(|_| *mark == DecimalMark::Comma)
+    }
+
     /// Notices a row that is not empty: those of empty cells before it are no end.
     pub(super) fn row(&mut self) {
         self.has_rows = true;

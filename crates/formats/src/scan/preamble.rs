@@ -36,6 +36,8 @@ pub(super) struct Preamble {
     pub(super) comment: Option<Vec<u8>>,
     /// The line of that comment, from 1.
     pub(super) comment_line: u64,
+    /// `true` if the first record begins as a comment does.
+    pub(super) is_marked: bool,
     /// The line that is reached, from 1.
     pub(super) lines: u64,
     /// The line that is reached when line feeds alone are counted.
@@ -175,7 +177,7 @@ impl Preamble {
             CommentMark::Mark(mark) => Some([mark; 2]),
         };
         let is_mark = |first: u8| marks.is_some_and(|marks| marks.contains(&first));
-        let (mut comment, mut comment_line) = (None, 0);
+        let (mut comment, mut comment_line, mut is_marked) = (None, 0, false);
         let mut has_comments = has_comments;
         while let Some(line) = lines.next() {
             match line.first() {
@@ -188,6 +190,7 @@ impl Preamble {
                 Some(&first) if is_mark(first) => {
                     let line = line.to_vec();
                     if !has_comments && is_header(&line, asked, lines, is_mark) {
+                        is_marked = true;
                         break;
                     }
                     (comment, comment_line, has_comments) = (Some(line), lines.lines, true);
@@ -211,6 +214,7 @@ impl Preamble {
             unasked: 0,
             comment,
             comment_line,
+            is_marked,
             lines: lines.lines,
             line_feeds: lines.line_feeds,
         }

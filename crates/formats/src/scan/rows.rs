@@ -133,6 +133,7 @@ impl<'a> RowReader<'a> {
         )?;
         self.has_rows = true;
         layout.check_width(record, line, &mut self.notes)?;
+        layout.check_beside(record, line)?;
         self.total += 1;
         let is_wanted = layout.is_wanted(self.total);
         if record.is_empty() {

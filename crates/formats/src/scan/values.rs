@@ -181,8 +181,13 @@ impl<'a> Numbers<'a> {
     }
 
     /// Returns whether the commas of a cell may group its digits: `1,234`, but neither `12,5` nor `0,125`.
+    pub(super) fn has_group_commas(&self, cell: &[u8]) -> bool {
+        self.is_grouped(cell, DecimalMark::Point, Thousands::Comma)
+    }
+
+    /// Returns whether commas separate cells, and those of this one may group its digits.
     fn may_be_grouped(&self, cell: &[u8]) -> bool {
-        self.has_comma_cells && self.is_grouped(cell, DecimalMark::Point, Thousands::Comma)
+        self.has_comma_cells && self.has_group_commas(cell)
     }
 
     fn is_grouped(&self, cell: &[u8], decimal: DecimalMark, thousands: Thousands) -> bool {

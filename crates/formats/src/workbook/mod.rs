@@ -27,6 +27,7 @@ use crate::hash::hexadecimal;
 use crate::memory_use::MemoryUse;
 use crate::notes::{SheetLooks, SheetNote, TableNotes};
 use crate::packing::most_unpacked;
+use crate::quoted_name::in_quotes;
 use crate::scan::{Consumer, ScanOptions, Scanned, scan_text};
 
 use archive::{Archive, FORMAT, Kind};
@@ -196,11 +197,6 @@ fn chosen(sheets: Vec<Listed>, wanted: Option<&str>) -> Result<Choice, InputErro
             available: sheets.iter().map(|sheet| sheet.name.as_str().into()).collect(),
         }),
     }
-}
-
-/// Returns the name in quotes, which is no number.
-fn in_quotes(wanted: &str) -> Option<&str> {
-    ['"', '\''].into_iter().find_map(|quote| wanted.strip_prefix(quote)?.strip_suffix(quote))
 }
 
 /// Returns a stored double as text with this decimal mark.

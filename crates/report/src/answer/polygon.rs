@@ -6,6 +6,7 @@ use boundfit_exact::Foreign;
 use serde::Serialize;
 
 use crate::answer::parts::{IntervalJson, RegionJson, RowNumberJson};
+use crate::answer::table::TableJson;
 use crate::number::Number;
 
 /// The set that half-planes or generators of a file make.
@@ -44,6 +45,8 @@ pub struct HalfPlaneFileJson {
     pub file: Option<Foreign>,
     /// The number of rows.
     pub rows: usize,
+    /// The format of the table as it was read; null for files that are neither text nor a sheet nor JSON.
+    pub table: Option<TableJson>,
     /// The reading of numbers: exactly as written, or as the nearest doubles.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::READINGS)))]
     pub reading: &'static str,

@@ -16,6 +16,9 @@ pub struct TableJson {
     /// The decimal mark.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = ["point", "comma"])))]
     pub decimal: &'static str,
+    /// True if the comma that was taken for the decimal mark may as well group digits; absent otherwise.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub decimal_open: bool,
     /// The character that groups digits; null where there is none.
     pub thousands: Option<&'static str>,
     /// The encoding of the text, such as `UTF-8`; null for sheets.
@@ -37,9 +40,9 @@ pub struct TableJson {
 pub struct HeaderJson {
     /// The number of the line, or of the row of a sheet; null without names.
     pub line: Option<u64>,
-    /// True if that line is a comment.
+    /// True if that line is a comment, or a row that begins as one.
     pub comment: bool,
-    /// True if nothing told a header from a reading: every cell of the first line is a number or missing.
+    /// True if nothing told a header from a reading: every cell of the first line that is used is a number or missing.
     pub open: bool,
     /// True if each row begins with a name, so that it has a cell more than the header.
     pub row_names: bool,

@@ -7,6 +7,7 @@ use boundfit_geometry::{Inequality, Multiplier, Polyhedron, Support};
 use super::rows::{redundant_rows, rows_of};
 use crate::answer::parts::{BoundJson, IntervalJson, RegionJson, RowNumberJson, TermJson};
 use crate::answer::polygon::{HalfPlaneFileJson, HalfPlaneJson, PolygonJson};
+use crate::answer::table::TableJson;
 use crate::json::{centroid_json, long_fractions, to_text};
 use crate::number::Number;
 use crate::style::Style;
@@ -41,6 +42,7 @@ pub fn polygon_json(
         input: HalfPlaneFileJson {
             file: name.map(Foreign::from),
             rows: file.rows,
+            table: file.table.as_ref().map(TableJson::new),
             reading: reading.name(),
             sha256: file.sha256.clone(),
         },

@@ -6,7 +6,7 @@ mod tables;
 
 use boundfit_exact::english::{counted, list};
 use boundfit_exact::{Foreign, Integer, Rational};
-use boundfit_formats::HalfPlaneFile;
+use boundfit_formats::{HalfPlaneFile, TableNotes};
 use boundfit_geometry::{Multiplier, Polyhedron};
 
 use crate::document::{Block, Document, Facts, THETA, Table, Text};
@@ -32,6 +32,9 @@ pub fn polygon_document(
     let data = Text::from(what).given(name).words(format!(", {}", counted(file.rows, "row", "rows")));
     let names = |indices: &[usize]| list(rows_of(file, indices).iter().map(ToString::to_string));
     let mut blocks = vec![Block::Lead(data)];
+    let table = file.table.as_ref().and_then(TableNotes::words);
+    let table = table.map(|words| vec![("table".into(), words.into())]);
+    blocks.extend(table.map(|rows| Block::Facts(Facts { width: 8, rows })));
     blocks.extend(region_blocks("Region", polyhedron.region(), &scales, names));
     blocks.extend(emptiness(file, polyhedron, style).map(Block::Paragraph));
     if let Some(bounds) = &ranges {
