@@ -95,6 +95,7 @@ fn status_alone(status: SolverStatus) -> Solution {
         reduced_costs: None,
         ray: None,
         farkas: None,
+        not_finite: Vec::new(),
         other_rows: None,
     }
 }

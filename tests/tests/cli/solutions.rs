@@ -252,6 +252,30 @@ fn junit_is_xml_with_a_case_for_each_aspect() {
 }
 
 #[test]
+fn a_number_that_is_not_finite_is_no_answer_in_every_view() {
+    let (_folder, path) = changed("maximise", "highs-raw", "X1 2\n", "X1 nan\n");
+    let said = "no answer: the value of X1 is not a finite number";
+    let view = |options: &[&str]| {
+        let run = judge("maximise", &path, &[&["--strict"], options].concat());
+        assert_eq!(run.status, 0, "{run:?}");
+        run.stdout
+    };
+    let text = view(&[]);
+    assert!(text.contains("written by HiGHS: no answer\n"), "{text}");
+    assert!(text.contains(&format!("primal        {said}\n")), "{text}");
+    let (_, solution) = judged("maximise", &path, &["--strict"]);
+    let primal = &solution["findings"][2];
+    assert_eq!((&solution["verdict"], &primal["verdict"]), (&"no answer".into(), &"no answer".into()));
+    assert_eq!((&primal["column"], &primal["line"]), (&"X1".into(), &8.into()));
+    let junit = view(&["--format", "junit"]);
+    assert!(junit.contains(&format!("<skipped message=\"{said}\"/>")), "{junit}");
+    let sarif: Value = serde_json::from_str(&view(&["--format", "sarif"])).unwrap();
+    let result = &sarif["runs"][0]["results"][2];
+    assert_eq!((&result["level"], &result["kind"]), (&"warning".into(), &"fail".into()));
+    assert_eq!(result["message"]["text"], format!("{said}."));
+}
+
+#[test]
 fn formats_for_findings_alone_want_a_solution() {
     for format in ["sarif", "junit"] {
         let run = run(&["judge", "fixtures/tiny-lp/maximise.mps", "--format", format]);

@@ -36,7 +36,8 @@ fn cost_row(file: &SolutionFile, model: &Model, value: &Rational) -> Option<usiz
     let near = Rational::scientific(1, -12) * Rational::one().max(value.abs());
     let is_near = |entry: &Entry| {
         let own = entry.value.as_ref().and_then(Figure::finite);
-        own.is_some_and(|own| (&own.value - value).abs() <= near) && number(&entry.price).is_zero()
+        let is_free = entry.price != Some(Figure::NotFinite) && number(&entry.price).is_zero();
+        own.is_some_and(|own| (&own.value - value).abs() <= near) && is_free
     };
     let mut misfit = Misfit::new(model, &file.columns);
     // Without the first row, each row of the model has the next one of the file.

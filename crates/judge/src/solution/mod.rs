@@ -17,7 +17,7 @@ use boundfit_exact::{Limits, Rational};
 
 pub use error::{SolutionError, quoted};
 pub use figure::Figure;
-pub use given::{Given, Solution};
+pub use given::{Given, NotFinite, Part, Solution};
 
 /// The end that a solver reports.
 #[derive(Debug, Clone, PartialEq, Eq)]
