@@ -109,6 +109,14 @@ fn duals_are_judged_beside_a_cost_row_or_said_not_to_be() {
     fs::write(&path, text.replacen("i 1 u 1 -0.3333333333333", "i 1 u 1 -77", 1)).unwrap();
     let (status, solution) = dialect("thirds.lp", path.to_str().unwrap());
     assert_eq!((status, refuted(&solution)), (4, vec!["dual", "complementary-slackness", "duality-gap"]));
+    // Without costs HiGHS states 0 for the constant; every other number is a claim.
+    let free = fs::read_to_string(root().join("fixtures/solutions/dialects/no-costs.highs-glpsol.sol"));
+    for (objective, aspects) in [("0", vec![]), ("5", vec![]), ("4", vec!["objective"])] {
+        let stated = format!("f f {objective}\n");
+        fs::write(&path, free.as_ref().unwrap().replacen("f f 0\n", &stated, 1)).unwrap();
+        let (_, solution) = dialect("no-costs.lp", path.to_str().unwrap());
+        assert_eq!(refuted(&solution), aspects, "{objective}: {solution}");
+    }
     // Two rows more than the model has: which ones these are is not known.
     let longer = text.replacen("s bas 3 2", "s bas 4 2", 1).replacen("j 1", "i 4 b 5 0\nj 1", 1);
     fs::write(&path, longer).unwrap();

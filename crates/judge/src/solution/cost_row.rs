@@ -21,7 +21,9 @@ impl SolutionFile {
         let is_highs = numbers(self).all(is_short);
         let of_model = |(place, row): (usize, &Entry)| Entry { of: Reference::Place(place), ..row.clone() };
         let others = self.rows.iter().enumerate().filter(|(own, _)| *own != place).map(|(_, row)| row);
-        let own_value = self.rows.get(place).and_then(|row| row.value.clone()).filter(|_| !has_costs);
+        // Any other number is what the file claims.
+        let is_blank = !has_costs && objective.finite().is_some_and(|own| own.value.is_zero());
+        let own_value = self.rows.get(place).and_then(|row| row.value.clone()).filter(|_| is_blank);
         let file = SolutionFile {
             rows: others.enumerate().map(of_model).collect(),
             objective: Some((own_value.unwrap_or_else(|| objective.clone()), *line)),
