@@ -309,8 +309,8 @@ fn files_about_something_else_are_refused() {
         "line 2: X3 is no column of the model (expected X1, X2)"
     );
     assert_eq!(
-        refusal("maximise", "s bas 3 3 f f 0\n"),
-        "line 1: \"s bas 3 3 f f 0\" is no solution of the model (expected X1, X2)"
+        refusal("maximise", "s bas 0 3 f f 0\nj 1 b 0 0\nj 2 b 0 0\nj 3 b 0 0\ne o f\n"),
+        "line 1: \"s bas 0 3 f f 0\" is no solution of the model (expected X1, X2)"
     );
     assert_eq!(
         refusal("maximise", "what"),

@@ -11,7 +11,10 @@ mod gurobi;
 mod highs;
 mod json;
 mod line;
+mod printed;
 mod scip;
+#[cfg(test)]
+mod tests;
 
 use boundfit_exact::{Limits, Rational};
 
@@ -148,7 +151,7 @@ pub fn read_solution(text: &str, limits: &Limits) -> Result<SolutionFile, Soluti
         (highs::is_raw, highs::parse_raw),
         (highs::is_table, highs::parse_table),
         (highs::is_old, highs::refuse_old),
-        (glpk::is_printed, glpk::parse_printed),
+        (printed::is_it, printed::parse),
         (cbc::is_cbc, cbc::parse_cbc),
         (cbc::is_clp, cbc::parse_clp),
         (scip::is_scip, scip::parse),
