@@ -267,6 +267,27 @@ fn files_are_refused_that_are_not_about_the_model() {
 }
 
 #[test]
+fn json_names_each_value_once_and_gives_an_optimum_its_point() {
+    let read = |text: &str| read_solution(text, &Limits::default()).unwrap_err().to_string();
+    assert_eq!(
+        read("{\"x\": {\"x\": 4,\n\"\\u0078\": 3, \"y\": 2}}"),
+        "line 2: x has a value already (line 1)"
+    );
+    assert_eq!(
+        read("{\"status\": \"optimal\", \"a\\\"{\": 1, \"status\": \"infeasible\"}"),
+        "line 1: status has a value already (line 1)"
+    );
+    for empty in ["[]", "{}"] {
+        let text = format!("{{\"status\": \"optimal\",\n\"objective\": 36, \"x\": {empty}}}");
+        assert_eq!(read(&text), format!("line 2: \"x\": {empty} (expected a number for each column)"));
+        // Beside another status there is nothing to give.
+        judged(&infeasible(), &text.replace("optimal", "infeasible"));
+    }
+    // One name in two objects is no second value.
+    judged(&textbook(), RIGHT);
+}
+
+#[test]
 fn lists_of_another_program_are_refused() {
     let file =
         read_solution("{\"x\": [2, 6], \"duals\": [0, 1.5, 1], \"status\": \"optimal\"}", &Limits::default())
