@@ -122,7 +122,18 @@ fn duals_are_judged_beside_a_cost_row_or_said_not_to_be() {
     fs::write(&path, longer).unwrap();
     let (status, solution) = dialect("thirds.lp", path.to_str().unwrap());
     assert_eq!((status, solution["findings"].as_array().unwrap().len()), (0, 4), "{solution}");
-    let said = "the duals are not looked at: the file numbers 4 rows, the model has 2 rows";
+    let said = "the duals are not looked at: the file lists 4 rows, the model has 2 rows";
+    assert_eq!(solution["not_judged"], said);
+    // A row that is missing among names has no dual, not the dual 0.
+    let (_folder, path) = changed(
+        "maximise",
+        "highs-table",
+        "        2     UB         -inf           18           18            1  R3\n",
+        "",
+    );
+    let (status, solution) = judged("maximise", &path, &[]);
+    assert_eq!((status, solution["findings"].as_array().unwrap().len()), (0, 4), "{solution}");
+    let said = "the duals are not looked at: the file lists 2 rows, the model has 3 rows";
     assert_eq!(solution["not_judged"], said);
 }
 

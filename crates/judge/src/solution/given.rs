@@ -69,7 +69,7 @@ pub struct Solution {
     pub farkas: Option<Vec<Given>>,
     /// The first number of each part that is not finite: that part has no numbers then.
     pub not_finite: Vec<NotFinite>,
-    /// The number of rows in the file, by number, where the model has another one: their duals are passed over.
+    /// The number of rows with a dual in the file, where the model has another one: the duals are passed over.
     pub other_rows: Option<usize>,
 }
 
@@ -101,8 +101,11 @@ impl Solution {
         let has_prices = reduced.iter().any(|price| matches!(price, Slot::Given(_)));
         let by_number = own_rows.iter().any(|row| matches!(row.of, Reference::Place(_)));
         let is_other = by_number && file.announced.is_some() && own_rows.len() != model.rows.len();
-        let other_rows = is_other.then_some(own_rows.len());
         let duals = if is_other { None } else { rows.duals(file, &own_rows)? };
+        let listed = duals.iter().flatten().filter(|slot| !matches!(slot, Slot::Missing)).count();
+        let is_short = duals.is_some() && listed < model.rows.len() && !file.omits_zero_duals;
+        let other_rows = if is_short { Some(listed) } else { is_other.then_some(own_rows.len()) };
+        let duals = duals.filter(|_| !is_short);
         let ray = file.ray.as_ref().map(|ray| columns.fill(ray.iter(), Entry::value_at)).transpose()?;
         let farkas = file.farkas.as_ref().map(|rays| rows.fill(rays.iter(), Entry::value_at)).transpose()?;
         let lists = [

@@ -28,7 +28,7 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
     let Value::Object(fields) = value else {
         return Err(reader.expected("", &value, "an object with \"status\", \"objective\", \"x\""));
     };
-    let mut file = SolutionFile::new(JSON);
+    let mut file = SolutionFile { omits_zero_duals: true, ..SolutionFile::new(JSON) };
     let (mut status, mut prices) = (None, None);
     for (name, value) in &fields {
         match name.as_str() {

@@ -111,8 +111,10 @@ pub struct SolutionFile {
     /// Multipliers of rows that are said to prove that there is no feasible point. Positive ones take the lower bound
     /// of their row, negative ones the upper one; the bounds of columns take the rest.
     pub farkas: Option<Vec<Entry>>,
-    /// True if the file has duals of rows; one without a number is 0 then.
+    /// True if the file has duals of rows.
     pub has_duals: bool,
+    /// True if a row that the file does not list has the dual 0. The duals of any other file are whole, or not looked at.
+    pub omits_zero_duals: bool,
     /// Columns that the writer leaves out are at most this large; `None` where it writes all of them.
     pub left_out: Option<Rational>,
     /// The size that the file announces.
@@ -132,6 +134,7 @@ impl SolutionFile {
             ray: None,
             farkas: None,
             has_duals: false,
+            omits_zero_duals: false,
             left_out: None,
             announced: None,
         }

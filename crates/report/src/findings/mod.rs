@@ -45,8 +45,8 @@ pub fn solutions_document(model: &Model, solutions: &[JudgedSolution]) -> Docume
 /// The part of a file that is not judged, and why.
 fn not_judged(model: &Model, judged: &JudgedSolution) -> Option<String> {
     let found = judged.solution.other_rows?;
-    let rows = counted(model.rows.len(), "row", "rows");
-    Some(format!("the duals are not looked at: the file numbers {found} rows, the model has {rows}"))
+    let [found, rows] = [found, model.rows.len()].map(|count| counted(count, "row", "rows"));
+    Some(format!("the duals are not looked at: the file lists {found}, the model has {rows}"))
 }
 
 /// The source of the tolerances.
