@@ -136,6 +136,7 @@ impl Claimed<'_> {
             ray: None,
             farkas: None,
             not_finite: Vec::new(),
+            has_activities: false,
             other_rows: None,
         };
         solution.of_size(model).map_err(|error| refuse(format_args!("result: {error}")))

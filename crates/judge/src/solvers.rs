@@ -96,6 +96,7 @@ fn status_alone(status: SolverStatus) -> Solution {
         ray: None,
         farkas: None,
         not_finite: Vec::new(),
+        has_activities: false,
         other_rows: None,
     }
 }

@@ -69,6 +69,8 @@ pub struct Solution {
     pub farkas: Option<Vec<Given>>,
     /// The first number of each part that is not finite: that part has no numbers then.
     pub not_finite: Vec<NotFinite>,
+    /// True if the file has activities or slacks of rows, which are passed over.
+    pub has_activities: bool,
     /// The number of rows with a dual in the file, where the model has another one: the duals are passed over.
     pub other_rows: Option<usize>,
 }
@@ -128,6 +130,7 @@ impl Solution {
             ray: ray.as_ref().and_then(|ray| all(ray, zero)),
             farkas: farkas.as_ref().and_then(|farkas| all(farkas, zero)),
             not_finite: not_finite.chain(objective_not_finite(file)).collect(),
+            has_activities: is_optimal && (file.has_slacks || own_rows.iter().any(|row| row.value.is_some())),
             other_rows: other_rows.filter(|_| is_optimal),
         })
     }

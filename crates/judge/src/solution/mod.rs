@@ -111,6 +111,8 @@ pub struct SolutionFile {
     /// Multipliers of rows that are said to prove that there is no feasible point. Positive ones take the lower bound
     /// of their row, negative ones the upper one; the bounds of columns take the rest.
     pub farkas: Option<Vec<Entry>>,
+    /// True if rows have slacks, which are not read.
+    pub has_slacks: bool,
     /// True if the file has duals of rows.
     pub has_duals: bool,
     /// True if a row that the file does not list has the dual 0. The duals of any other file are whole, or not looked at.
@@ -133,6 +135,7 @@ impl SolutionFile {
             rows: Vec::new(),
             ray: None,
             farkas: None,
+            has_slacks: false,
             has_duals: false,
             omits_zero_duals: false,
             left_out: None,
