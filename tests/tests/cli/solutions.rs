@@ -73,7 +73,7 @@ fn dialect(model: &str, solution: &str) -> (i32, Value) {
     (run.status, report["solutions"][0].clone())
 }
 
-/// What is said of the values of rows.
+/// The note on the values of rows.
 const ACTIVITIES: &str = "the row activities are not looked at: the point decides";
 
 #[test]

@@ -63,7 +63,7 @@ struct Raw<'a> {
     section: Section,
     status: Option<SolverStatus>,
     is_primal_there: bool,
-    /// What the section of duals says first.
+    /// The first word of the section of duals: true if duals follow.
     is_dual_there: Option<bool>,
     /// The lists so far, each with its section, its heading and its length.
     lists: Vec<(Section, Line<'a>, usize)>,

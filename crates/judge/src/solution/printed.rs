@@ -26,7 +26,7 @@ enum Section {
     Heading,
     Rows,
     Columns,
-    /// How far the point fulfils the conditions.
+    /// The errors of the point.
     Conditions,
 }
 

@@ -10,7 +10,7 @@ fn status(text: &str) -> SolverStatus {
     read_solution(text, &Limits::default()).unwrap_or_else(|error| panic!("{text}: {error}")).status
 }
 
-/// What GLPK writes for programs and for people, and HiGHS in its raw style.
+/// A solution as GLPK writes it for programs.
 const PLAIN: &str = "c Status:     OPTIMAL\nc Objective:  COST = 31.5 (MAXimum)\nc\ns bas 2 2 f f 31.5\ni 1 u 12 2.25\ni 2 u 18 0.25\nj 1 b 3 0\nj 2 b 4.5 0\ne o f\n";
 const PRINTED: &str = "Problem:    T\nRows:       2\nColumns:    2\nStatus:     OPTIMAL\nObjective:  COST = 31.5 (MAXimum)\n\n   No.   Row name   St   Activity     Lower bound   Upper bound    Marginal\n     1 R1           NU            12                          12          2.25\n     2 R2           NU            18                          18          0.25\n\n   No. Column name  St   Activity     Lower bound   Upper bound    Marginal\n     1 X1           B              3             0\n     2 X2           B            4.5             0\n\nKarush-Kuhn-Tucker optimality conditions:\n\nKKT.PE: max.abs.err = 0.00e+00 on row 0\n\nEnd of output\n";
 const RAW: &str = "Model status\nOptimal\n\n# Primal solution values\nFeasible\nObjective 31.5\n# Columns 2\nX1 3\nX2 4.5\n# Rows 2\nR1 12\nR2 18\n\n# Dual solution values\nFeasible\n# Columns 2\nX1 0\nX2 0\n# Rows 2\nR1 2.25\nR2 0.25\n\n# Basis\nHiGHS_basis_file v2\nNone\n";

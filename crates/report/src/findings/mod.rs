@@ -53,7 +53,7 @@ fn not_judged(model: &Model, judged: &JudgedSolution) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join("; "))
 }
 
-/// What is said of the values of rows: those at the point are exact.
+/// The note on the values of rows, which the point decides.
 const ACTIVITIES: &str = "the row activities are not looked at: the point decides";
 
 /// The source of the tolerances.
