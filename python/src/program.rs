@@ -135,6 +135,8 @@ impl Claimed<'_> {
             reduced_costs: all(&self.reduced_costs)?.filter(|_| is_optimal),
             ray: None,
             farkas: None,
+            not_finite: Vec::new(),
+            has_activities: false,
             other_rows: None,
         };
         solution.of_size(model).map_err(|error| refuse(format_args!("result: {error}")))

@@ -32,8 +32,8 @@ pub use judging::{
 };
 pub use plane::Plane;
 pub use solution::{
-    Announced, Entry, Figure, Given, Reference, Solution, SolutionError, SolutionFile, SolverStatus, quoted,
-    read_solution,
+    Announced, Entry, Figure, Given, NotFinite, Part, Reference, Solution, SolutionError, SolutionFile,
+    SolverStatus, quoted, read_solution,
 };
 #[cfg(feature = "float-solvers")]
 pub use solvers::judge_solvers;

@@ -95,6 +95,8 @@ fn status_alone(status: SolverStatus) -> Solution {
         reduced_costs: None,
         ray: None,
         farkas: None,
+        not_finite: Vec::new(),
+        has_activities: false,
         other_rows: None,
     }
 }

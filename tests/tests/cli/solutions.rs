@@ -73,6 +73,9 @@ fn dialect(model: &str, solution: &str) -> (i32, Value) {
     (run.status, report["solutions"][0].clone())
 }
 
+/// The note on the values of rows.
+const ACTIVITIES: &str = "the row activities are not looked at: the point decides";
+
 #[test]
 fn right_answers_pass_in_every_dialect() {
     for (model, solver, writer, claimed, verdict, aspects) in [
@@ -96,7 +99,9 @@ fn right_answers_pass_in_every_dialect() {
         let found = ["writer", "status", "verdict"].map(|key| solution[key].as_str().unwrap());
         assert_eq!((status, found), (0, [writer, claimed, verdict]), "{name}: {solution}");
         assert_eq!(solution["findings"].as_array().unwrap().len(), aspects, "{name}: {solution}");
-        assert_eq!(solution["not_judged"], Value::Null, "{name}");
+        let has_rows = claimed == "optimal" && !solver.contains("sparse") && solver != "gurobi";
+        let expected = if has_rows { ACTIVITIES.into() } else { Value::Null };
+        assert_eq!(solution["not_judged"], expected, "{name}");
     }
 }
 
@@ -109,13 +114,32 @@ fn duals_are_judged_beside_a_cost_row_or_said_not_to_be() {
     fs::write(&path, text.replacen("i 1 u 1 -0.3333333333333", "i 1 u 1 -77", 1)).unwrap();
     let (status, solution) = dialect("thirds.lp", path.to_str().unwrap());
     assert_eq!((status, refuted(&solution)), (4, vec!["dual", "complementary-slackness", "duality-gap"]));
+    // Without costs HiGHS states 0 for the constant; every other number is a claim.
+    let free = fs::read_to_string(root().join("fixtures/solutions/dialects/no-costs.highs-glpsol.sol"));
+    for (objective, aspects) in [("0", vec![]), ("5", vec![]), ("4", vec!["objective"])] {
+        let stated = format!("f f {objective}\n");
+        fs::write(&path, free.as_ref().unwrap().replacen("f f 0\n", &stated, 1)).unwrap();
+        let (_, solution) = dialect("no-costs.lp", path.to_str().unwrap());
+        assert_eq!(refuted(&solution), aspects, "{objective}: {solution}");
+    }
     // Two rows more than the model has: which ones these are is not known.
     let longer = text.replacen("s bas 3 2", "s bas 4 2", 1).replacen("j 1", "i 4 b 5 0\nj 1", 1);
     fs::write(&path, longer).unwrap();
     let (status, solution) = dialect("thirds.lp", path.to_str().unwrap());
     assert_eq!((status, solution["findings"].as_array().unwrap().len()), (0, 4), "{solution}");
-    let said = "the duals are not looked at: the file numbers 4 rows, the model has 2 rows";
-    assert_eq!(solution["not_judged"], said);
+    let said = "the duals are not looked at: the file lists 4 rows, the model has 2 rows";
+    assert_eq!(solution["not_judged"], format!("{said}; {ACTIVITIES}"));
+    // A row that is missing among names has no dual, not the dual 0.
+    let (_folder, path) = changed(
+        "maximise",
+        "highs-table",
+        "        2     UB         -inf           18           18            1  R3\n",
+        "",
+    );
+    let (status, solution) = judged("maximise", &path, &[]);
+    assert_eq!((status, solution["findings"].as_array().unwrap().len()), (0, 4), "{solution}");
+    let said = "the duals are not looked at: the file lists 2 rows, the model has 3 rows";
+    assert_eq!(solution["not_judged"], format!("{said}; {ACTIVITIES}"));
 }
 
 #[test]
@@ -187,6 +211,11 @@ fn text_says_the_proportion_first_and_whose_tolerance_excuses_it() {
     let right = right.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(right.contains("written by CBC: right, but for rounding"), "{right}");
     assert!(!right.contains("SoPlex"), "{right}");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.sol");
+    fs::write(&path, "<CPLEXSolution><header solutionStatusString=\"optimal\"/><variables><variable name=\"x\" value=\"1\"/><variable name=\"y\" value=\"0\"/></variables><linearConstraints><constraint name=\"r\" slack=\"77\"/></linearConstraints></CPLEXSolution>").unwrap();
+    let (_, cplex) = dialect("ranges.mps", path.to_str().unwrap());
+    assert_eq!(cplex["not_judged"], ACTIVITIES);
 }
 
 #[test]
@@ -252,6 +281,30 @@ fn junit_is_xml_with_a_case_for_each_aspect() {
 }
 
 #[test]
+fn a_number_that_is_not_finite_is_no_answer_in_every_view() {
+    let (_folder, path) = changed("maximise", "highs-raw", "X1 2\n", "X1 nan\n");
+    let said = "no answer: the value of X1 is not a finite number";
+    let view = |options: &[&str]| {
+        let run = judge("maximise", &path, &[&["--strict"], options].concat());
+        assert_eq!(run.status, 0, "{run:?}");
+        run.stdout
+    };
+    let text = view(&[]);
+    assert!(text.contains("written by HiGHS: no answer\n"), "{text}");
+    assert!(text.contains(&format!("primal        {said}\n")), "{text}");
+    let (_, solution) = judged("maximise", &path, &["--strict"]);
+    let primal = &solution["findings"][2];
+    assert_eq!((&solution["verdict"], &primal["verdict"]), (&"no answer".into(), &"no answer".into()));
+    assert_eq!((&primal["column"], &primal["line"]), (&"X1".into(), &8.into()));
+    let junit = view(&["--format", "junit"]);
+    assert!(junit.contains(&format!("<skipped message=\"{said}\"/>")), "{junit}");
+    let sarif: Value = serde_json::from_str(&view(&["--format", "sarif"])).unwrap();
+    let result = &sarif["runs"][0]["results"][2];
+    assert_eq!((&result["level"], &result["kind"]), (&"warning".into(), &"fail".into()));
+    assert_eq!(result["message"]["text"], format!("{said}."));
+}
+
+#[test]
 fn formats_for_findings_alone_want_a_solution() {
     for format in ["sarif", "junit"] {
         let run = run(&["judge", "fixtures/tiny-lp/maximise.mps", "--format", format]);
@@ -277,8 +330,8 @@ fn files_about_something_else_are_refused() {
         "line 2: X3 is no column of the model (expected X1, X2)"
     );
     assert_eq!(
-        refusal("maximise", "s bas 3 3 f f 0\n"),
-        "line 1: \"s bas 3 3 f f 0\" is no solution of the model (expected X1, X2)"
+        refusal("maximise", "s bas 0 3 f f 0\nj 1 b 0 0\nj 2 b 0 0\nj 3 b 0 0\ne o f\n"),
+        "line 1: \"s bas 0 3 f f 0\" is no solution of the model (expected X1, X2)"
     );
     assert_eq!(
         refusal("maximise", "what"),

@@ -2,7 +2,8 @@
 
 use boundfit_exact::{Foreign, Rational};
 
-use crate::answer::Side;
+use crate::answer::{Item, Side};
+use crate::solution::Part;
 
 /// The distance that an answer may be from the truth.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -90,7 +91,7 @@ pub enum Worth {
     Rounded,
     /// An error beyond rounding, by no more than the tolerance.
     WithinTolerance,
-    /// Nothing was claimed, or one of two statuses, of which one is right.
+    /// Nothing was claimed, or a number that is not finite, or one of two statuses, of which one is right.
     NoAnswer,
     /// False by more than the tolerance.
     Refuted,
@@ -118,6 +119,13 @@ pub enum Fault {
         claimed: Foreign,
         /// `optimal`, `infeasible` or `unbounded`.
         exact: &'static str,
+    },
+    /// A number is none, or infinite.
+    NotFinite {
+        /// The part of the solution that it belongs to.
+        part: Part,
+        /// The column or row; `None` for the objective.
+        item: Option<Item>,
     },
     /// A number is another one.
     Value {

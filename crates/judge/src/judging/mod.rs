@@ -13,7 +13,7 @@ use boundfit_exact::{Foreign, Rational};
 use boundfit_lp::Model;
 
 use crate::answer::{Answer, Item};
-use crate::solution::{Solution, SolverStatus};
+use crate::solution::{NotFinite, Part, Solution, SolverStatus};
 
 pub use finding::{Aspect, Excuse, Fault, Finding, Tolerances, Worth};
 pub use ground::Ground;
@@ -81,6 +81,17 @@ impl Ground<'_> {
         .flatten()
         .collect();
         findings.insert(0, self.status(solution, &findings));
+        for not_finite in &solution.not_finite {
+            let finding = no_number(not_finite);
+            // Duals may be refuted though a reduced cost says nothing.
+            let place =
+                findings.iter().position(|own| own.aspect >= finding.aspect).unwrap_or(findings.len());
+            match findings.get_mut(place).filter(|own| own.aspect == finding.aspect) {
+                Some(own) if own.worth < finding.worth => *own = finding,
+                Some(_) => {}
+                None => findings.insert(place, finding),
+            }
+        }
         Findings { findings }
     }
 
@@ -119,6 +130,26 @@ impl Ground<'_> {
             fault,
             excuse: excuse.and_then(|other| other.excuse.clone()),
         }
+    }
+}
+
+/// The finding about a number that is not finite.
+fn no_number(not_finite: &NotFinite) -> Finding {
+    let aspect = match not_finite.part {
+        Part::Objective => Aspect::Objective,
+        Part::Point => Aspect::Primal,
+        Part::Duals | Part::ReducedCosts => Aspect::Dual,
+        Part::Ray => Aspect::Ray,
+        Part::Farkas => Aspect::Farkas,
+    };
+    Finding {
+        aspect,
+        worth: Worth::NoAnswer,
+        line: not_finite.line,
+        error: None,
+        relative: None,
+        fault: Some(Fault::NotFinite { part: not_finite.part, item: not_finite.item }),
+        excuse: None,
     }
 }
 

@@ -267,6 +267,27 @@ fn files_are_refused_that_are_not_about_the_model() {
 }
 
 #[test]
+fn json_names_each_value_once_and_gives_an_optimum_its_point() {
+    let read = |text: &str| read_solution(text, &Limits::default()).unwrap_err().to_string();
+    assert_eq!(
+        read("{\"x\": {\"x\": 4,\n\"\\u0078\": 3, \"y\": 2}}"),
+        "line 2: x has a value already (line 1)"
+    );
+    assert_eq!(
+        read("{\"status\": \"optimal\", \"a\\\"{\": 1, \"status\": \"infeasible\"}"),
+        "line 1: status has a value already (line 1)"
+    );
+    for empty in ["[]", "{}"] {
+        let text = format!("{{\"status\": \"optimal\",\n\"objective\": 36, \"x\": {empty}}}");
+        assert_eq!(read(&text), format!("line 2: \"x\": {empty} (expected a number for each column)"));
+        // Beside another status there is nothing to give.
+        judged(&infeasible(), &text.replace("optimal", "infeasible"));
+    }
+    // One name in two objects is no second value.
+    judged(&textbook(), RIGHT);
+}
+
+#[test]
 fn lists_of_another_program_are_refused() {
     let file =
         read_solution("{\"x\": [2, 6], \"duals\": [0, 1.5, 1], \"status\": \"optimal\"}", &Limits::default())
@@ -306,4 +327,35 @@ fn gurobi_miplib_and_clp_are_read() {
     assert_eq!(refuted(&judged(&textbook(), "=infeas=\n")), [Aspect::Status]);
     // Values that are left out are 0.
     assert_eq!(refuted(&judged(&textbook(), "=obj= 36\ny 6\n")), [Aspect::Optimality]);
+}
+
+/// The aspects without an answer, each with its line.
+fn unanswered(findings: &Findings) -> Vec<(Aspect, usize)> {
+    let none = findings.findings.iter().filter(|finding| finding.worth == Worth::NoAnswer);
+    none.map(|finding| (finding.aspect, finding.line)).collect()
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_no_answer() {
+    let plain = "s bas 3 2 f f 36\ni 1 b 2 0\ni 2 u 12 1.5\ni 3 u 18 1\nj 1 b 2 0\nj 2 b 6 0\ne o f\n";
+    let cplex = "<CPLEXSolution>\n<header solutionStatusString=\"optimal\"/>\n<variables>\n<variable name=\"x\" value=\"2\"/>\n<variable name=\"y\" value=\"1.#INF\"/></variables>\n<linearConstraints><constraint name=\"r1\"/></linearConstraints></CPLEXSolution>";
+    for (text, aspect, line) in [
+        ("# Objective value = 36\nx nan\ny 6\n", Aspect::Primal, 2),
+        ("# Objective value = inf\nx 2\ny 6\n", Aspect::Objective, 1),
+        ("=obj= 36\nx 2\ny -Infinity\n", Aspect::Primal, 3),
+        (&plain.replace("f f 36", "f f nan"), Aspect::Objective, 1),
+        (&plain.replace("u 12 1.5", "u 12 nan"), Aspect::Dual, 3),
+        (&plain.replace("b 6 0", "b 6 inf"), Aspect::Dual, 6),
+        (cplex, Aspect::Primal, 5),
+    ] {
+        let findings = judged_by(&textbook(), text, "0", true);
+        assert_eq!(unanswered(&findings), [(aspect, line)], "{text}");
+        assert_eq!(findings.worst(), Worth::NoAnswer, "{text}");
+    }
+    // A dual that is refuted stays so beside a reduced cost that says nothing.
+    let both = plain.replace("u 12 1.5", "u 12 -1.5").replace("b 6 0", "b 6 inf");
+    assert!(refuted(&judged(&textbook(), &both)).contains(&Aspect::Dual));
+    // Numbers beside another status mean nothing.
+    let infeasible = plain.replace("f f 36", "n i nan");
+    assert_eq!(unanswered(&judged(&textbook(), &infeasible)), []);
 }

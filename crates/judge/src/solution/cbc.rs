@@ -62,7 +62,7 @@ fn entries<'a>(
     lines: impl Iterator<Item = Line<'a>>,
     limits: &Limits,
 ) -> Result<SolutionFile, SolutionError> {
-    file.left_out = Some(Rational::scientific(1, -8));
+    (file.left_out, file.omits_zero_duals) = (Some(Rational::scientific(1, -8)), true);
     let mut last = None;
     for line in lines {
         let mut words = line.words();

@@ -21,7 +21,9 @@ impl SolutionFile {
         let is_highs = numbers(self).all(is_short);
         let of_model = |(place, row): (usize, &Entry)| Entry { of: Reference::Place(place), ..row.clone() };
         let others = self.rows.iter().enumerate().filter(|(own, _)| *own != place).map(|(_, row)| row);
-        let own_value = self.rows.get(place).and_then(|row| row.value.clone()).filter(|_| !has_costs);
+        // Any other number is what the file claims.
+        let is_blank = !has_costs && objective.finite().is_some_and(|own| own.value.is_zero());
+        let own_value = self.rows.get(place).and_then(|row| row.value.clone()).filter(|_| is_blank);
         let file = SolutionFile {
             rows: others.enumerate().map(of_model).collect(),
             objective: Some((own_value.unwrap_or_else(|| objective.clone()), *line)),
@@ -36,7 +38,8 @@ fn cost_row(file: &SolutionFile, model: &Model, value: &Rational) -> Option<usiz
     let near = Rational::scientific(1, -12) * Rational::one().max(value.abs());
     let is_near = |entry: &Entry| {
         let own = entry.value.as_ref().and_then(Figure::finite);
-        own.is_some_and(|own| (&own.value - value).abs() <= near) && number(&entry.price).is_zero()
+        let is_free = entry.price != Some(Figure::NotFinite) && number(&entry.price).is_zero();
+        own.is_some_and(|own| (&own.value - value).abs() <= near) && is_free
     };
     let mut misfit = Misfit::new(model, &file.columns);
     // Without the first row, each row of the model has the next one of the file.

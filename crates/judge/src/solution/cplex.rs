@@ -48,6 +48,7 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
     for (place, node) in rows.enumerate() {
         let line = line(text, node);
         let price = node.attribute("dual").map(|dual| line.figure(dual, DIGITS, limits)).transpose()?;
+        file.has_slacks |= node.has_attribute("slack");
         let of =
             node.attribute("name").map_or(Reference::Place(place), |name| Reference::Name(name.to_owned()));
         file.rows.push(Entry { of, line: line.number, value: None, price, price_line: line.number });

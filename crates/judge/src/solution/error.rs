@@ -52,6 +52,40 @@ pub enum SolutionError {
         /// The missing part.
         missing: &'static str,
     },
+    /// A file that ends before what its writer always ends with.
+    #[error("the file stops without {missing}, which {format} writes (was the file cut off?)")]
+    CutOff {
+        /// The program that writes such files.
+        format: &'static str,
+        /// The missing part.
+        missing: &'static str,
+    },
+    /// A file that lists more or fewer entries than it announces.
+    #[error("line {line}: {text:?}: the file lists {} (was the file cut off?)", counted(*.count, .kind, .kinds))]
+    Listed {
+        /// The line that announces them, from 1.
+        line: usize,
+        /// The text of the line, cut where it is long.
+        text: Foreign,
+        /// The number of entries that follow.
+        count: usize,
+        /// Column or row.
+        kind: &'static str,
+        /// Columns or rows.
+        kinds: &'static str,
+    },
+    /// Two lines of which only one can be true.
+    #[error("line {line}: {text:?} contradicts line {other}: {other_text:?}")]
+    Contradiction {
+        /// The line, from 1.
+        line: usize,
+        /// The text of the line, cut where it is long.
+        text: Foreign,
+        /// The other line, from 1.
+        other: usize,
+        /// The text of the other line, cut where it is long.
+        other_text: Foreign,
+    },
     /// JSON that is none.
     #[error(
         "{} (expected {{\"status\": \"optimal\", \"objective\": 3, \"x\": {{NAME: VALUE}}, \"duals\": {{NAME: VALUE}}}})",

@@ -7,6 +7,7 @@ use boundfit_lp::{Model, Printed};
 
 use super::error::{SolutionError, quoted};
 use super::{Entry, Figure, Reference, SolutionFile, SolverStatus};
+use crate::answer::Item;
 
 /// A number of a solution file, and the line that says so, from 1.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -14,6 +15,34 @@ pub struct Given {
     /// The number.
     pub number: Printed,
     /// The line.
+    pub line: usize,
+}
+
+/// The part of a solution that a number belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// The optimum that is claimed.
+    Objective,
+    /// The point.
+    Point,
+    /// The duals of rows.
+    Duals,
+    /// The reduced costs of columns.
+    ReducedCosts,
+    /// The ray.
+    Ray,
+    /// The multipliers of rows.
+    Farkas,
+}
+
+/// A number of a solution that is `inf`, `nan` or a relative of theirs: nothing is said by its part.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NotFinite {
+    /// The part.
+    pub part: Part,
+    /// The column or row; `None` for the objective.
+    pub item: Option<Item>,
+    /// The line, from 1.
     pub line: usize,
 }
 
@@ -38,7 +67,11 @@ pub struct Solution {
     pub ray: Option<Vec<Given>>,
     /// A multiplier for each row.
     pub farkas: Option<Vec<Given>>,
-    /// The number of rows in the file, by number, where the model has another one: their duals are passed over.
+    /// The first number of each part that is not finite: that part has no numbers then.
+    pub not_finite: Vec<NotFinite>,
+    /// True if the file has activities or slacks of rows, which are passed over.
+    pub has_activities: bool,
+    /// The number of rows with a dual in the file, where the model has another one: the duals are passed over.
     pub other_rows: Option<usize>,
 }
 
@@ -64,33 +97,27 @@ impl Solution {
         }
         let is_optimal = file.status == SolverStatus::Optimal;
         let (own_columns, own_rows) = split(file, &columns, &rows);
-        let left_out = |_| Given {
-            number: Printed::left_out(file.left_out.clone().unwrap_or_default()),
-            line: file.status_line,
-        };
         let values = columns.fill(own_columns.iter().copied(), Entry::value_at)?;
         let reduced = columns.fill(own_columns.iter().copied(), Entry::price_at)?;
-        let point = match values.iter().position(|value| matches!(value, Slot::Missing)) {
-            Some(_)
-                if !is_optimal
-                    || values.iter().all(|value| matches!(value, Slot::Missing))
-                        && file.left_out.is_none() =>
-            {
-                None
-            }
-            Some(place) if file.left_out.is_none() => {
-                let column = model.columns.get(place).map(|column| column.name.clone()).unwrap_or_default();
-                return Err(SolutionError::NoValue { format: file.writer, column });
-            }
-            _ => all(values, left_out).filter(|_| is_optimal),
-        };
+        let point = point(file, model, &values)?;
         let has_prices = reduced.iter().any(|price| matches!(price, Slot::Given(_)));
         let by_number = own_rows.iter().any(|row| matches!(row.of, Reference::Place(_)));
         let is_other = by_number && file.announced.is_some() && own_rows.len() != model.rows.len();
-        let other_rows = is_other.then_some(own_rows.len());
         let duals = if is_other { None } else { rows.duals(file, &own_rows)? };
-        let ray = file.ray.as_ref().map(|ray| columns.fill(ray.iter(), Entry::value_at));
-        let farkas = file.farkas.as_ref().map(|rays| rows.fill(rays.iter(), Entry::value_at));
+        let listed = duals.iter().flatten().filter(|slot| !matches!(slot, Slot::Missing)).count();
+        let is_short = duals.is_some() && listed < model.rows.len() && !file.omits_zero_duals;
+        let other_rows = if is_short { Some(listed) } else { is_other.then_some(own_rows.len()) };
+        let duals = duals.filter(|_| !is_short);
+        let ray = file.ray.as_ref().map(|ray| columns.fill(ray.iter(), Entry::value_at)).transpose()?;
+        let farkas = file.farkas.as_ref().map(|rays| rows.fill(rays.iter(), Entry::value_at)).transpose()?;
+        let lists = [
+            (Part::Point, Some(&values).filter(|_| is_optimal)),
+            (Part::Duals, duals.as_ref().filter(|_| is_optimal)),
+            (Part::ReducedCosts, Some(&reduced).filter(|_| is_optimal)),
+            (Part::Ray, ray.as_ref()),
+            (Part::Farkas, farkas.as_ref()),
+        ];
+        let not_finite = lists.into_iter().filter_map(|(part, slots)| first_not_finite(part, slots?));
         let zero = |_| Given { number: Rational::zero().into(), line: file.status_line };
         Ok(Solution {
             writer: file.writer,
@@ -98,10 +125,12 @@ impl Solution {
             status_line: file.status_line,
             objective: file.objective.as_ref().and_then(|(figure, line)| given(figure, *line)),
             point,
-            duals: duals.and_then(|duals| all(duals, zero)).filter(|_| is_optimal),
-            reduced_costs: all(reduced, zero).filter(|_| is_optimal && has_prices),
-            ray: ray.transpose()?.and_then(|ray| all(ray, zero)),
-            farkas: farkas.transpose()?.and_then(|farkas| all(farkas, zero)),
+            duals: duals.as_ref().and_then(|duals| all(duals, zero)).filter(|_| is_optimal),
+            reduced_costs: all(&reduced, zero).filter(|_| is_optimal && has_prices),
+            ray: ray.as_ref().and_then(|ray| all(ray, zero)),
+            farkas: farkas.as_ref().and_then(|farkas| all(farkas, zero)),
+            not_finite: not_finite.chain(objective_not_finite(file)).collect(),
+            has_activities: is_optimal && (file.has_slacks || own_rows.iter().any(|row| row.value.is_some())),
             other_rows: other_rows.filter(|_| is_optimal),
         })
     }
@@ -151,18 +180,56 @@ fn given(figure: &Figure, line: usize) -> Option<Given> {
 #[derive(Debug, Clone)]
 enum Slot {
     Missing,
-    NotFinite,
+    /// The line.
+    NotFinite(usize),
     Given(Given),
 }
 
 /// All numbers, if they are finite, with something in place of what is missing.
-fn all(slots: Vec<Slot>, missing: impl Fn(()) -> Given) -> Option<Vec<Given>> {
-    let number = |slot| match slot {
+fn all(slots: &[Slot], missing: impl Fn(()) -> Given) -> Option<Vec<Given>> {
+    let number = |slot: &Slot| match slot {
         Slot::Missing => Some(missing(())),
-        Slot::NotFinite => None,
-        Slot::Given(given) => Some(given),
+        Slot::NotFinite(_) => None,
+        Slot::Given(given) => Some(given.clone()),
     };
-    slots.into_iter().map(number).collect()
+    slots.iter().map(number).collect()
+}
+
+/// The objective of an optimum, if it is not finite.
+fn objective_not_finite(file: &SolutionFile) -> Option<NotFinite> {
+    let (figure, line) = file.objective.as_ref().filter(|_| file.status == SolverStatus::Optimal)?;
+    let not_finite = NotFinite { part: Part::Objective, item: None, line: *line };
+    figure.finite().is_none().then_some(not_finite)
+}
+
+/// The first number of a list that is not finite.
+fn first_not_finite(part: Part, slots: &[Slot]) -> Option<NotFinite> {
+    let numbers = slots.iter().enumerate();
+    let mut lines = numbers.filter_map(|(place, slot)| match slot {
+        Slot::NotFinite(line) => Some((place, *line)),
+        _ => None,
+    });
+    let (place, line) = lines.next()?;
+    let is_row = matches!(part, Part::Duals | Part::Farkas);
+    Some(NotFinite { part, item: Some(if is_row { Item::Row(place) } else { Item::Column(place) }), line })
+}
+
+/// The point of an optimum; `None` where the file has none.
+fn point(file: &SolutionFile, model: &Model, values: &[Slot]) -> Result<Option<Vec<Given>>, SolutionError> {
+    let is_missing = |value: &Slot| matches!(value, Slot::Missing);
+    let has_none = file.left_out.is_none() && values.iter().any(is_missing) && values.iter().all(is_missing);
+    if file.status != SolverStatus::Optimal || has_none {
+        return Ok(None);
+    }
+    let missing = model.columns.iter().zip(values).find(|(_, value)| is_missing(value));
+    if let (None, Some((column, _))) = (&file.left_out, missing) {
+        return Err(SolutionError::NoValue { format: file.writer, column: column.name.clone() });
+    }
+    let left_out = |_| Given {
+        number: Printed::left_out(file.left_out.clone().unwrap_or_default()),
+        line: file.status_line,
+    };
+    Ok(all(values, left_out))
 }
 
 /// The entries of columns and of rows. CBC lists rows alone where no column is above zero, and Gurobi adds a column for each row in
@@ -246,7 +313,7 @@ impl<'a> Names<'a> {
                 let of = self.names.get(place).map(|name| quoted(name)).unwrap_or_default();
                 return Err(SolutionError::Twice { line: own, of, first });
             }
-            *slot = given(figure, own).map_or(Slot::NotFinite, Slot::Given);
+            *slot = given(figure, own).map_or(Slot::NotFinite(own), Slot::Given);
         }
         Ok(slots)
     }
@@ -254,8 +321,8 @@ impl<'a> Names<'a> {
     /// The duals of rows; `None` where the file has none.
     fn duals(&self, file: &SolutionFile, rows: &[&Entry]) -> Result<Option<Vec<Slot>>, SolutionError> {
         let priced = |entry: &&&Entry| {
-            let price = entry.price.as_ref().and_then(Figure::finite);
-            price.is_some_and(|price| !price.value.is_zero())
+            let price = entry.price.as_ref();
+            price.is_some_and(|price| price.finite().is_none_or(|price| !price.value.is_zero()))
         };
         let has_any = file.has_duals || rows.iter().any(|row| row.price.is_some());
         let known = rows.iter().filter(|row| self.place(&row.of).is_some() || priced(row));

@@ -1,23 +1,21 @@
-//! GLPK: what `glpsol -w FILE` and `glpsol -o FILE` write.
+//! GLPK: what `glpsol -w FILE` writes, for programs.
 //!
-//! Source: GLPK reference manual (5.0), `glp_write_sol` (`%.15g`) and `glp_print_sol` (`%.6g`). HiGHS writes the same with
-//! `write_solution_style` 2 and 3.
+//! Source: GLPK reference manual (5.0), `glp_write_sol` (`%.15g`). HiGHS writes the same with `write_solution_style` 2.
 
 use std::borrow::Cow;
 
 use boundfit_exact::{Limits, Rational};
-use boundfit_lp::{NumberFormat, Printed};
+use boundfit_lp::NumberFormat;
 
 use super::error::SolutionError;
 use super::figure::Figure;
-use super::line::Line;
+use super::line::{COLUMNS, Line, ROWS};
 use super::{Announced, Entry, Reference, SolutionFile, SolverStatus};
 
-const FORMAT: &str = "GLPK";
+pub(super) const FORMAT: &str = "GLPK";
 const PLAIN: NumberFormat = NumberFormat::FIFTEEN;
-const PRINTED: NumberFormat = NumberFormat::SIX;
 /// The format of the objective in the heading.
-const HEADING: NumberFormat = NumberFormat::Significant(10);
+pub(super) const HEADING: NumberFormat = NumberFormat::Significant(10);
 
 /// Returns whether a text is a solution for programs: comment lines, then `s bas`, `s ipt` or `s mip`.
 pub(super) fn is_plain(text: &str) -> bool {
@@ -26,22 +24,17 @@ pub(super) fn is_plain(text: &str) -> bool {
         || text.starts_with("c Problem:")
 }
 
-/// Returns whether a text is a solution for people: it starts with the problem's name and size.
-pub(super) fn is_printed(text: &str) -> bool {
-    let mut lines = text.lines();
-    let mut starts = |key: &str| lines.next().is_some_and(|line| line.starts_with(key));
-    starts("Problem:") && starts("Rows:")
-}
-
 /// Reads a solution for programs. Rows and columns have numbers here.
 pub(super) fn parse_plain(text: &str, limits: &Limits) -> Result<SolutionFile, SolutionError> {
     let file = SolutionFile::new(FORMAT);
-    let mut plain = Plain { heading: Heading::default(), solution: None, file };
+    let mut plain = Plain { heading: Heading::default(), solution: None, file, has_end: false };
     for line in Line::all(FORMAT, text) {
         plain.read(line, limits)?;
     }
-    let Plain { heading, solution, mut file } = plain;
-    let kind = solution.ok_or(SolutionError::End { format: FORMAT, missing: "a line \"s bas\"" })?;
+    let Some(kind) = plain.solution.clone() else { return plain.heading.alone(plain.file) };
+    plain.complete(text, &kind)?;
+    plain.agreeing(text, &kind, limits)?;
+    let Plain { heading, mut file, .. } = plain;
     // The heading of interior points says infeasible where the program may be unbounded.
     let told = heading.status.filter(|_| !kind.is_interior);
     file.status = told.unwrap_or(kind.status);
@@ -56,6 +49,8 @@ struct Plain {
     heading: Heading,
     solution: Option<Kind>,
     file: SolutionFile,
+    /// True once the last line was met.
+    has_end: bool,
 }
 
 /// The kind of program that the line `s` states.
@@ -74,7 +69,11 @@ impl Plain {
     fn read(&mut self, line: Line<'_>, limits: &Limits) -> Result<(), SolutionError> {
         let words = line.words();
         match words.first().copied() {
-            None | Some("e") => Ok(()),
+            None => Ok(()),
+            Some("e") => {
+                self.has_end = true;
+                Ok(())
+            }
             Some("c") => {
                 self.heading.read(line, line.text.trim_start().trim_start_matches('c').trim_start());
                 Ok(())
@@ -89,6 +88,59 @@ impl Plain {
             Some("j") => self.column(line, &words, limits),
             Some(_) => Err(line.expected("a line that starts with c, s, i, j or e")),
         }
+    }
+
+    /// Refuses a file that ends early or lists another number of rows or columns than it announces. Where it has no point, HiGHS
+    /// stops after the line `s`.
+    fn complete(&self, text: &str, kind: &Kind) -> Result<(), SolutionError> {
+        let (rows, columns) = (self.file.rows.len(), self.file.columns.len());
+        if !self.has_end && rows + columns == 0 && kind.status != SolverStatus::Optimal {
+            return Ok(());
+        }
+        let line = Line::at(FORMAT, text, kind.announced.line);
+        if !self.has_end {
+            Err(SolutionError::CutOff { format: FORMAT, missing: "its last line \"e o f\"" })
+        } else if rows != kind.rows {
+            Err(line.listed(rows, ROWS))
+        } else if columns != kind.announced.columns {
+            Err(line.listed(columns, COLUMNS))
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Refuses a heading that says something else than the line `s`.
+    fn agreeing(&self, text: &str, kind: &Kind, limits: &Limits) -> Result<(), SolutionError> {
+        let line = Line::at(FORMAT, text, kind.announced.line);
+        let is_decided = |status: &SolverStatus| !matches!(status, SolverStatus::Other(_));
+        let told = self.heading.status.as_ref().filter(|told| is_decided(told) && is_decided(&kind.status));
+        let is_either = |one: &SolverStatus, other: &SolverStatus| {
+            *one == SolverStatus::InfeasibleOrUnbounded && *other != SolverStatus::Optimal
+        };
+        if let Some(told) = told
+            && *told != kind.status
+            && !is_either(told, &kind.status)
+            && !is_either(&kind.status, told)
+        {
+            return Err(line.contradicts(&Line::at(FORMAT, text, self.heading.status_line)));
+        }
+        let Some((_, value, number)) =
+            self.heading.objective.as_ref().filter(|(_, value, _)| !value.is_empty())
+        else {
+            return Ok(());
+        };
+        let heading = Line::at(FORMAT, text, *number);
+        let (Ok(Figure::Finite(told)), Some((Figure::Finite(own), _))) =
+            (heading.figure(value, HEADING, limits), &self.file.objective)
+        else {
+            return Ok(());
+        };
+        // HiGHS prints 0 for what is smaller than its last digit.
+        let reach = told.reach() + own.reach() + Rational::scientific(1, -13);
+        if (&told.value - &own.value).abs() > reach + told.value.abs() * Rational::scientific(1, -9) {
+            return Err(line.contradicts(&heading));
+        }
+        Ok(())
     }
 
     fn row(&mut self, line: Line<'_>, words: &[&str], limits: &Limits) -> Result<(), SolutionError> {
@@ -180,21 +232,36 @@ impl Kind {
 
 /// The lines `Key: value` at the top.
 #[derive(Default)]
-struct Heading {
-    about: Vec<String>,
-    status: Option<SolverStatus>,
-    status_line: usize,
+pub(super) struct Heading {
+    pub(super) about: Vec<String>,
+    pub(super) status: Option<SolverStatus>,
+    pub(super) status_line: usize,
     /// The objective's name, what is said about its value, and where.
-    objective: Option<(String, String, usize)>,
+    pub(super) objective: Option<(String, String, usize)>,
+    /// The line with the number of rows, and that with the number of columns.
+    pub(super) rows: Option<usize>,
+    pub(super) columns: Option<usize>,
 }
 
 impl Heading {
-    fn read(&mut self, line: Line<'_>, text: &str) {
+    /// The file of HiGHS about a program without rows and columns, which has no more than the heading.
+    fn alone(self, file: SolutionFile) -> Result<SolutionFile, SolutionError> {
+        match self.status {
+            Some(status @ SolverStatus::Other(_)) => {
+                Ok(SolutionFile { status, status_line: self.status_line, about: self.about, ..file })
+            }
+            _ => Err(SolutionError::End { format: FORMAT, missing: "a line \"s bas\"" }),
+        }
+    }
+
+    pub(super) fn read(&mut self, line: Line<'_>, text: &str) {
         let Some((key, value)) = text.split_once(':') else { return };
         match key {
             "Status" if self.status.is_none() => {
                 (self.status, self.status_line) = (Some(status(value)), line.number);
             }
+            "Rows" => self.rows = Some(line.number),
+            "Columns" => self.columns = Some(line.number),
             "Problem" => self.about.push(value.trim().to_owned()),
             "Objective" => {
                 self.about.push(value.trim().to_owned());
@@ -214,98 +281,4 @@ fn status(words: &str) -> SolverStatus {
         "INTEGER EMPTY" => SolverStatus::Infeasible,
         other => SolverStatus::of_words(other),
     }
-}
-
-/// The place where a line of a solution for people belongs.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Section {
-    Heading,
-    Rows,
-    Columns,
-}
-
-/// Reads a solution for people.
-pub(super) fn parse_printed(text: &str, limits: &Limits) -> Result<SolutionFile, SolutionError> {
-    let mut heading = Heading::default();
-    let mut file = SolutionFile { has_duals: true, ..SolutionFile::new(FORMAT) };
-    let mut section = Section::Heading;
-    let mut is_interior = false;
-    let mut lines = Line::all(FORMAT, text).peekable();
-    while let Some(line) = lines.next() {
-        let mut words = line.words();
-        if line.text.starts_with("Karush-Kuhn-Tucker") || line.text.starts_with("End of output") {
-            break;
-        }
-        match words.as_slice() {
-            ["No.", "Row", rest @ ..] => {
-                section = Section::Rows;
-                // Interior points have no basis, and integer programs have no marginals either.
-                is_interior = rest.contains(&"Marginal") && !rest.contains(&"St");
-            }
-            ["No.", "Column", ..] => section = Section::Columns,
-            _ if section == Section::Heading => heading.read(line, line.text),
-            [number, _, ..] if number.parse::<usize>().is_ok() => {
-                // A long name has a line of its own.
-                let next = (words.len() == 2).then(|| lines.next()).flatten();
-                words.extend(next.iter().flat_map(|next| next.words()));
-                let (entry, has_dual_place) = record(line, &words, limits)?;
-                let is_objective = |(name, ..): &(String, String, usize)| matches!(&entry.of, Reference::Name(own) if own == name);
-                match section {
-                    Section::Columns => file.columns.push(entry),
-                    _ if heading.objective.as_ref().is_some_and(is_objective) => {}
-                    _ => {
-                        file.has_duals &= has_dual_place;
-                        file.rows.push(entry);
-                    }
-                }
-            }
-            [] => {}
-            [first, ..] if first.starts_with("---") => {}
-            _ => return Err(line.expected("\"NUMBER NAME STATUS ACTIVITY ...\"")),
-        }
-    }
-    let told = heading.status.ok_or(SolutionError::End { format: FORMAT, missing: "a line \"Status:\"" })?;
-    file.status = match told {
-        // As in [`parse_plain`].
-        SolverStatus::Infeasible if is_interior => SolverStatus::InfeasibleOrUnbounded,
-        told => told,
-    };
-    file.status_line = heading.status_line;
-    file.about = heading.about;
-    if let Some((_, value, number)) = heading.objective.filter(|(_, value, _)| !value.is_empty()) {
-        let line = Line { format: FORMAT, number, text };
-        file.objective = Some((line.figure(&value, HEADING, limits)?, number));
-    }
-    Ok(file)
-}
-
-/// A row or a column, and whether such a line has a place for a multiplier.
-fn record(line: Line<'_>, words: &[&str], limits: &Limits) -> Result<(Entry, bool), SolutionError> {
-    let (name, value, price, has_dual_place) = match words {
-        [_, name, "B", value, ..] => (name, value, None, true),
-        [_, name, "NL" | "NU" | "NF" | "NS", value, .., dual] => (name, value, Some(dual), true),
-        [_, name, "NL" | "NU" | "NF" | "NS", value] => (name, value, None, true),
-        // Interior points and integer programs have no basis.
-        [_, name, "*", value, ..] | [_, name, value, ..] => (name, value, None, false),
-        _ => return Err(line.expected("\"NUMBER NAME STATUS ACTIVITY ...\"")),
-    };
-    let price = match price {
-        // `< eps` stands for what is smaller than 10⁻⁹: that is left out.
-        Some(&"eps") => Some(left_out()),
-        Some(price) => Some(line.figure(price, PRINTED, limits)?),
-        None if has_dual_place => Some(Figure::Finite(Printed::exact(Rational::zero()))),
-        None => None,
-    };
-    let of = Reference::Name((*name).to_owned());
-    // It prints 0 for a value that is at most 10⁻⁹.
-    let value = match line.figure(value, PRINTED, limits)? {
-        Figure::Finite(printed) if printed.value.is_zero() => left_out(),
-        other => other,
-    };
-    Ok((Entry { of, line: line.number, value: Some(value), price, price_line: line.number }, has_dual_place))
-}
-
-/// The 0 that stands for what is at most 10⁻⁹.
-fn left_out() -> Figure {
-    Figure::Finite(Printed::left_out(Rational::scientific(1, -9)))
 }

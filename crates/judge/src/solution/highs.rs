@@ -8,7 +8,7 @@ use boundfit_lp::NumberFormat;
 
 use super::error::SolutionError;
 use super::figure::Figure;
-use super::line::Line;
+use super::line::{COLUMNS, Line, ROWS};
 use super::{Entry, Reference, SolutionFile, SolverStatus};
 
 const FORMAT: &str = "HiGHS";
@@ -58,11 +58,15 @@ enum Listed {
 }
 
 /// A file in raw style, as far as it was read.
-struct Raw {
+struct Raw<'a> {
     file: SolutionFile,
     section: Section,
     status: Option<SolverStatus>,
     is_primal_there: bool,
+    /// The first word of the section of duals: true if duals follow.
+    is_dual_there: Option<bool>,
+    /// The lists so far, each with its section, its heading and its length.
+    lists: Vec<(Section, Line<'a>, usize)>,
     /// The entries that follow, once a heading has said so.
     listed: Option<Listed>,
     /// The numbers of entries that the section of duals has met, of columns and of rows.
@@ -76,6 +80,8 @@ pub(super) fn parse_raw(text: &str, limits: &Limits) -> Result<SolutionFile, Sol
         section: Section::Status,
         status: None,
         is_primal_there: false,
+        is_dual_there: None,
+        lists: Vec::new(),
         listed: None,
         priced: [0, 0],
     };
@@ -86,28 +92,54 @@ pub(super) fn parse_raw(text: &str, limits: &Limits) -> Result<SolutionFile, Sol
         }
     }
     let missing = |missing| SolutionError::End { format: FORMAT, missing };
-    raw.file.status = raw.status.ok_or(missing("a status"))?;
+    raw.file.status = raw.status.clone().ok_or(missing("a status"))?;
     if raw.section == Section::Status {
         return Err(missing("\"# Primal solution values\""));
     }
-    finish(raw.file, raw.is_primal_there)
+    let is_there = raw.is_primal_there;
+    finish(raw.complete()?, is_there)
 }
 
-impl Raw {
-    fn read(&mut self, line: Line<'_>, limits: &Limits) -> Result<(), SolutionError> {
+impl<'a> Raw<'a> {
+    /// The file, if its lists are as long as their headings say and no section of an optimum is missing.
+    fn complete(self) -> Result<SolutionFile, SolutionError> {
+        for (_, heading, count) in &self.lists {
+            let words = heading.words();
+            let [_, kind, said, ..] = words.as_slice() else { continue };
+            if said.parse::<usize>().is_ok_and(|said| said != *count) {
+                return Err(heading.listed(*count, if *kind == "Rows" { ROWS } else { COLUMNS }));
+            }
+        }
+        // The sparse style has neither rows nor duals.
+        if self.file.status != SolverStatus::Optimal || self.file.left_out.is_some() {
+            return Ok(self.file);
+        }
+        let missing = |missing| Err(SolutionError::CutOff { format: FORMAT, missing });
+        let count = |section| self.lists.iter().filter(|(own, ..)| *own == section).count();
+        if self.is_primal_there && count(Section::Primal) < 2 {
+            return missing("\"# Rows\"");
+        }
+        match self.is_dual_there {
+            None => missing("its dual solution values"),
+            Some(true) if count(Section::Dual) < 2 => missing("the rows of its duals"),
+            Some(_) => Ok(self.file),
+        }
+    }
+
+    fn read(&mut self, line: Line<'a>, limits: &Limits) -> Result<(), SolutionError> {
         let words = line.words();
         match (self.section, words.as_slice()) {
             (_, []) | (Section::Status, ["Model", "status"]) => {}
             (_, ["#", "Primal", ..]) => self.section = Section::Primal,
-            (_, ["#", "Dual", ..]) => self.section = Section::Dual,
+            (_, ["#", "Dual", ..]) => (self.section, self.listed) = (Section::Dual, None),
             (_, ["#", "Basis"]) => self.section = Section::Basis,
-            (_, ["#", "Columns", _]) => self.listed = Some(Listed::Columns),
+            (_, ["#", "Columns", _]) => self.list(line, Listed::Columns),
             (Section::Primal, ["#", "Columns", _, "sparse"]) => {
-                self.listed = Some(Listed::SparseColumns);
+                self.list(line, Listed::SparseColumns);
                 self.file.left_out = Some(Rational::zero());
             }
             (_, ["#", "Rows", _]) => {
-                self.listed = Some(Listed::Rows);
+                self.list(line, Listed::Rows);
                 self.file.has_duals |= self.section == Section::Dual;
             }
             (Section::Status, _) if self.status.is_none() => {
@@ -116,7 +148,9 @@ impl Raw {
             (Section::Primal, ["None" | "Feasible" | "Infeasible"]) => {
                 self.is_primal_there = words != ["None"];
             }
-            (Section::Dual, ["None" | "Feasible" | "Infeasible"]) => {}
+            (Section::Dual, ["None" | "Feasible" | "Infeasible"]) if self.listed.is_none() => {
+                self.is_dual_there = Some(words != ["None"]);
+            }
             // A column or a row may have that name.
             (Section::Primal, ["Objective", value]) if self.listed.is_none() => {
                 self.file.objective = Some((line.figure(value, RAW, limits)?, line.number));
@@ -125,10 +159,12 @@ impl Raw {
                 if (words.len() == 3) == (self.listed == Some(Listed::SparseColumns)) =>
             {
                 let value = Some(line.figure(value, RAW, limits)?);
+                self.count();
                 self.side().push(entry(name, line, value, None));
             }
             (Section::Dual, [name, value]) => {
                 let price = line.figure(value, RAW, limits)?;
+                self.count();
                 self.price(name, line, price);
             }
             (Section::Status, _) => return Err(line.expected("\"# Primal solution values\"")),
@@ -139,6 +175,18 @@ impl Raw {
             (Section::Basis, _) => {}
         }
         Ok(())
+    }
+
+    /// A heading of entries.
+    fn list(&mut self, heading: Line<'a>, listed: Listed) {
+        self.listed = Some(listed);
+        self.lists.push((self.section, heading, 0));
+    }
+
+    fn count(&mut self) {
+        if let Some((.., count)) = self.lists.last_mut() {
+            *count += 1;
+        }
     }
 
     fn side(&mut self) -> &mut Vec<Entry> {

@@ -1,9 +1,11 @@
 //! Our own format: `{"status", "objective", "x", "duals", "reduced_costs", "ray", "farkas"}`. Vectors are objects by name, or
 //! arrays in the order of the model. A JSON number is the binary64 that it is read as; a text is exact.
 
+use std::collections::HashMap;
+
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_lp::Printed;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::error::{SolutionError, quoted};
 use super::figure::Figure;
@@ -21,11 +23,12 @@ pub(super) fn is_json(text: &str) -> bool {
 pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, SolutionError> {
     let text = text.trim_start_matches('\u{feff}');
     let value: Value = serde_json::from_str(text).map_err(SolutionError::Json)?;
+    refuse_second_values(text)?;
     let reader = Reader { text, limits };
     let Value::Object(fields) = value else {
         return Err(reader.expected("", &value, "an object with \"status\", \"objective\", \"x\""));
     };
-    let mut file = SolutionFile::new(JSON);
+    let mut file = SolutionFile { omits_zero_duals: true, ..SolutionFile::new(JSON) };
     let (mut status, mut prices) = (None, None);
     for (name, value) in &fields {
         match name.as_str() {
@@ -61,7 +64,52 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
         None if !file.columns.is_empty() || file.objective.is_some() => SolverStatus::Optimal,
         None => return Err(SolutionError::End { format: JSON, missing: "\"status\"" }),
     };
+    // An optimum without a point has no "x".
+    let x = fields.get("x").filter(|_| file.status == SolverStatus::Optimal);
+    if let Some(x) = x.filter(|x| **x == json!([]) || **x == json!({})) {
+        return Err(reader.expected("x", x, "a number for each column"));
+    }
     Ok(file)
+}
+
+/// Refuses a text in which an object has a name twice: its reader would keep the last one. Cost: linear.
+///
+/// # Errors
+/// With the first such name. The text must be JSON.
+fn refuse_second_values(text: &str) -> Result<(), SolutionError> {
+    let mut objects: Vec<HashMap<String, usize>> = Vec::new();
+    let (mut rest, mut line) = (text, 1);
+    while let Some(start) = rest.find(['{', '}', '"', '\n']) {
+        let (_, found) = rest.split_at(start);
+        let length = if found.starts_with('"') { length_of_text(found) } else { 1 };
+        let (own, after) = found.split_at(length);
+        rest = after;
+        match own {
+            "\n" => line += 1,
+            "{" => objects.push(HashMap::new()),
+            "}" => drop(objects.pop()),
+            _ if after.trim_start().starts_with(':') => {
+                let name: String = serde_json::from_str(own).map_err(SolutionError::Json)?;
+                let of = quoted(&name);
+                if let Some(first) = objects.last_mut().and_then(|object| object.insert(name, line)) {
+                    return Err(SolutionError::Twice { line, of, first });
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// The length of the text in quotes that JSON starts with, both quotes included.
+fn length_of_text(json: &str) -> usize {
+    let mut is_escaped = false;
+    let end = json.bytes().skip(1).position(|byte| {
+        let is_end = byte == b'"' && !is_escaped;
+        is_escaped = byte == b'\\' && !is_escaped;
+        is_end
+    });
+    end.map_or(json.len(), |end| end + 2)
 }
 
 fn status_of(words: &str) -> SolverStatus {

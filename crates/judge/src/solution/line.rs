@@ -16,10 +16,20 @@ pub(super) struct Line<'a> {
     pub(super) text: &'a str,
 }
 
+/// The entries that files count, one and many.
+pub(super) const COLUMNS: (&str, &str) = ("column", "columns");
+pub(super) const ROWS: (&str, &str) = ("row", "rows");
+
 impl<'a> Line<'a> {
     /// The lines of a file.
     pub(super) fn all(format: &'static str, text: &'a str) -> impl Iterator<Item = Line<'a>> + Clone {
         (1..).zip(text.lines()).map(move |(number, text)| Line { format, number, text })
+    }
+
+    /// The line of a file with a number, from 1.
+    pub(super) fn at(format: &'static str, text: &'a str, number: usize) -> Self {
+        let text = text.lines().nth(number.saturating_sub(1)).unwrap_or_default();
+        Line { format, number, text }
     }
 
     pub(super) fn words(&self) -> Vec<&'a str> {
@@ -33,6 +43,21 @@ impl<'a> Line<'a> {
             line: self.number,
             text: quoted(self.text),
             expected: expected.into(),
+        }
+    }
+
+    /// The file lists another number of columns or rows than this line says.
+    pub(super) fn listed(&self, count: usize, (kind, kinds): (&'static str, &'static str)) -> SolutionError {
+        SolutionError::Listed { line: self.number, text: quoted(self.text), count, kind, kinds }
+    }
+
+    /// This line and another one cannot both be true.
+    pub(super) fn contradicts(&self, other: &Line<'_>) -> SolutionError {
+        SolutionError::Contradiction {
+            line: self.number,
+            text: quoted(self.text),
+            other: other.number,
+            other_text: quoted(other.text),
         }
     }
 

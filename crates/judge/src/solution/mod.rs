@@ -11,13 +11,16 @@ mod gurobi;
 mod highs;
 mod json;
 mod line;
+mod printed;
 mod scip;
+#[cfg(test)]
+mod tests;
 
 use boundfit_exact::{Limits, Rational};
 
 pub use error::{SolutionError, quoted};
 pub use figure::Figure;
-pub use given::{Given, Solution};
+pub use given::{Given, NotFinite, Part, Solution};
 
 /// The end that a solver reports.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -108,8 +111,12 @@ pub struct SolutionFile {
     /// Multipliers of rows that are said to prove that there is no feasible point. Positive ones take the lower bound
     /// of their row, negative ones the upper one; the bounds of columns take the rest.
     pub farkas: Option<Vec<Entry>>,
-    /// True if the file has duals of rows; one without a number is 0 then.
+    /// True if rows have slacks, which are not read.
+    pub has_slacks: bool,
+    /// True if the file has duals of rows.
     pub has_duals: bool,
+    /// True if a row that the file does not list has the dual 0. The duals of any other file are whole, or not looked at.
+    pub omits_zero_duals: bool,
     /// Columns that the writer leaves out are at most this large; `None` where it writes all of them.
     pub left_out: Option<Rational>,
     /// The size that the file announces.
@@ -128,7 +135,9 @@ impl SolutionFile {
             rows: Vec::new(),
             ray: None,
             farkas: None,
+            has_slacks: false,
             has_duals: false,
+            omits_zero_duals: false,
             left_out: None,
             announced: None,
         }
@@ -148,7 +157,7 @@ pub fn read_solution(text: &str, limits: &Limits) -> Result<SolutionFile, Soluti
         (highs::is_raw, highs::parse_raw),
         (highs::is_table, highs::parse_table),
         (highs::is_old, highs::refuse_old),
-        (glpk::is_printed, glpk::parse_printed),
+        (printed::is_it, printed::parse),
         (cbc::is_cbc, cbc::parse_cbc),
         (cbc::is_clp, cbc::parse_clp),
         (scip::is_scip, scip::parse),

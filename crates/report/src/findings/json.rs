@@ -31,6 +31,9 @@ fn one_finding(model: &Model, finding: &Finding, style: &Style) -> FindingJson {
     let number = |value: &boundfit_exact::Rational| Some(style.number(value));
     let (side, claimed, exact) = match &finding.fault {
         None | Some(Fault::Status { .. }) => (None, None, None),
+        Some(Fault::NotFinite { item, .. }) => {
+            (item.map(|item| Side { item, end: boundfit_lp::End::Lower }), None, None)
+        }
         Some(Fault::Value { claimed, exact }) => (None, number(claimed), number(exact)),
         Some(Fault::Beyond { side, bound, value }) => (Some(*side), number(value), number(bound)),
         Some(Fault::NoSuchBound { side, price } | Fault::Slack { side, price, .. }) => {
@@ -53,7 +56,7 @@ fn one_finding(model: &Model, finding: &Finding, style: &Style) -> FindingJson {
         Item::Row(_) => None,
         Item::Column(column) => model.columns.get(column).map(|column| column.name.clone()),
     });
-    let has_end = !matches!(finding.fault, Some(Fault::ReducedCost { .. }));
+    let has_end = !matches!(finding.fault, Some(Fault::ReducedCost { .. } | Fault::NotFinite { .. }));
     FindingJson {
         aspect: finding.aspect.name(),
         verdict: finding.worth.name(),

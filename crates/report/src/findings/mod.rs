@@ -44,10 +44,17 @@ pub fn solutions_document(model: &Model, solutions: &[JudgedSolution]) -> Docume
 
 /// The part of a file that is not judged, and why.
 fn not_judged(model: &Model, judged: &JudgedSolution) -> Option<String> {
-    let found = judged.solution.other_rows?;
-    let rows = counted(model.rows.len(), "row", "rows");
-    Some(format!("the duals are not looked at: the file numbers {found} rows, the model has {rows}"))
+    let duals = judged.solution.other_rows.map(|found| {
+        let [found, rows] = [found, model.rows.len()].map(|count| counted(count, "row", "rows"));
+        format!("the duals are not looked at: the file lists {found}, the model has {rows}")
+    });
+    let activities = judged.solution.has_activities.then(|| ACTIVITIES.to_owned());
+    let parts: Vec<String> = duals.into_iter().chain(activities).collect();
+    (!parts.is_empty()).then(|| parts.join("; "))
 }
+
+/// The note on the values of rows, which the point decides.
+const ACTIVITIES: &str = "the row activities are not looked at: the point decides";
 
 /// The source of the tolerances.
 const NAMED: &str = "Tolerances: absolute as HiGHS (primal_feasibility_tolerance, dual_feasibility_tolerance), Gurobi (FeasibilityTol, OptimalityTol) and SoPlex (feastol, opttol) test rows and bounds; relative as SCIP tests them (numerics/feastol); scaled as solvers test them once each row is divided by its largest coefficient.";

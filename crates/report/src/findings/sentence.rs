@@ -1,7 +1,7 @@
 //! The finding about one aspect, as a sentence.
 
 use boundfit_exact::{Foreign, Rational, Rounding};
-use boundfit_judge::{Excuse, Fault, Finding, Item, Side, Worth};
+use boundfit_judge::{Excuse, Fault, Finding, Item, Part, Side, Worth};
 use boundfit_lp::{End, Model};
 
 /// Significant digits up to which a number is shown in full.
@@ -27,6 +27,10 @@ pub(super) fn sentence(model: &Model, finding: &Finding) -> String {
     let what = match fault {
         Fault::Status { claimed, exact } => {
             format!("{} is claimed, the program is {exact}", short(claimed))
+        }
+        Fault::NotFinite { part, item } => {
+            let of = item.map(|item| format!(" of {}", name(model, Side { item, end: End::Lower })));
+            format!("{}{} is not a finite number", part_name(*part), of.unwrap_or_default())
         }
         Fault::Value { claimed, exact } => {
             format!("off by {relative} of its size: {} instead of {}", number(claimed), number(exact))
@@ -74,6 +78,18 @@ pub(super) fn sentence(model: &Model, finding: &Finding) -> String {
     match &finding.excuse {
         Some(excuse) if finding.worth >= Worth::WithinTolerance => format!("{what}; {}", excuse_text(excuse)),
         _ => what,
+    }
+}
+
+/// A number of a part of a solution.
+fn part_name(part: Part) -> &'static str {
+    match part {
+        Part::Objective => "the objective",
+        Part::Point => "the value",
+        Part::Duals => "the dual",
+        Part::ReducedCosts => "the reduced cost",
+        Part::Ray => "the direction",
+        Part::Farkas => "the multiplier",
     }
 }
 

@@ -198,16 +198,16 @@ fn bad_solutions_say_where_and_what_is_expected() {
     let about = format!("c Objective:  theta2_max = 0 (MINimum)\n{glpk}");
     refused("theta1-min.sol", &about, "the file is named after theta1-min and answers theta2-max");
     let cases = [
-        (glpk.replace("1 2 f f 0", "1 3 f f 0"), "line 1: \"s bas 1 3 f f 0\" (expected 2 variables, theta1 and theta2, as GLPK writes it)"),
+        (glpk.replace("1 2 f f 0", "1 3 f f 0").replace("e o f", "j 3 b 1 0\ne o f"), "line 1: \"s bas 1 3 f f 0\" (expected 2 variables, theta1 and theta2, as GLPK writes it)"),
         (glpk.replace("s bas 1 2 f f 0", "s bas many"), "line 1: \"s bas many\" (expected \"s bas ROWS COLUMNS PRIMAL DUAL OBJECTIVE\", or ipt or mip, as GLPK writes it)"),
         (glpk.replace("j 1 b 1 0", "j 3 b 1 0"), "line 3: \"j 3 b 1 0\" (expected \"j 1 ...\" and \"j 2 ...\" after \"s\", as GLPK writes it)"),
         (glpk.replace("j 1 b 1 0", "j 1 b one 0"), "line 3: \"one\": unexpected character 'o' at character 1 (expected a number, as GLPK writes it)"),
         (glpk.replace("j 1 b 1 0", "j 1 b 1e10001 0"), "line 3: \"1e10001\": exponent beyond 10000 (the limit) at character 3 (expected a number, as GLPK writes it); --limit exponent=N raises it"),
         (glpk.replace("i 1 b 0 0", "i 2 b 0 0"), "line 2: \"i 2 b 0 0\" (expected \"i ROW ...\" after \"s\", rows in order, as GLPK writes it)"),
         (glpk.replace("i 1 b 0 0", "x 1"), "line 2: \"x 1\" (expected a line that starts with c, s, i, j or e, as GLPK writes it)"),
-        (glpk.replace("j 2 b 1 0\n", ""), "the file stops without a value of theta2, which GLPK writes"),
+        (glpk.replace("j 2 b 1 0\n", ""), "line 1: \"s bas 1 2 f f 0\": the file lists 1 column (was the file cut off?)"),
         ("Model status\nOptimal\n".to_owned(), "the file stops without \"# Primal solution values\", which HiGHS writes"),
-        ("Model status\nOptimal\n\n# Primal solution values\nFeasible\nObjective 0\n# Columns 2\ntheta1 0\nx 0\n".to_owned(), "the file stops without a value of theta2, which HiGHS writes"),
+        ("Model status\nOptimal\n\n# Primal solution values\nFeasible\nObjective 0\n# Columns 2\ntheta1 0\nx 0\n# Rows 0\n# Dual solution values\nNone\n".to_owned(), "the file stops without a value of theta2, which HiGHS writes"),
         ("Model status\nOptimal\n\n# Primal solution values\nFeasible\nObjective 0\n# Columns 2\ntheta1\n".to_owned(), "line 8: \"theta1\" (expected \"NAME VALUE\", as HiGHS writes it)"),
         ("Optimal - objective value 1\n 0 theta1\n".to_owned(), "line 2: \"0 theta1\" (expected \"INDEX NAME VALUE DUAL\", as CBC writes it)"),
         ("Problem:    theta1-min\nRows:       1\n".to_owned(), "the file stops without a line \"Status:\", which GLPK writes"),
@@ -270,16 +270,22 @@ fn limits_name_the_option_that_raises_them() {
 #[test]
 fn broken_files_are_refused_with_a_reason() {
     for (name, message) in [
-        ("glpk-cut", "the file stops without a value of theta2, which GLPK writes"),
+        (
+            "glpk-cut",
+            "the file stops without its last line \"e o f\", which GLPK writes (was the file cut off?)",
+        ),
         (
             "glpk-three-variables",
-            "line 2: \"s bas 18446744073709551615 3 f f 1\" (expected 2 variables, theta1 and theta2, as GLPK writes it)",
+            "line 2: \"s bas 18446744073709551615 3 f f 1\": the file lists 0 rows (was the file cut off?)",
         ),
         (
             "highs-old",
             "this is the old style (-1) of HiGHS, without a status and names (expected write_solution_style 0, 1, 2, 3 or 4)",
         ),
-        ("theta1-min-highs-cut", "the file stops without a value of theta2, which HiGHS writes"),
+        (
+            "theta1-min-highs-cut",
+            "line 7: \"# Columns 99999999999\": the file lists 1 column (was the file cut off?)",
+        ),
         ("cplex-entities", "XML with DTD detected (expected a <CPLEXSolution>, as CPLEX writes it)"),
         (
             "cplex-without-value",
