@@ -13,7 +13,7 @@ use crate::questions::in_words;
 /// Keywords whose values are numbers, or texts in which numbers are.
 const NUMBERS: [&str; 5] = ["eps", "x_eps", "x_origin", "where", "where_row"];
 
-/// Those of them that are one number.
+/// Keywords whose value is one number.
 const SINGLE: [&str; 3] = ["eps", "x_eps", "x_origin"];
 
 /// The keywords of a call, as Python hands them over.

@@ -279,13 +279,11 @@ impl Style {
             return Text::new().number(decimal);
         }
         let read = value.shortest_of_f64();
-        match read.as_ref().and_then(|read| read.exact_decimal(GIVEN_DIGITS)) {
-            Some(decimal) => Text::new().number(decimal).words(" (as a double)"),
-            None => match value.exact_decimal(LONGEST_READABLE) {
-                Some(decimal) => Text::new().number(decimal),
-                None => self.proof(value),
-            },
+        if let Some(decimal) = read.as_ref().and_then(|read| read.exact_decimal(GIVEN_DIGITS)) {
+            return Text::new().number(decimal).words(" (as a double)");
         }
+        let decimal = value.exact_decimal(LONGEST_READABLE);
+        decimal.map_or_else(|| self.proof(value), |decimal| Text::new().number(decimal))
     }
 
     /// A number of a proof: exact, since rounded ones prove nothing, unless too long to read.

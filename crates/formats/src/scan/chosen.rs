@@ -174,16 +174,18 @@ impl Run<'_, '_> {
 
 /// Refuses a name of several blocks, and a number that is the name of another block.
 fn refuse_several(wanted: &AskedBlock, number: usize, blocks: &Blocks) -> Result<(), InputErrorKind> {
-    match wanted {
-        AskedBlock::Name(name) if blocks.named(name.raw()).len() > 1 => {
-            Err(InputErrorKind::AmbiguousBlock { name: name.clone(), count: blocks.named(name.raw()).len() })
-        }
-        AskedBlock::Number(wanted) => {
-            let named = blocks.named(&wanted.to_string()).into_iter().find(|&named| named != number);
-            named.map_or(Ok(()), |named| Err(InputErrorKind::BlockNameOrNumber { wanted: *wanted, named }))
-        }
-        _ => Ok(()),
-    }
+    let problem = match wanted {
+        AskedBlock::Name(name) => Some(blocks.named(name.raw()).len())
+            .filter(|count| *count > 1)
+            .map(|count| InputErrorKind::AmbiguousBlock { name: name.clone(), count }),
+        AskedBlock::Number(wanted) => blocks
+            .named(&wanted.to_string())
+            .into_iter()
+            .find(|&named| named != number)
+            .map(|named| InputErrorKind::BlockNameOrNumber { wanted: *wanted, named }),
+        AskedBlock::All => None,
+    };
+    problem.map_or(Ok(()), Err)
 }
 
 fn is_next_block(read: &Result<(), InputError>) -> bool {

@@ -15,7 +15,7 @@ use super::{Announced, Entry, Reference, SolutionFile, SolverStatus};
 pub(super) const FORMAT: &str = "GLPK";
 const PLAIN: NumberFormat = NumberFormat::FIFTEEN;
 /// The format of the objective in the heading.
-pub(super) const HEADING: NumberFormat = NumberFormat::Significant(10);
+const HEADING: NumberFormat = NumberFormat::Significant(10);
 
 /// Returns whether a text is a solution for programs: comment lines, then `s bas`, `s ipt` or `s mip`.
 pub(super) fn is_plain(text: &str) -> bool {
@@ -32,22 +32,23 @@ pub(super) fn parse_plain(text: &str, limits: &Limits) -> Result<SolutionFile, S
         plain.read(line, limits)?;
     }
     let Some(kind) = plain.solution.clone() else { return plain.heading.alone(plain.file) };
-    plain.complete(text, &kind)?;
-    plain.agreeing(text, &kind, limits)?;
+    plain.complete(&kind)?;
+    plain.agreeing(&kind, limits)?;
     let Plain { heading, mut file, .. } = plain;
     // The heading of interior points says infeasible where the program may be unbounded.
     let told = heading.status.filter(|_| !kind.is_interior);
-    file.status = told.unwrap_or(kind.status);
-    file.status_line = kind.announced.line;
+    file.status = told.map_or(kind.status, |(told, _)| told);
+    file.status_line = kind.line.number;
     file.about = heading.about;
     file.has_duals = kind.has_duals;
-    file.announced = Some(kind.announced);
+    file.announced =
+        Some(Announced { columns: kind.columns, line: kind.line.number, text: kind.line.text.to_owned() });
     Ok(file)
 }
 
-struct Plain {
-    heading: Heading,
-    solution: Option<Kind>,
+struct Plain<'a> {
+    heading: Heading<'a>,
+    solution: Option<Kind<'a>>,
     file: SolutionFile,
     /// True once the last line was met.
     has_end: bool,
@@ -55,18 +56,19 @@ struct Plain {
 
 /// The kind of program that the line `s` states.
 #[derive(Clone)]
-struct Kind {
+struct Kind<'a> {
+    line: Line<'a>,
     /// The place of a row's activity among its words.
     value: usize,
     has_duals: bool,
     is_interior: bool,
     rows: usize,
-    announced: Announced,
+    columns: usize,
     status: SolverStatus,
 }
 
-impl Plain {
-    fn read(&mut self, line: Line<'_>, limits: &Limits) -> Result<(), SolutionError> {
+impl<'a> Plain<'a> {
+    fn read(&mut self, line: Line<'a>, limits: &Limits) -> Result<(), SolutionError> {
         let words = line.words();
         match words.first().copied() {
             None => Ok(()),
@@ -92,53 +94,46 @@ impl Plain {
 
     /// Refuses a file that ends early or lists another number of rows or columns than it announces. Where it has no point, HiGHS
     /// stops after the line `s`.
-    fn complete(&self, text: &str, kind: &Kind) -> Result<(), SolutionError> {
+    fn complete(&self, kind: &Kind<'_>) -> Result<(), SolutionError> {
         let (rows, columns) = (self.file.rows.len(), self.file.columns.len());
         if !self.has_end && rows + columns == 0 && kind.status != SolverStatus::Optimal {
             return Ok(());
         }
-        let line = Line::at(FORMAT, text, kind.announced.line);
         if !self.has_end {
             Err(SolutionError::CutOff { format: FORMAT, missing: "its last line \"e o f\"" })
         } else if rows != kind.rows {
-            Err(line.listed(rows, ROWS))
-        } else if columns != kind.announced.columns {
-            Err(line.listed(columns, COLUMNS))
+            Err(kind.line.listed(rows, ROWS))
+        } else if columns != kind.columns {
+            Err(kind.line.listed(columns, COLUMNS))
         } else {
             Ok(())
         }
     }
 
     /// Refuses a heading that says something else than the line `s`.
-    fn agreeing(&self, text: &str, kind: &Kind, limits: &Limits) -> Result<(), SolutionError> {
-        let line = Line::at(FORMAT, text, kind.announced.line);
+    fn agreeing(&self, kind: &Kind<'_>, limits: &Limits) -> Result<(), SolutionError> {
         let is_decided = |status: &SolverStatus| !matches!(status, SolverStatus::Other(_));
-        let told = self.heading.status.as_ref().filter(|told| is_decided(told) && is_decided(&kind.status));
+        let told = self.heading.status.as_ref();
+        let told = told.filter(|(told, _)| is_decided(told) && is_decided(&kind.status));
         let is_either = |one: &SolverStatus, other: &SolverStatus| {
             *one == SolverStatus::InfeasibleOrUnbounded && *other != SolverStatus::Optimal
         };
-        if let Some(told) = told
+        if let Some((told, line)) = told
             && *told != kind.status
             && !is_either(told, &kind.status)
             && !is_either(&kind.status, told)
         {
-            return Err(line.contradicts(&Line::at(FORMAT, text, self.heading.status_line)));
+            return Err(kind.line.contradicts(line));
         }
-        let Some((_, value, number)) =
-            self.heading.objective.as_ref().filter(|(_, value, _)| !value.is_empty())
-        else {
-            return Ok(());
-        };
-        let heading = Line::at(FORMAT, text, *number);
-        let (Ok(Figure::Finite(told)), Some((Figure::Finite(own), _))) =
-            (heading.figure(value, HEADING, limits), &self.file.objective)
+        let (Some(Ok((Figure::Finite(told), line))), Some((Figure::Finite(own), _))) =
+            (self.heading.objective(limits), &self.file.objective)
         else {
             return Ok(());
         };
         // HiGHS prints 0 for what is smaller than its last digit.
         let reach = told.reach() + own.reach() + Rational::scientific(1, -13);
         if (&told.value - &own.value).abs() > reach + told.value.abs() * Rational::scientific(1, -9) {
-            return Err(line.contradicts(&heading));
+            return Err(kind.line.contradicts(&line));
         }
         Ok(())
     }
@@ -156,7 +151,7 @@ impl Plain {
     }
 
     fn column(&mut self, line: Line<'_>, words: &[&str], limits: &Limits) -> Result<(), SolutionError> {
-        let columns = self.solution.as_ref().map(|kind| kind.announced.columns);
+        let columns = self.solution.as_ref().map(|kind| kind.columns);
         let expected = || line.expected(Self::expected_columns(columns));
         let kind = self.solution.as_ref().ok_or_else(expected)?;
         let number = words.get(1).and_then(|word| word.parse::<usize>().ok());
@@ -176,8 +171,8 @@ impl Plain {
     }
 }
 
-impl Kind {
-    fn read(line: Line<'_>, words: &[&str]) -> Result<Self, SolutionError> {
+impl<'a> Kind<'a> {
+    fn read(line: Line<'a>, words: &[&str]) -> Result<Self, SolutionError> {
         let expected = || line.expected("\"s bas ROWS COLUMNS PRIMAL DUAL OBJECTIVE\", or ipt or mip");
         let size = |word: &str| word.parse::<usize>().ok();
         let [_, kind, rows, columns, rest @ ..] = words else { return Err(expected()) };
@@ -201,8 +196,7 @@ impl Kind {
             ("mip", [_, _]) => (2, false, other()),
             _ => return Err(expected()),
         };
-        let announced = Announced { columns, line: line.number, text: line.text.to_owned() };
-        Ok(Kind { value, has_duals, is_interior: *kind == "ipt", rows, announced, status })
+        Ok(Kind { line, value, has_duals, is_interior: *kind == "ipt", rows, columns, status })
     }
 
     /// Returns what a line `i` or `j` says, once its number was looked at.
@@ -232,46 +226,54 @@ impl Kind {
 
 /// The lines `Key: value` at the top.
 #[derive(Default)]
-pub(super) struct Heading {
+pub(super) struct Heading<'a> {
     pub(super) about: Vec<String>,
-    pub(super) status: Option<SolverStatus>,
-    pub(super) status_line: usize,
+    pub(super) status: Option<(SolverStatus, Line<'a>)>,
     /// The objective's name, what is said about its value, and where.
-    pub(super) objective: Option<(String, String, usize)>,
+    objective: Option<(&'a str, &'a str, Line<'a>)>,
     /// The line with the number of rows, and that with the number of columns.
-    pub(super) rows: Option<usize>,
-    pub(super) columns: Option<usize>,
+    pub(super) rows: Option<Line<'a>>,
+    pub(super) columns: Option<Line<'a>>,
 }
 
-impl Heading {
+impl<'a> Heading<'a> {
     /// The file of HiGHS about a program without rows and columns, which has no more than the heading.
     fn alone(self, file: SolutionFile) -> Result<SolutionFile, SolutionError> {
         match self.status {
-            Some(status @ SolverStatus::Other(_)) => {
-                Ok(SolutionFile { status, status_line: self.status_line, about: self.about, ..file })
+            Some((status @ SolverStatus::Other(_), line)) => {
+                Ok(SolutionFile { status, status_line: line.number, about: self.about, ..file })
             }
             _ => Err(SolutionError::End { format: FORMAT, missing: "a line \"s bas\"" }),
         }
     }
 
-    pub(super) fn read(&mut self, line: Line<'_>, text: &str) {
+    pub(super) fn read(&mut self, line: Line<'a>, text: &'a str) {
         let Some((key, value)) = text.split_once(':') else { return };
         match key {
-            "Status" if self.status.is_none() => {
-                (self.status, self.status_line) = (Some(status(value)), line.number);
-            }
-            "Rows" => self.rows = Some(line.number),
-            "Columns" => self.columns = Some(line.number),
+            "Status" if self.status.is_none() => self.status = Some((status(value), line)),
+            "Rows" => self.rows = Some(line),
+            "Columns" => self.columns = Some(line),
             "Problem" => self.about.push(value.trim().to_owned()),
             "Objective" => {
                 self.about.push(value.trim().to_owned());
                 let name = value.split_whitespace().next().unwrap_or_default();
                 let rest = value.split_once('=').map_or("", |(_, rest)| rest);
                 let figure = rest.split_whitespace().next().unwrap_or_default();
-                self.objective = Some((name.to_owned(), figure.to_owned(), line.number));
+                self.objective = Some((name, figure, line));
             }
             _ => {}
         }
+    }
+
+    /// Returns whether a row is that of the objective, by its name.
+    pub(super) fn is_objective(&self, row: &Reference) -> bool {
+        self.objective.is_some_and(|(name, ..)| *row == Reference::Name(name.to_owned()))
+    }
+
+    /// The value of the objective and its line, if one is stated.
+    pub(super) fn objective(&self, limits: &Limits) -> Option<Result<(Figure, Line<'a>), SolutionError>> {
+        let (_, value, line) = self.objective.filter(|(_, value, _)| !value.is_empty())?;
+        Some(line.figure(value, HEADING, limits).map(|figure| (figure, line)))
     }
 }
 

@@ -26,12 +26,6 @@ impl<'a> Line<'a> {
         (1..).zip(text.lines()).map(move |(number, text)| Line { format, number, text })
     }
 
-    /// The line of a file with a number, from 1.
-    pub(super) fn at(format: &'static str, text: &'a str, number: usize) -> Self {
-        let text = text.lines().nth(number.saturating_sub(1)).unwrap_or_default();
-        Line { format, number, text }
-    }
-
     pub(super) fn words(&self) -> Vec<&'a str> {
         self.text.split_whitespace().collect()
     }

@@ -7,7 +7,7 @@ use boundfit_lp::{NumberFormat, Printed};
 
 use super::error::SolutionError;
 use super::figure::Figure;
-use super::glpk::{FORMAT, HEADING, Heading};
+use super::glpk::{FORMAT, Heading};
 use super::line::{COLUMNS, Line, ROWS};
 use super::{Entry, Reference, SolutionFile, SolverStatus};
 
@@ -62,10 +62,9 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
                 let (entry, has_dual_place) = record(line, &words, limits)?;
                 let [rows, columns] = &mut counts;
                 *if section == Section::Columns { columns } else { rows } += 1;
-                let is_objective = |(name, ..): &(String, String, usize)| matches!(&entry.of, Reference::Name(own) if own == name);
                 match section {
                     Section::Columns => file.columns.push(entry),
-                    _ if heading.objective.as_ref().is_some_and(is_objective) => {}
+                    _ if heading.is_objective(&entry.of) => {}
                     _ => {
                         file.has_duals &= has_dual_place;
                         file.rows.push(entry);
@@ -77,28 +76,24 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
             _ => return Err(line.expected("\"NUMBER NAME STATUS ACTIVITY ...\"")),
         }
     }
-    let told =
-        heading.status.clone().ok_or(SolutionError::End { format: FORMAT, missing: "a line \"Status:\"" })?;
+    let missing = SolutionError::End { format: FORMAT, missing: "a line \"Status:\"" };
+    let (told, status_line) = heading.status.clone().ok_or(missing)?;
     file.status = match told {
         // The heading of interior points says infeasible where the program may be unbounded.
         SolverStatus::Infeasible if is_interior => SolverStatus::InfeasibleOrUnbounded,
         told => told,
     };
-    file.status_line = heading.status_line;
-    complete(text, &file, &heading, counts, has_end)?;
+    file.status_line = status_line.number;
+    complete(&file, &heading, counts, has_end)?;
+    file.objective = heading.objective(limits).transpose()?.map(|(figure, line)| (figure, line.number));
     file.about = heading.about;
-    if let Some((_, value, number)) = heading.objective.filter(|(_, value, _)| !value.is_empty()) {
-        let line = Line { format: FORMAT, number, text };
-        file.objective = Some((line.figure(&value, HEADING, limits)?, number));
-    }
     Ok(file)
 }
 
 /// Refuses a file that ends early or lists another number of rows or columns than its heading says.
 fn complete(
-    text: &str,
     file: &SolutionFile,
-    heading: &Heading,
+    heading: &Heading<'_>,
     counts: [usize; 2],
     has_end: bool,
 ) -> Result<(), SolutionError> {
@@ -111,7 +106,7 @@ fn complete(
     }
     for ((size, count), kind) in [heading.rows, heading.columns].into_iter().zip(counts).zip([ROWS, COLUMNS])
     {
-        let Some(line) = size.map(|number| Line::at(FORMAT, text, number)) else { continue };
+        let Some(line) = size else { continue };
         let said = line.words().get(1).and_then(|word| word.parse::<usize>().ok());
         if said.is_some_and(|said| said != count) {
             return Err(line.listed(count, kind));
