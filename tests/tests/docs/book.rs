@@ -80,3 +80,13 @@ fn the_readme_is_short() {
     let lines = Page::read(Path::new("README.md")).text.lines().count();
     assert!(lines <= 200, "{lines} lines: the rest belongs in docs");
 }
+
+#[test]
+fn a_long_page_says_why_it_is_long() {
+    for page in pages().iter().filter(|page| page.path.parent() == Some(Path::new("docs"))) {
+        let words = page.text.split_whitespace().count();
+        let first: Vec<&str> = page.text.split_whitespace().take(90).collect();
+        let says = first.join(" ").to_lowercase().contains("the page is long because");
+        assert_eq!(words > 1500, says, "{}: {words} words", page.path.display());
+    }
+}
