@@ -14,14 +14,14 @@ use crate::meaning::{ErrorBound, Model};
 use crate::minimax::Minimax;
 use crate::problem::Problem;
 use crate::reduction::NoLeastSquares;
+use crate::sieve;
 
 /// The answer. A part that does not exist for a problem is `None`; [`Fit::least_squares`] says why.
 #[derive(Debug, Clone)]
 pub struct Fit {
     /// The least-squares estimate with its EUI.
     pub least_squares: Result<LeastSquares, NoLeastSquares>,
-    /// The feasible parameter set. For a line under a uniform error bound it has only the half-planes that can be
-    /// active; [`Fit::with_every_half_plane`] has all of them.
+    /// The feasible parameter set. It lacks half-planes that cannot be active; [`Fit::with_every_half_plane`] has all of them.
     pub fps: Fps,
     /// The parameter uncertainty intervals; `None` when the FPS is empty.
     pub pui: Option<[ParameterInterval; 2]>,
@@ -63,10 +63,18 @@ pub fn fit(problem: &Problem) -> Fit {
         Some(own) => Extremes::of_deciding(own),
         None => Extremes::new(measurements.kept(), grid.as_ref()),
     });
-    let fps = Fps::with_extremes(measurements, conditions, extremes.as_ref());
+    let mut decisive = None;
+    let fps = match &extremes {
+        Some(extremes) => Fps::of_extremes(measurements, conditions, extremes),
+        None => {
+            let estimate = least_squares.as_ref().ok().map(|estimate| &estimate.theta);
+            let positions = decisive.insert(sieve::deciding(measurements.kept(), estimate));
+            Fps::of_deciding(measurements, conditions, positions)
+        }
+    };
     let pui = parameter_intervals(fps.polyhedron());
     let central = pui.as_ref().and_then(central);
-    let minimax = Minimax::with_extremes(measurements, conditions, extremes.as_ref());
+    let minimax = Minimax::with_extremes(measurements, conditions, extremes.as_ref(), decisive.as_deref());
     Fit { least_squares, fps, pui, central, minimax }
 }
 

@@ -36,12 +36,19 @@ impl Fps {
     /// as for [`Fps::of_every_half_plane`]. Only the choice among several proofs of a bound or of emptiness may
     /// differ. Exact. Cost: O(N log N).
     pub fn new(measurements: &Measurements, conditions: &[Condition]) -> Self {
-        Fps::with_extremes(measurements, conditions, Extremes::of(measurements).as_ref())
+        match Extremes::of(measurements) {
+            Some(extremes) => Fps::of_extremes(measurements, conditions, &extremes),
+            None => Fps::of_every_half_plane(measurements, conditions),
+        }
     }
 
     /// The FPS with all half-planes of the readings, also those that cannot be active. Exact. Cost: O(N log N).
     pub fn of_every_half_plane(measurements: &Measurements, conditions: &[Condition]) -> Self {
         let (names, system) = every_half_plane(measurements, conditions);
+        Fps::of_system(measurements, names, system)
+    }
+
+    fn of_system(measurements: &Measurements, names: Vec<BoundName>, system: System) -> Self {
         Fps {
             polyhedron: Polyhedron::intersect(system),
             names,
@@ -51,19 +58,25 @@ impl Fps {
         }
     }
 
-    /// [`Fps::new`] with the extremes of a line under a uniform bound.
-    pub(crate) fn with_extremes(
+    /// The FPS with the half-planes of the readings at these positions alone, which decide it and the tightest half-plane of the
+    /// least-squares estimate.
+    pub(crate) fn of_deciding(
         measurements: &Measurements,
         conditions: &[Condition],
-        extremes: Option<&Extremes>,
+        positions: &[usize],
     ) -> Self {
-        match extremes {
-            Some(extremes) => Fps::of_extremes(measurements, conditions, extremes),
-            None => Fps::of_every_half_plane(measurements, conditions),
-        }
+        let rows = measurements.kept();
+        let own = positions.iter().flat_map(|&position| half_planes(&rows[position]));
+        let (names, inequalities): (_, Vec<Inequality>) = own.chain(conditions_by_name(conditions)).unzip();
+        Fps::of_system(measurements, names, System::new(inequalities))
     }
 
-    fn of_extremes(measurements: &Measurements, conditions: &[Condition], extremes: &Extremes) -> Self {
+    /// [`Fps::new`] with the extremes of a line under a uniform bound.
+    pub(crate) fn of_extremes(
+        measurements: &Measurements,
+        conditions: &[Condition],
+        extremes: &Extremes,
+    ) -> Self {
         if let Some(grid) = measurements.on_grid() {
             return Fps::on_grid(measurements, grid, conditions, extremes);
         }

@@ -7,12 +7,12 @@ use boundfit_geometry::{Inequality, Multiplier, RegionKind, System, envelope};
 
 use crate::bound_name::BoundName;
 use crate::condition::Condition;
-use crate::fps::{conditions_by_name, growing_half_planes};
+use crate::growing::Growing;
 use crate::hulls::{Extremes, Gap, HullMinimum};
 use crate::least_growth::{GrowingInequality, LeastGrowth, least_growth};
 use crate::meaning::ErrorBound;
-use crate::measurement::Measurement;
 use crate::measurements::Measurements;
+use crate::sieve::{deciding_least, sample};
 
 /// The least error bound that some θ meets, and such a θ: the minimax (Chebyshev, projection) estimate.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -46,7 +46,9 @@ impl MinimaxProof {
         if self.multipliers.is_empty() {
             return least.is_zero();
         }
-        let Some(growing) = Growing::new(measurements, conditions) else { return false };
+        let Ok(rows) = measurements.deciding_minimax() else { return false };
+        let is_uniform = measurements.error_bound().is_uniform();
+        let growing = Growing::of_rows(rows.iter(), is_uniform).with(conditions);
         let mut form = [Rational::zero(), Rational::zero()];
         let (mut growth, mut value) = (Rational::zero(), Rational::zero());
         for (name, multiplier) in &self.multipliers {
@@ -71,14 +73,16 @@ impl Minimax {
     /// Exact. A line under a uniform bound without conditions takes the two hulls, O(N log N). Every other problem
     /// takes [`least_growth`], which sees only the readings on the hulls for a line under a uniform bound.
     pub fn new(measurements: &Measurements, conditions: &[Condition]) -> Option<Self> {
-        Minimax::with_extremes(measurements, conditions, Extremes::of(measurements).as_ref())
+        Minimax::with_extremes(measurements, conditions, Extremes::of(measurements).as_ref(), None)
     }
 
-    /// [`Minimax::new`] where the extremes of a line under a uniform bound are known already.
+    /// [`Minimax::new`] where the extremes of a line under a uniform bound are known already, or the positions of readings in memory
+    /// that decide the set in other models.
     pub(crate) fn with_extremes(
         measurements: &Measurements,
         conditions: &[Condition],
         extremes: Option<&Extremes>,
+        deciding: Option<&[usize]>,
     ) -> Option<Self> {
         if !measurements.has_widths() {
             return None;
@@ -93,7 +97,16 @@ impl Minimax {
                 let touching = extremes.touching.iter().map(|touching| &rows[touching.position]);
                 Growing::of_rows(touching, true).with(conditions).minimax()
             }
-            None => Growing::new(measurements, conditions)?.minimax(),
+            None => {
+                let (rows, is_uniform) =
+                    (measurements.deciding_minimax().ok()?, measurements.error_bound().is_uniform());
+                // The readings that decide the least factor may be others than those in memory.
+                let some = deciding.filter(|_| rows.len() == measurements.kept_count());
+                let some = some.map_or_else(|| sample(rows.len()), <[usize]>::to_vec);
+                let deciding = deciding_least(rows, &some, is_uniform, conditions);
+                let rows = deciding.iter().map(|&position| &rows[position]);
+                Growing::of_rows(rows, is_uniform).with(conditions).minimax()
+            }
         }
     }
 
@@ -132,38 +145,7 @@ impl Minimax {
     }
 }
 
-/// The half-planes of readings and conditions as functions of the error bound.
-pub(crate) struct Growing {
-    names: Vec<BoundName>,
-    pub(crate) inequalities: Vec<GrowingInequality>,
-}
-
 impl Growing {
-    /// Collects the readings that decide ε_min; `None` where these are not known.
-    fn new(measurements: &Measurements, conditions: &[Condition]) -> Option<Self> {
-        let rows = measurements.deciding_minimax().ok()?;
-        Some(Growing::of_rows(rows.iter(), measurements.error_bound().is_uniform()).with(conditions))
-    }
-
-    pub(crate) fn with(mut self, conditions: &[Condition]) -> Self {
-        for (name, at_zero) in conditions_by_name(conditions) {
-            self.names.push(name);
-            self.inequalities.push(GrowingInequality { at_zero, growth: Rational::zero() });
-        }
-        self
-    }
-
-    /// Collects half-planes that grow; under a uniform bound the factor is the bound itself, so that every reading
-    /// grows by 1.
-    pub(crate) fn of_rows<'a>(rows: impl Iterator<Item = &'a Measurement>, is_uniform: bool) -> Self {
-        let (names, mut inequalities): (_, Vec<GrowingInequality>) =
-            rows.flat_map(growing_half_planes).unzip();
-        if is_uniform {
-            inequalities.iter_mut().for_each(|inequality| inequality.growth = Rational::one());
-        }
-        Growing { names, inequalities }
-    }
-
     fn minimax(self) -> Option<Minimax> {
         let LeastGrowth::From { t, multipliers, .. } = least_growth(&self.inequalities) else {
             return None;

@@ -13,12 +13,12 @@ use super::columns::Columns;
 use super::fixed::{FixedBounds, FixedPart, FixedSummary};
 use super::in_columns::readings_of;
 use super::kept_columns::{KeptColumns, KeptPart};
-use super::scale::Scale;
 use super::seen::Seen;
 use super::sums::column_totals;
 use crate::line_form::LineForm;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
+use crate::scale::Scale;
 use crate::summary::{Keep, LineSummary, SharedSieve};
 use crate::ties::Ties;
 

@@ -9,13 +9,14 @@ use boundfit_geometry::grid::{EnvelopeSieve, RoundedStrip, RoundedStrips, in_ran
 use boundfit_geometry::{Constraint, HalfPlane, Inequality, Tally, Touch, touches_of_envelopes};
 use hashbrown::{DefaultHashBuilder, HashTable};
 
-use super::rounded::{may_be_tightest, rounded_strips};
-use super::scale::Scale;
+use super::rounded::rounded_strips;
 use super::vertices::{AtVertices, Vertex, counts_at, told_at_vertices, with_others};
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::moments::Sums;
 use crate::reduction::NoLeastSquares;
+use crate::rounded::may_be_tightest;
+use crate::scale::Scale;
 use crate::ties::{TiedReading, Ties};
 
 /// Merging waits for at least this many new rows, so that small parts do not each pay for the whole.

@@ -9,7 +9,6 @@ use boundfit_geometry::{Region, System, envelope};
 use super::fixed::{FixedBounds, FixedSupport};
 use super::kept_columns::{KeptColumns, KeptPart};
 use super::reach::{SignedSums, Weights, merged_or_reason};
-use super::scale::Scale;
 use super::sums::column_totals;
 use super::vertices::AtVertices;
 use crate::condition::Condition;
@@ -19,6 +18,7 @@ use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::moments::Sums;
 use crate::reduction::{NoEui, Reach};
+use crate::scale::Scale;
 use crate::ties::Ties;
 
 /// The source in which readings can be seen again.
@@ -151,10 +151,12 @@ impl Looks<'_> {
     ) -> Result<Vec<Measurement>, InputError> {
         let mut known = some.to_vec();
         loop {
-            let Some(scale) = Scale::least(&known, meaning, conditions) else { return Ok(known) };
+            let Some(scale) = Scale::least(known.iter(), meaning.error_bound.is_uniform(), conditions) else {
+                return Ok(known);
+            };
             let bounds = FixedBounds::new(meaning, &scale, 1).telling_vertices_as_one().knowing(&known);
             let (touching, _) = self.touching(&bounds)?;
-            if scale.is_enough(&touching, conditions) {
+            if scale.is_enough(touching.iter(), conditions) {
                 return Ok(touching);
             }
             known.extend(touching);

@@ -17,7 +17,6 @@ mod question;
 mod reach;
 mod reduce;
 mod rounded;
-mod scale;
 mod scan;
 mod seen;
 mod series;

@@ -4,11 +4,12 @@
 use boundfit_exact::{Column, Rational, Sum};
 
 use super::halves::Halves;
-use super::rounded::{float, floats};
+use super::rounded::floats;
 use crate::meaning::Meaning;
 use crate::moments::Sums;
 use crate::products::product_sum;
 use crate::reduction::{NoEui, Reach};
+use crate::rounded::float;
 use crate::sums::column_sum;
 
 /// A_jk times the determinant of ΦᵀΦ is p·φ_k1 + q·φ_k2, with (p, q) a row of the adjugate; then φ_k1 itself.

@@ -12,13 +12,13 @@ use super::agreement::KeptRows;
 use super::columns::Columns;
 use super::fixed::{FixedBounds, FixedPart, FixedSummary};
 use super::outline::Outline;
-use super::scale::Scale;
 use super::stated::{Stated, asked_by_reduction, counts_of, refuse_late};
 use crate::line_form::LineForm;
 use crate::meaning::{ErrorBound, Meaning};
 use crate::measurement::Measurement;
 use crate::moments::Sums;
 use crate::reduction::NoLeastSquares;
+use crate::scale::Scale;
 use crate::summary::{LineSummary, SharedSieve};
 
 /// Texts of rows that have meanwhile turned out to be superfluous are dropped when there are so many of them, so

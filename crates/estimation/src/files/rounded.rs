@@ -1,22 +1,12 @@
 //! Columns of readings as floats, for a filter that bears their roundings.
 
-use boundfit_exact::{Column, Foreign, Rational};
+use boundfit_exact::{Column, Foreign};
 use boundfit_geometry::grid::{RoundedStrips, in_range};
 
-use super::scale::Scale;
 use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::measurement::Measurement;
-
-/// The relative margin, 2⁻⁴⁸, that exceeds the error of a sum of two rounded numbers. Numbers of columns are within a
-/// relative error of 2⁻⁵⁰, their products with a factor within 2⁻⁴⁹, and each operation adds 2⁻⁵³.
-const MARGIN: f64 = 1.0 / (1_u64 << 48) as f64;
-
-/// A number within a relative error of 2⁻⁵⁰, or NaN where a filter may not compute with it. Exact zeros are
-/// exactly 0.
-pub(super) fn float(number: &Rational) -> f64 {
-    let float = number.to_f64();
-    if float == 0.0 && !number.is_zero() { f64::NAN } else { in_range(float) }
-}
+use crate::rounded::{MARGIN, about_middle, around, exact_bounds, float};
+use crate::scale::Scale;
 
 /// The numbers of a column in this sense. Cost: a nanosecond or two each, but for those that are far beyond the range.
 pub(super) fn floats(column: &Column) -> Vec<f64> {
@@ -83,18 +73,14 @@ fn around_y(meaning: &Meaning, scale: &Scale, columns: &[Column]) -> Option<[Vec
         Scale::AsStated | Scale::Times(_) => meaning.error_bound.uniform(),
     };
     let factor = if let Scale::Times(factor) = scale { in_range(factor.to_f64()) } else { 1.0 };
-    let around = |y: f64, reach: f64| {
-        let margin = MARGIN * (y.abs() + reach);
-        (y - reach + margin, y + reach - margin)
-    };
     let (lower, upper) = match uniform {
         Some(epsilon) => {
             let reach = in_range(epsilon.to_f64()) * factor;
-            response.iter().map(|&y| around(y, reach)).unzip()
+            response.iter().map(|&y| around(y, reach).into()).unzip()
         }
         None => {
             let epsilon = floats(columns.get(1)?);
-            response.iter().zip(&epsilon).map(|(&y, epsilon)| around(y, epsilon * factor)).unzip()
+            response.iter().zip(&epsilon).map(|(&y, epsilon)| around(y, epsilon * factor).into()).unzip()
         }
     };
     Some([lower, upper])
@@ -116,50 +102,10 @@ fn stated(side: Option<[&Column; 2]>, sign: f64, count: usize) -> Vec<f64> {
 fn about_middles(sides: [[&Column; 2]; 2], factor: f64, other: impl Fn(usize) -> [f64; 2]) -> [Vec<f64>; 2] {
     let [[lower, has_lower], [upper, has_upper]] = sides.map(|side| side.map(floats));
     let bounds = |row: usize| {
-        let (lower, upper) = (lower[row], upper[row]);
-        let size = lower.abs() + upper.abs();
         let has_both = has_lower[row] != 0.0 && has_upper[row] != 0.0;
-        if !has_both || upper - lower <= MARGIN * size {
-            return <(f64, f64)>::from(other(row));
-        }
-        let (middle, reach) = ((lower + upper) / 2.0, (upper - lower) / 2.0 * factor);
-        let margin = 4.0 * MARGIN * size * (1.0 + factor);
-        (middle - reach + margin, middle + reach - margin)
+        let known = has_both.then(|| about_middle([lower[row], upper[row]], factor)).flatten();
+        <(f64, f64)>::from(known.unwrap_or_else(|| other(row)))
     };
     let (lower, upper) = (0..lower.len()).map(bounds).unzip();
     [lower, upper]
-}
-
-/// Bounds that are known exactly.
-fn exact_bounds([lower, upper]: [Option<Rational>; 2]) -> [f64; 2] {
-    let rounded = |bound: &Rational, sign: f64| {
-        let bound = float(bound);
-        bound + sign * MARGIN * bound.abs()
-    };
-    let lower = lower.map_or(f64::NEG_INFINITY, |bound| rounded(&bound, 1.0));
-    [lower, upper.map_or(f64::INFINITY, |bound| rounded(&bound, -1.0))]
-}
-
-/// Returns the positions of the readings that may be the first with the least slack at a point. Cost: linear.
-pub(super) fn may_be_tightest(strips: &RoundedStrips, theta: [f64; 2]) -> Vec<usize> {
-    /// The relative margin, 2⁻⁴⁴, that exceeds the error of the slack, for all terms together.
-    const ALL: f64 = 16.0 * MARGIN;
-    let size = |bound: f64| if bound.is_infinite() { 0.0 } else { bound.abs() };
-    // The least that a slack may be, and the most; NaN where that is not known.
-    let slack = |row: usize| {
-        let (lower, upper) = (strips.lower[row], strips.upper[row]);
-        let [p, q] = [strips.phi[0][row] * theta[0], strips.phi[1][row] * theta[1]];
-        let margin = ALL * (p.abs() + q.abs() + size(lower) + size(upper));
-        let (above, below) = (upper - (p + q), (p + q) - lower);
-        // Not `min`, which would pass over what is not a number.
-        let slack = if above < below { above } else { below };
-        let is_known = !(above.is_nan() | below.is_nan());
-        if is_known { [slack - margin, slack + margin] } else { [f64::NAN; 2] }
-    };
-    // Comparisons with what is not a number leave the least as it is.
-    let least = (0..strips.len())
-        .map(slack)
-        .fold(f64::INFINITY, |least, [_, most]| if most < least { most } else { least });
-    let is_more = |row: &usize| slack(*row)[0] > least;
-    (0..strips.len()).filter(|row| !is_more(row)).collect()
 }

@@ -4,9 +4,9 @@ use boundfit_formats::Batch;
 use boundfit_geometry::grid::RoundedStrips;
 
 use super::rounded::rounded_strips;
-use super::scale::Scale;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
+use crate::scale::Scale;
 
 /// The readings of one part of a table, in its order.
 #[derive(Debug, Clone, Copy)]

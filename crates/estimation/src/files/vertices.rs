@@ -9,8 +9,8 @@ use boundfit_exact::{Rational, Scaled, Sign, Unit};
 use boundfit_geometry::grid::touching_of_columns;
 use boundfit_geometry::{Constraint, HalfPlane, Tally, Touch, touches_of_envelopes};
 
-use super::scale::Scale;
 use crate::hulls::touching_a_hull;
+use crate::scale::Scale;
 use crate::ties::TiedReading;
 
 /// The choice of readings that are kept at one vertex.

@@ -5,10 +5,9 @@ use boundfit_geometry::{Constraint, Inequality, System, envelope};
 
 use crate::condition::Condition;
 use crate::fps::conditions_by_name;
+use crate::growing::Growing;
 use crate::least_growth::{LeastGrowth, least_growth};
-use crate::meaning::Meaning;
 use crate::measurement::Measurement;
-use crate::minimax::Growing;
 
 /// The choice of the bounds of readings.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -23,9 +22,12 @@ pub(crate) enum Scale {
 
 impl Scale {
     /// The least factor on the bounds of some readings, and what it makes of them; `None` when none leaves anything. Exact.
-    pub(super) fn least(rows: &[Measurement], meaning: &Meaning, conditions: &[Condition]) -> Option<Self> {
-        let is_uniform = meaning.error_bound.is_uniform();
-        match least_growth(&Growing::of_rows(rows.iter(), is_uniform).with(conditions).inequalities) {
+    pub(crate) fn least<'a>(
+        rows: impl Iterator<Item = &'a Measurement>,
+        is_uniform: bool,
+        conditions: &[Condition],
+    ) -> Option<Self> {
+        match least_growth(&Growing::of_rows(rows, is_uniform).with(conditions).inequalities) {
             LeastGrowth::From { t, .. } if is_uniform => Some(Scale::Within(t)),
             LeastGrowth::From { t, .. } => Some(Scale::Times(t)),
             LeastGrowth::Never => None,
@@ -33,8 +35,12 @@ impl Scale {
     }
 
     /// Returns whether the bounds of these readings at this scale leave something. Exact.
-    pub(super) fn is_enough(&self, rows: &[Measurement], conditions: &[Condition]) -> bool {
-        let bounds = rows.iter().flat_map(|row| self.half_planes(row));
+    pub(crate) fn is_enough<'a>(
+        &self,
+        rows: impl Iterator<Item = &'a Measurement>,
+        conditions: &[Condition],
+    ) -> bool {
+        let bounds = rows.flat_map(|row| self.half_planes(row));
         let system: System = bounds.chain(conditions_by_name(conditions).map(|(_, own)| own)).collect();
         !envelope::intersect(&system).is_empty()
     }
@@ -64,7 +70,7 @@ impl Scale {
     }
 
     /// Returns what the bounds of readings say about the plane, and for each which reading it is of, by position. Exact.
-    pub(super) fn constraints<'a>(
+    pub(crate) fn constraints<'a>(
         &self,
         readings: impl Iterator<Item = &'a Measurement>,
     ) -> (Vec<usize>, Vec<Constraint>) {
