@@ -69,7 +69,7 @@ def fit_groups(
     if isinstance(frame, (str, bytes)) or not hasattr(frame, "__getitem__"):
         raise ValueError(f"frame is of type {type(frame).__name__}: expected a frame, or a dictionary of columns")
     given = {name: _column(frame, name) for name in own.columns}
-    keys = [_listed(given[name], name) for name in own.by]
+    keys = [_listed(_counted(given[name]), name) for name in own.by]
     columns = [(name, cells(given[role], role, reading)) for name, role in zip(unique(own.roles), own.roles, strict=True)]
     ids = None if id is None else _listed(given[id], id)
     for name, values in [*zip(own.by, keys, strict=True), *columns]:
@@ -91,6 +91,19 @@ def _column(frame: Any, name: str) -> Any:
         if name not in getattr(frame, "column_names", getattr(frame, "columns", frame)):
             raise ValueError(f"the frame has no column {name!r}") from None
         raise ValueError(f"the column {name!r}: {problem}") from problem
+
+
+def _counted(values: Any) -> Any:
+    """A column of times as the integers that it stores: Python's own times have microseconds, and two hours at the end of summer
+    time are equal."""
+    if _module(values) == "polars" and values.dtype.is_temporal():
+        return values.to_physical()
+    if _module(values) == "pyarrow":
+        import pyarrow
+
+        if pyarrow.types.is_timestamp(values.type) or pyarrow.types.is_duration(values.type) or pyarrow.types.is_time64(values.type):
+            return values.cast(pyarrow.int64())
+    return values
 
 
 def _listed(values: Any, name: str) -> list[Any]:

@@ -227,3 +227,19 @@ def test_what_is_wrong_is_told() -> None:
         boundfit.fit_groups({"k": [1, 2], "x": [0, 1], "y": [0]}, by="k", x="x", y="y", eps=1)
     with pytest.raises(ValueError, match="a cell of 'k' is no key"):
         boundfit.fit_groups({"k": [[1], [2]], "x": [0, 1], "y": [0, 1]}, by="k", x="x", y="y", eps=1)
+
+
+def test_times_are_keys_to_the_last_nanosecond_and_in_both_hours_of_a_change_of_the_clock() -> None:
+    hours = [1761438600 * 10**6] * 2 + [1761442200 * 10**6] * 2
+    readings = {"x": [0.0, 1.0, 0.0, 1.0], "y": [0.0, 1.0, 5.0, 6.0]}
+    zoned = pyarrow.table({"k": pyarrow.array(hours, pyarrow.timestamp("us", "Europe/Berlin")), **readings})
+    assert boundfit.fit_groups(zoned, "k", "x", "y", 1)["rows"].to_pylist() == [2, 2]
+    nanoseconds = pyarrow.table({"k": pyarrow.array([0, 1, None, 1000], pyarrow.time64("ns")), **readings})
+    assert boundfit.fit_groups(nanoseconds, "k", "x", "y", 1)["rows"].to_pylist() == [1, 1, 1, 1]
+    frame = polars.DataFrame({"k": [0, 1, 1, 1000], **readings}).with_columns(polars.col("k").cast(polars.Datetime("ns")))
+    assert boundfit.fit_groups(frame, "k", "x", "y", 1)["rows"].to_list() == [1, 2, 1]
+
+
+def test_a_reduction_of_two_regressors_needs_a_bound() -> None:
+    with pytest.raises(ValueError, match="the bound on the errors is missing"):
+        boundfit.reduce(([1, 2, 4], [2, 3, 1]), [3, 5, 5])

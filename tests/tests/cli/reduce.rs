@@ -6,7 +6,7 @@ use std::path::Path;
 use boundfit_tests::program::{Run, run, run_with_input};
 use serde_json::Value;
 
-use boundfit_tests::cli::directory_with;
+use boundfit_tests::cli::{boundfit, directory_with};
 
 const TABLE: &str = "time;x ;y;note\n1;0;0;a\n2;1.0;1e0;\"b; c\"\n3;2;2.5;d\n4;1.00;1/2;e\n5;3;3.00;f\n";
 
@@ -115,6 +115,26 @@ fn what_does_not_belong_together_is_refused() {
 }
 
 /// 300 rows with two regressors, y, and bounds of which some are missing.
+/// Each row of a reduction decides, so that no option may pass over one.
+#[test]
+fn no_row_of_a_reduction_is_left_out() {
+    let table = b"n,x,y,e\n!a,0,0,9\nb,1,5,9\nc,2,2,9\n!d,3,3,9\ne,4,-4,9\n";
+    let directory = directory_with(&[("t.csv", table)]);
+    let run = |arguments: &str| boundfit(directory.path(), arguments);
+    let columns = "--x x --y y --eps-column e";
+    assert_eq!(run(&format!("reduce t.csv {columns} -o r.csv")).status, 0);
+    for more in ["--comment ! --brief", "--skip-lines 1", "--missing-as=-4 --missing skip"] {
+        let refused = run(&format!("fit r.csv {columns} {more}"));
+        assert_eq!(refused.status, 1, "{more}: {}", refused.stderr);
+        assert!(
+            refused.stderr.contains("no row of a reduction can be left out"),
+            "{more}: {}",
+            refused.stderr
+        );
+    }
+    assert_eq!(run(&format!("fit r.csv {columns} --missing-as=-99 --missing skip")).status, 0);
+}
+
 fn readings() -> String {
     let row = |k: i64| {
         let (u, v) = (k * 37 % 101 - 50, k * 53 % 89 - 44);

@@ -1,7 +1,7 @@
 //! Tables of any size.
 
 use boundfit_exact::Column;
-use boundfit_formats::{InputError, Reductions, RowNumbers, ScanOptions, Scanned, Source};
+use boundfit_formats::{InputError, ReductionError, Reductions, RowNumbers, ScanOptions, Scanned, Source};
 
 use super::columns::Columns;
 use super::first_look::{Collected, FirstLook};
@@ -65,7 +65,7 @@ impl Measurements {
         let mut meaning = columns.meaning(&scanned.names);
         let selection = Selection::of(&look.options.table);
         if let Some(reductions) = &look.reductions {
-            let readings = readings_of_reductions(&look, reductions, all, &mut meaning, scanned.rows_total)?;
+            let readings = readings_of_reductions(&look, reductions, all, &mut meaning, &scanned)?;
             let mut own = measurements(meaning, selection, scanned, readings);
             // The record of a reduction says how its table was read.
             own.origin = Origin { rows_total: own.fitted(), layout: None, table: None, ..own.origin };
@@ -96,13 +96,17 @@ fn readings_of_reductions(
     reductions: &Reductions,
     all: Collected,
     meaning: &mut Meaning,
-    rows_total: usize,
+    scanned: &Scanned,
 ) -> Result<Readings, InputError> {
     let FirstLook { name, columns, .. } = look;
     let stated = Stated::of(reductions, name, &asked_by_fit(meaning), &look.options)?;
+    let skipped = scanned.table.as_ref().map_or(0, |table| table.skipped.lines + table.skipped.comments);
+    if look.options.table.dialect.skip_lines + skipped + scanned.rows_missing as u64 > 0 {
+        return Err(InputError::of_file(name, ReductionError::RowsLeftOut));
+    }
     refuse_late(name, meaning)?;
     columns.refuse_unbounded(name, all.unbounded)?;
-    let counts = counts_of(reductions, name, rows_total)?;
+    let counts = counts_of(reductions, name, scanned.rows_total)?;
     let check = |outline: Option<Outline>| {
         all.kept_rows.check(&stated, outline.as_ref()).map_err(|error| InputError::of_file(name, error))
     };

@@ -71,6 +71,12 @@ pub enum ReductionError {
     /// A range of rows of a reduction.
     #[error("no rows of a reduction can be picked: it does not have the numbers that they had")]
     NoRowNumbers,
+    /// Rows of a reduction that were passed over while it was read.
+    #[error(
+        "no row of a reduction can be left out, since each of them decides: say where the table is reduced which lines are skipped or \
+         comments, and which words stand for missing values"
+    )]
+    RowsLeftOut,
     /// A reduction of something else than what is asked for.
     #[error("{what} {has}, not {asked}; reduce the data again for what you ask")]
     NotAsked {
