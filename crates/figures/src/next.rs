@@ -9,10 +9,11 @@ use crate::clip::Place;
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::extent::Extent;
 use crate::figure::PlotOptions;
-use crate::labels::{self, Conflict, asked_for, described, number, unit, with_unit};
+use crate::labels::{self, Conflict, LONGEST_NAME, asked_for, described, number, unit, with_unit};
 use crate::page::Page;
 use crate::palette::{BLUE, Dash, FAINT_INK, Fill, GREY, ORANGE, SKY, Stroke};
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
+use crate::text::one_line;
 
 const WIDTH: Stroke = Stroke::new(BLUE, 1.8, Dash::Solid);
 const TWICE: Stroke = Stroke::new(FAINT_INK, 1.2, Dash::Long);
@@ -184,18 +185,27 @@ impl Sheet<'_> {
                 "Each reading has an error bound of its own, and the next one has none yet.".to_owned(),
             );
         }
+        // The sentence is about the x of the data; only the axis counts from an origin.
+        let origin = &self.problem.measurements.line_form().x_origin;
+        let name = match self.problem.measurements.model() {
+            Model::Line { x } if !origin.is_zero() => one_line(x, LONGEST_NAME),
+            _ => "x".to_owned(),
+        };
         let surely = "a reading certainly makes the set smaller.";
         Some(match (next.unsure().is_some(), self.ends()) {
             (false, _) => format!("At every x {surely}"),
             (true, [None, None]) => "At every x a reading may leave the set as it is.".to_owned(),
             (true, [Some(from), Some(to)]) if from == to => {
-                format!("At every x but {} {surely}", number(&from, DIGITS, Rounding::Nearest))
+                format!(
+                    "At every {name} but {} {surely}",
+                    number(&(from + origin), DIGITS, Rounding::Nearest)
+                )
             }
             (true, [from, to]) => {
-                let from = from.map(|x| format!("below {}", number(&x, DIGITS, Rounding::Down)));
-                let to = to.map(|x| format!("above {}", number(&x, DIGITS, Rounding::Up)));
+                let from = from.map(|x| format!("below {}", number(&(x + origin), DIGITS, Rounding::Down)));
+                let to = to.map(|x| format!("above {}", number(&(x + origin), DIGITS, Rounding::Up)));
                 let places: Vec<String> = from.into_iter().chain(to).collect();
-                format!("At x {} {surely}", places.join(" and "))
+                format!("At {name} {} {surely}", places.join(" and "))
             }
         })
     }

@@ -127,6 +127,8 @@ pub(crate) fn text(text: &str) -> String {
     let mut result = String::new();
     // The state: an open formula, and in it a group that is raised or lowered.
     let (mut in_formula, mut group) = (false, None);
+    // A second raised or lowered group of one nucleus is an error of TeX: it gets an empty nucleus.
+    let mut nucleus = Nucleus::default();
     for character in text.chars() {
         let moved = plain(character);
         if group.is_some() && group != moved.map(|(sign, _)| sign) {
@@ -137,16 +139,24 @@ pub(crate) fn text(text: &str) -> String {
         if (moved.is_some() || formula.is_some()) != in_formula {
             result.push('$');
             in_formula = !in_formula;
+            nucleus = Nucleus::default();
         }
         match (moved, formula) {
             (Some((sign, letter)), _) => {
                 if group.is_none() {
+                    nucleus.take(sign, &mut result);
                     result.extend([sign, '{']);
                     group = Some(sign);
                 }
                 result.push(letter);
             }
-            (None, Some(formula)) => result.push_str(formula),
+            (None, Some(formula)) => {
+                match formula.starts_with(['^', '\'']) {
+                    true => nucleus.take('^', &mut result),
+                    false => nucleus = Nucleus::default(),
+                }
+                result.push_str(formula);
+            }
             (None, None) => in_words(character, &mut result),
         }
     }
@@ -157,6 +167,28 @@ pub(crate) fn text(text: &str) -> String {
         result.push('$');
     }
     result
+}
+
+/// What hangs on the last nucleus of a formula already.
+#[derive(Default)]
+struct Nucleus {
+    is_raised: bool,
+    is_lowered: bool,
+}
+
+impl Nucleus {
+    /// Notes one more group, behind an empty nucleus if the last one has such a group.
+    fn take(&mut self, sign: char, result: &mut String) {
+        let is_raised = sign == '^';
+        if if is_raised { self.is_raised } else { self.is_lowered } {
+            result.push_str("{}");
+            *self = Nucleus::default();
+        }
+        match is_raised {
+            true => self.is_raised = true,
+            false => self.is_lowered = true,
+        }
+    }
 }
 
 fn in_words(character: char, result: &mut String) {
@@ -185,6 +217,9 @@ mod tests {
             ("a--b 'c' ``d''", "a{-}{-}b {'}c{'} {`}{`}d{'}{'}"),
             ("ε_min, µV ±2 °C", r"$\varepsilon $\_min{,} $\mu $V $\pm $2 $^\circ $C"),
             ("x₁² é ж \u{1F600}", r"x$_{1}^{2}$ é ж \ensuremath{\diamond}"),
+            ("mV·°⁻¹", r"mV$\cdot ^\circ {}^{-1}$"),
+            ("V/°², 5°′ x²′", r"V/$^\circ {}^{2}${,} 5$^\circ {}'$ x$^{2}{}'$"),
+            ("x²₁³₂ a₁b₁", r"x$^{2}_{1}{}^{3}_{2}$ a$_{1}$b$_{1}$"),
             ("", ""),
         ] {
             assert_eq!(text(given), expected);

@@ -237,3 +237,29 @@ fn the_error_has_a_name_that_no_column_has() {
     let none = said("fit data.csv --x x --y y --eps 1");
     assert!(none.contains(" model y = theta1*x + theta2 + e error |e| <= 1 data "), "{none}");
 }
+
+#[test]
+fn sentences_of_figures_name_x_of_the_data() {
+    let table = "year,y\n1980,1\n1981,2.1\n1982,2.9\n1985,6\n";
+    let directory = directory_with(&[("o.csv", table.as_bytes())]);
+    let plot = |options: &str| {
+        let line = format!("plot o.csv --x year --y y --x-origin 1980 --real-text {options}");
+        boundfit(directory.path(), &line).stdout
+    };
+    let next = plot("--eps 0.3 --figure next");
+    assert!(next.contains("At year below 1980 and above 1985 a reading"), "{next}");
+    let range = plot("--eps 0.1 --figure range");
+    assert!(range.contains("the longest run: year from 1980 to 1985, 4 readings"), "{range}");
+}
+
+#[test]
+fn bars_about_other_middles_are_no_readings_plus_minus_epsilon() {
+    let directory = directory_with(&[("a.csv", b"x,y\n1,1.1\n2,1.9\n3,3.2\n")]);
+    let plot = |eps: &str| {
+        let line = format!("plot a.csv --x x --y y --eps {eps} --figure data --real-text");
+        boundfit(directory.path(), &line).stdout
+    };
+    let [own, symmetric] = ["+0.2/-0.1", "0.2"].map(plot);
+    assert!(own.contains("reading with its bounds") && !own.contains("reading ± ε"));
+    assert!(symmetric.contains("reading ± ε"));
+}

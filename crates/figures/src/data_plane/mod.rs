@@ -187,6 +187,7 @@ fn bar_name(problem: &Problem) -> &'static str {
     match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) if epsilon.is_zero() => "reading (ε = 0)",
         ErrorBound::Interval { .. } => "bounds of a reading",
+        bound if bound.has_middles() => "reading with its bounds",
         _ => "reading ± ε",
     }
 }

@@ -70,7 +70,8 @@ pub(crate) fn runs(problem: &Problem, options: &PlotOptions) -> Drawing {
     let ends = [longest.first, longest.last];
     let text = match problem.measurements.model() {
         Model::Line { x } => {
-            let [from, to] = ends.map(|at| labels::number(&place(at), DIGITS, Rounding::Nearest));
+            let origin = &problem.measurements.line_form().x_origin;
+            let [from, to] = ends.map(|at| labels::number(&(place(at) + origin), DIGITS, Rounding::Nearest));
             format!("the longest run: {x} from {from} to {to}, {readings}")
         }
         Model::TwoRegressors { .. } => {

@@ -57,7 +57,10 @@ fn tabular(table: &Table) -> String {
             Some(_) if !cell.is_empty() => format!("\\raggedright {}", line(cell, *limit)),
             _ => line(cell, None),
         });
-        format!("{} {end}\n", cells.collect::<Vec<_>>().join(" & "))
+        let cells = cells.collect::<Vec<_>>().join(" & ");
+        // Behind the end of a row and \midrule a bracket or a star would be theirs.
+        let guard = if cells.starts_with(['[', '*']) { "{}" } else { "" };
+        format!("{guard}{cells} {end}\n")
     };
     let columns = limits.iter().map(|limit| match limit {
         Some(width) => format!("p{{{:.2}\\linewidth}}", width / LINE),
@@ -227,6 +230,14 @@ mod tests {
         assert!(
             short.is_none() && first == second && first.is_some_and(|width| 30.0 < width && width < 35.0)
         );
+    }
+
+    #[test]
+    fn a_row_begins_with_no_argument_of_the_row_before() {
+        let row = |name: &str| vec![Text::new().given(name), "1".into()];
+        let table = Table::new(["name", "value"], ["[x]", "*y", "z"].map(row).into());
+        let source = tabular(&table);
+        assert!(source.contains("\\midrule\n{}[x] & 1 \\\\\n{}*y & 1 \\\\\nz & 1"), "{source}");
     }
 
     #[test]
