@@ -184,7 +184,16 @@ impl NoProof {
 
 /// Returns the first part of a dialect that the checkers of proofs do not read ([`Dialect::is_plain`]).
 fn obstacle(dialect: &Dialect) -> &'static str {
-    let Dialect { delimiter, notation, comment, skip_lines, records_before, encoding, missing: _ } = dialect;
+    let Dialect {
+        delimiter,
+        notation,
+        comment,
+        skip_lines,
+        records_before,
+        has_row_names,
+        encoding,
+        missing: _,
+    } = dialect;
     let obstacles = [
         (*encoding != Encoding::Utf8, "their bytes are not UTF-8"),
         (*delimiter == BLANKS, "blanks separate their cells (expected a comma, a semicolon, a tab or |)"),
@@ -193,6 +202,7 @@ fn obstacle(dialect: &Dialect) -> &'static str {
         (*skip_lines > 0, "lines stand before the table"),
         (comment.is_some(), "comments stand among the rows"),
         (*records_before > 1, "a row of units stands behind the header"),
+        (*has_row_names, "the names of their rows have no cell in the header"),
     ];
     let first = obstacles.into_iter().find(|(is_there, _)| *is_there);
     first.map_or("their rows are not known by numbers", |(_, words)| words)

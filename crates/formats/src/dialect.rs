@@ -70,16 +70,24 @@ impl Missing {
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct MissingWords {
     texts: Vec<String>,
-    /// The words that are numbers: a cell with such a number, in any notation, is no reading.
+    /// The words that are numbers: a cell with such a number, in any notation that the table may have, is no reading.
     numbers: Vec<Rational>,
+    /// The decimal mark of the table, if it is given, and the text between groups of digits.
+    notation: (Option<DecimalMark>, Option<Thousands>),
 }
 
 impl MissingWords {
     /// These texts.
     pub fn new(texts: impl IntoIterator<Item = String>) -> Self {
         let texts: Vec<String> = texts.into_iter().map(|text| trim_number(&text).to_owned()).collect();
-        let numbers = texts.iter().filter_map(|text| numbers_of(text).next()).collect();
-        MissingWords { texts, numbers }
+        let numbers = texts.iter().filter_map(|text| numbers_of(text, (None, None)).next()).collect();
+        MissingWords { texts, numbers, notation: (None, None) }
+    }
+
+    /// These words in a table of this dialect.
+    #[must_use]
+    pub fn in_dialect(self, dialect: &AskedDialect) -> Self {
+        MissingWords { notation: (dialect.given_mark(), dialect.thousands), ..self }
     }
 
     /// Returns whether there are none.
@@ -99,15 +107,19 @@ impl MissingWords {
         }
         let cell = trim_number(cell);
         self.texts.iter().any(|text| text == cell)
-            || (!self.numbers.is_empty() && numbers_of(cell).any(|number| self.numbers.contains(&number)))
+            || (!self.numbers.is_empty()
+                && numbers_of(cell, self.notation).any(|number| self.numbers.contains(&number)))
     }
 }
 
-/// The numbers that a text may stand for, with a decimal point or a comma.
-fn numbers_of(text: &str) -> impl Iterator<Item = Rational> {
-    let marks = DecimalMark::ALL.into_iter();
+/// The numbers that a text may stand for, with the given decimal mark, or else with a point or a comma.
+fn numbers_of(
+    text: &str,
+    (mark, thousands): (Option<DecimalMark>, Option<Thousands>),
+) -> impl Iterator<Item = Rational> {
+    let marks = DecimalMark::ALL.into_iter().filter(move |decimal| mark.is_none_or(|mark| mark == *decimal));
     marks.filter_map(move |decimal| {
-        let notation = Notation { decimal, thousands: None };
+        let notation = Notation { decimal, thousands };
         Reading::Decimal.read_written(text, notation, &Limits::default()).ok()
     })
 }
@@ -216,6 +228,8 @@ pub struct Dialect {
     pub skip_lines: u64,
     /// The number of records before the first data row that are no comments: a header, units.
     pub records_before: usize,
+    /// `true` if each row begins with a name of its own, for which the header has no cell.
+    pub has_row_names: bool,
     /// The bytes of the text.
     pub encoding: Encoding,
     /// Says whether rows without all their numbers are skipped.
@@ -230,6 +244,7 @@ impl Dialect {
             && self.comment.is_none()
             && self.skip_lines == 0
             && self.records_before <= 1
+            && !self.has_row_names
             && self.encoding == Encoding::Utf8
     }
 }

@@ -177,3 +177,29 @@ fn what_stands_before_the_table_is_passed_over() {
         assert!(report.contains(", 3 rows\n"), "{line}\n{report}");
     }
 }
+
+#[test]
+fn a_number_for_missing_values_is_read_as_the_cells_are() {
+    let directory = directory_with(&[
+        ("points.csv", b"x;y\n1;2\n2;-9.999\n3;5\n"),
+        ("one.csv", b"x;y\n5;2\n2;1.000\n3;5\n"),
+    ]);
+    let rows = |line: &str| {
+        printed(directory.path(), line).lines().find(|line| line.contains("rows")).map(str::to_owned)
+    };
+    for (line, said) in [
+        (
+            "fit points.csv --x x --y y --eps 1 --thousands . --missing skip --missing-as -9999",
+            Some("1 row with missing"),
+        ),
+        ("fit one.csv --x x --y y --eps 1000 --thousands . --missing skip --missing-as 1", None),
+        ("fit one.csv --x x --y y --eps 1000 --missing skip --missing-as 1", Some("1 row with missing")),
+    ] {
+        let found = rows(line).unwrap();
+        assert_eq!(
+            found.contains("missing"),
+            said.is_some_and(|said| found.contains(said)),
+            "{line}: {found}"
+        );
+    }
+}

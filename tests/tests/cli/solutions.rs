@@ -118,7 +118,8 @@ fn duals_are_judged_beside_a_cost_row_or_said_not_to_be() {
     let free = fs::read_to_string(root().join("fixtures/solutions/dialects/no-costs.highs-glpsol.sol"));
     for (objective, aspects) in [("0", vec![]), ("5", vec![]), ("4", vec!["objective"])] {
         let stated = format!("f f {objective}\n");
-        fs::write(&path, free.as_ref().unwrap().replacen("f f 0\n", &stated, 1)).unwrap();
+        let own = free.as_ref().unwrap().replacen("f f 0\n", &stated, 1);
+        fs::write(&path, own.replacen("Objective:  0 ", &format!("Objective:  {objective} "), 1)).unwrap();
         let (_, solution) = dialect("no-costs.lp", path.to_str().unwrap());
         assert_eq!(refuted(&solution), aspects, "{objective}: {solution}");
     }
@@ -341,4 +342,46 @@ fn files_about_something_else_are_refused() {
     let alone = run(&["judge", "fixtures/tiny-lp/triangle-empty.mps"]);
     let judged = judge("triangle-empty", &fixture("triangle-empty", "highs-raw"), &[]);
     assert_eq!((alone.status, judged.status), (3, 0));
+}
+
+/// Judges an answer in a file of its own.
+fn judged_text(name: &str, text: &str) -> (i32, Value) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("own.sol");
+    fs::write(&path, text).unwrap();
+    judged(name, path.to_str().unwrap(), &[])
+}
+
+#[test]
+fn what_is_null_in_json_is_not_claimed() {
+    let right = r#""objective": "-2/3", "x": ["1/3", "1/3"]"#;
+    let (own, plain) = judged_text("vertex-third", &format!("{{{right}}}"));
+    let nulls = r#""duals": null, "reduced_costs": null, "ray": null, "farkas": null"#;
+    let (with_nulls, claimed) = judged_text("vertex-third", &format!("{{{right}, {nulls}}}"));
+    assert_eq!((own, refuted(&plain)), (with_nulls, refuted(&claimed)));
+    assert_eq!(plain["findings"], claimed["findings"]);
+    assert_eq!(plain["claimed_status"], claimed["claimed_status"]);
+}
+
+#[test]
+fn prices_that_lean_on_no_bound_prove_no_gap() {
+    let prices = r#"{"status": "optimal", "duals": [1, 1], "objective": "-2/3", "x": ["1/3", "1/3"]}"#;
+    let (_, solution) = judged_text("vertex-third", prices);
+    assert!(refuted(&solution).contains(&"dual"), "{solution}");
+    let aspects: Vec<&str> =
+        solution["findings"].as_array().unwrap().iter().filter_map(|own| own["aspect"].as_str()).collect();
+    assert!(
+        !aspects.iter().any(|aspect| ["complementary_slackness", "duality_gap"].contains(aspect)),
+        "{aspects:?}"
+    );
+}
+
+#[test]
+fn an_objective_without_a_name_is_compared() {
+    let named = "Objective:  OBJECTIVE = -0.6666666667";
+    let (_folder, right) = changed("vertex-third", "glpk-plain", named, "Objective:  -0.6666666667");
+    assert_eq!(judge("vertex-third", &right, &[]).status, 0);
+    let (_folder, wrong) = changed("vertex-third", "glpk-plain", named, "Objective:  -7");
+    let run = judge("vertex-third", &wrong, &[]);
+    assert!(run.status == 1 && run.stderr.contains("-7"), "{run:?}");
 }

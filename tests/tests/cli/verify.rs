@@ -453,3 +453,17 @@ fn what_is_no_proof_is_refused_with_its_line_and_text() {
         assert!(run.stderr.contains(&problem), "{problem}: {run:?}");
     }
 }
+
+/// The header has no cell for the names of the rows, so that the checkers would number other columns.
+#[test]
+fn rows_with_names_of_their_own_have_no_proof() {
+    let directory = directory_with(&[("named.csv", b"a,b,c\nr1,1,2,9\nr2,2,3,1\nr3,3,5,4\n")]);
+    for proof in ["p.json", "p.v"] {
+        let run = boundfit(directory.path(), &format!("fit named.csv --x a --y b --eps 1 --proof {proof}"));
+        let is_refused = run.stderr.contains("the names of their rows have no cell in the header");
+        assert!(is_refused || proof == "p.v", "{run:?}");
+        let options = "--x b --y c --eps 1";
+        let verified = boundfit(directory.path(), &format!("verify {proof} named.csv {options}"));
+        assert_eq!(verified.status, 1, "{verified:?}");
+    }
+}

@@ -100,13 +100,15 @@ impl TableWords {
                 problem: ValueProblem::RowCondition(error),
             })
         });
+        let dialect = self.dialect()?;
+        let missing_as = MissingWords::new(self.missing_as.iter().cloned()).in_dialect(&dialect);
         Ok(TableOptions {
             header: named("header", self.header.as_deref(), &headers)?.unwrap_or_default(),
             sheet: self.sheet.clone(),
-            dialect: self.dialect()?,
+            dialect,
             block: block.transpose()?,
             missing: named("missing", self.missing.as_deref(), &missing)?.unwrap_or_default(),
-            missing_as: MissingWords::new(self.missing_as.iter().cloned()),
+            missing_as,
             rows: rows.set()?,
             conditions: conditions.collect::<Result<_, _>>()?,
             reading,

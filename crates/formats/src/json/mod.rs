@@ -124,6 +124,7 @@ fn notes(encoding: Encoding, missing: Missing) -> TableNotes {
             comment: None,
             skip_lines: 0,
             records_before: 0,
+            has_row_names: false,
             encoding,
             missing,
         },

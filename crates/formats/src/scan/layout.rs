@@ -208,6 +208,7 @@ impl<'a> Layout<'a> {
             comment: self.syntax.comment.or(self.has_comments.then_some(USUAL_MARKS)),
             skip_lines: self.passed,
             records_before: self.records_before,
+            has_row_names: self.names_in.has_row_names,
             encoding: self.encoding,
             missing: table.missing,
         }

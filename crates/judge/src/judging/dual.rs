@@ -66,10 +66,25 @@ impl Ground<'_> {
         let prices: Vec<Price> = rows.into_iter().chain(left).collect();
         let (_, left) = prices.split_at_checked(count).unwrap_or_default();
         let dual = self.dual(solution, tolerances, &prices, left);
-        let point = solution.point.as_ref();
+        // Prices that lean on no bound prove nothing, and no point attains it.
+        let point = solution.point.as_ref().filter(|_| self.all_lean_on_bounds(&prices, tolerances));
         let slackness = point.map(|point| self.slackness(solution, point, tolerances, &prices));
         let gap = point.map(|point| self.gap(solution, point, tolerances, &prices));
         [Some(dual), slackness, gap]
+    }
+
+    fn all_lean_on_bounds(&self, prices: &[Price], tolerances: &Tolerances) -> bool {
+        let sign = sign_of(self.model.sense);
+        items(self).zip(prices).all(|((item, bounds), price)| {
+            self.is_small(item, price, tolerances) || leans_on(bounds, &(&price.value * &sign)).1.is_some()
+        })
+    }
+
+    /// Returns whether a price is next to nothing.
+    fn is_small(&self, item: Item, price: &Price, tolerances: &Tolerances) -> bool {
+        let size = price.value.abs();
+        size <= price.rounding
+            || size.checked_div(&self.price_scale(item)).is_some_and(|part| part <= tolerances.relative)
     }
 
     /// Reduced costs are what the duals leave.
@@ -189,8 +204,7 @@ impl Ground<'_> {
         for ((item, bounds), price) in items(self).zip(prices) {
             let value = value_at(self.model, item, &point);
             let size = price.value.abs();
-            let is_small = size <= price.rounding
-                || size.checked_div(&self.price_scale(item)).is_some_and(|part| part <= tolerances.relative);
+            let is_small = self.is_small(item, price, tolerances);
             let (_, own) = leans_on(bounds, &(&price.value * &sign));
             // A price that is next to nothing leans on the bound that is next to the point, if any.
             let both = [bounds.lower.as_ref(), bounds.upper.as_ref()];

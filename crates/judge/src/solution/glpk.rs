@@ -256,9 +256,10 @@ impl<'a> Heading<'a> {
             "Problem" => self.about.push(value.trim().to_owned()),
             "Objective" => {
                 self.about.push(value.trim().to_owned());
-                let name = value.split_whitespace().next().unwrap_or_default();
-                let rest = value.split_once('=').map_or("", |(_, rest)| rest);
-                let figure = rest.split_whitespace().next().unwrap_or_default();
+                // HiGHS writes no name and no sign where the objective has no name.
+                let (name, rest) = value.split_once('=').unwrap_or(("", value));
+                let [name, figure] =
+                    [name, rest].map(|text| text.split_whitespace().next().unwrap_or_default());
                 self.objective = Some((name, figure, line));
             }
             _ => {}

@@ -38,7 +38,7 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
                     value.as_str().ok_or_else(|| reader.expected(name, value, "a text like \"optimal\""))?;
                 (status, file.status_line) = (Some(status_of(words)), reader.line(name));
             }
-            "objective" if value.is_null() => {}
+            "objective" | "x" | "duals" | "reduced_costs" | "ray" | "farkas" if value.is_null() => {}
             "objective" => {
                 file.objective = Some((reader.figure(name, value)?, reader.line(name)));
             }
