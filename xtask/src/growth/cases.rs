@@ -89,4 +89,6 @@ pub(super) static CASES: &[Case] = &[
 pub(super) static STEPS: &[Case] = &[
     case("step text", Data::Line, "fit DATA --x x --y y --eps 1 --no-lp"),
     case("step 15 decimals", Data::Long, "fit DATA --x x --y y --eps 1 --no-lp --format csv"),
+    case("step regressors", Data::Line, "fit DATA --x x,u --y y --eps 4 --no-lp --format csv"),
+    case("step eps column", Data::Line, "fit DATA --x x --y y --eps-column e --no-lp --format csv"),
 ];
