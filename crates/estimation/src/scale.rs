@@ -1,7 +1,8 @@
 //! The bounds of readings at a factor.
 
 use boundfit_exact::Rational;
-use boundfit_geometry::{Constraint, Inequality, System, envelope};
+use boundfit_geometry::grid::EnvelopeSieve;
+use boundfit_geometry::{Constraint, HalfPlane, Inequality, System, envelope};
 
 use crate::condition::Condition;
 use crate::fps::conditions_by_name;
@@ -78,5 +79,15 @@ impl Scale {
             self.half_planes(reading).map(move |inequality| (position, inequality.constraint()))
         };
         readings.enumerate().flat_map(both).unzip()
+    }
+
+    /// Returns the filter that these readings make. Cost: O(n log n).
+    pub(crate) fn sieve<'a>(&self, readings: impl Iterator<Item = &'a Measurement>) -> EnvelopeSieve {
+        let half_plane = |constraint: Constraint| match constraint {
+            Constraint::HalfPlane(half_plane) => Some(half_plane),
+            Constraint::Always | Constraint::Never => None,
+        };
+        let (_, constraints) = self.constraints(readings);
+        EnvelopeSieve::new(&constraints.into_iter().filter_map(half_plane).collect::<Vec<HalfPlane>>())
     }
 }

@@ -1,9 +1,9 @@
 //! The readings in memory that can decide something under bounds that are fixed: a filter on floats, which bears their
-//! roundings, discards the others.
+//! roundings, discards the others. `files/fixed.rs` filters columns so, where readings through one vertex stand for each other.
 
 use boundfit_exact::Rational;
-use boundfit_geometry::grid::{EnvelopeSieve, RoundedStrips};
-use boundfit_geometry::{Constraint, HalfPlane, touching_an_envelope};
+use boundfit_geometry::grid::RoundedStrips;
+use boundfit_geometry::touching_an_envelope;
 
 use crate::condition::Condition;
 use crate::measurement::Measurement;
@@ -72,14 +72,7 @@ pub(crate) fn sample(count: usize) -> Vec<usize> {
 /// of what is left. The others are strictly redundant beside them.
 fn may_touch(rows: &[Measurement], strips: &RoundedStrips, scale: &Scale, some: &[usize]) -> Vec<usize> {
     let exact = |position: usize| rows[position].regressor.clone();
-    let sieve = |some: &[usize]| {
-        let half_plane = |constraint: Constraint| match constraint {
-            Constraint::HalfPlane(half_plane) => Some(half_plane),
-            Constraint::Always | Constraint::Never => None,
-        };
-        let (_, constraints) = scale.constraints(some.iter().map(|&position| &rows[position]));
-        EnvelopeSieve::new(&constraints.into_iter().filter_map(half_plane).collect::<Vec<HalfPlane>>())
-    };
+    let sieve = |some: &[usize]| scale.sieve(some.iter().map(|&position| &rows[position]));
     let mut left = sieve(some).survivors(strips, exact);
     // Another round has a better sample.
     while left.len() >= FEWEST {

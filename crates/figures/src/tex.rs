@@ -169,7 +169,7 @@ pub(crate) fn text(text: &str) -> String {
     result
 }
 
-/// What hangs on the last nucleus of a formula already.
+/// The groups that the last nucleus of a formula has.
 #[derive(Default)]
 struct Nucleus {
     is_raised: bool,

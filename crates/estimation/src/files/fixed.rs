@@ -6,7 +6,7 @@ use std::sync::{Arc, RwLock};
 
 use boundfit_exact::{Column, Rational};
 use boundfit_geometry::grid::{EnvelopeSieve, RoundedStrip, RoundedStrips, in_range};
-use boundfit_geometry::{Constraint, HalfPlane, Inequality, Tally, Touch, touches_of_envelopes};
+use boundfit_geometry::{Inequality, Tally, Touch, touches_of_envelopes};
 use hashbrown::{DefaultHashBuilder, HashTable};
 
 use super::rounded::rounded_strips;
@@ -303,17 +303,11 @@ impl<'a> FixedBounds<'a> {
     }
 
     fn known_of(&self, readings: &[TiedReading]) -> Known {
-        let half_plane = |constraint: Constraint| match constraint {
-            Constraint::HalfPlane(half_plane) => Some(half_plane),
-            Constraint::Always | Constraint::Never => None,
-        };
-        let (_, constraints) = self.scale.constraints(readings.iter().map(|own| &own.reading));
-        let half_planes: Vec<HalfPlane> = constraints.into_iter().filter_map(half_plane).collect();
         let vertices = match self.at_vertices {
             AtVertices::Each => Vec::new(),
             _ => Vertex::busiest(readings, self.scale),
         };
-        Known { sieve: EnvelopeSieve::new(&half_planes), vertices }
+        Known { sieve: self.scale.sieve(readings.iter().map(|own| &own.reading)), vertices }
     }
 
     /// Learns from all readings so far, whenever these have doubled.
