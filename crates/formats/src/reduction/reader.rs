@@ -3,10 +3,12 @@
 use std::io::{self, BufRead, BufReader, Cursor, Read};
 use std::sync::{Arc, Mutex};
 
+use crate::block::AskedBlock;
 use crate::columns::Header;
 use crate::error::InputError;
 use crate::limits::SizeLimits;
 use crate::source::Source;
+use crate::table::TableOptions;
 
 use super::error::ReductionError;
 use super::record::{REDUCTION_MARK, ReductionRecord};
@@ -74,10 +76,19 @@ impl Reductions {
             .collect()
     }
 
-    /// Returns whether the table has a header.
-    pub fn header(&self) -> Header {
-        let present = self.records().first().is_some_and(|record| record.header);
-        if present { Header::Present } else { Header::Absent }
+    /// Sets how the rows are read: with or without a header, across the lines in front, and with the marks and words that were
+    /// stated where the table was reduced.
+    ///
+    /// # Errors
+    /// When a mark is stated that differs.
+    pub fn apply(&self, table: &mut TableOptions) -> Result<(), ReductionError> {
+        let records = self.records();
+        let first = records.first();
+        let present = first.is_some_and(|record| record.header);
+        table.header = if present { Header::Present } else { Header::Absent };
+        // Records stand between the rows of several.
+        table.block = Some(AskedBlock::All);
+        first.map_or(Ok(()), |record| record.written.apply(table))
     }
 }
 

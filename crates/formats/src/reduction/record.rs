@@ -4,6 +4,7 @@ use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use serde::{Deserialize, Serialize};
 
 use super::error::ReductionError;
+use super::marks::ReducedMarks;
 use super::model::{AskedReduction, ReducedBounds, ReducedModel};
 
 /// The beginning of the line in front, before the number of the format.
@@ -22,6 +23,8 @@ pub struct ReductionRecord {
     pub header: bool,
     /// `decimal` or `binary64`: how numbers were read.
     pub reading: String,
+    /// The marks and words that were stated for the cells of the table, which the rows still have.
+    pub written: ReducedMarks,
     /// The questions that a reduction serves.
     pub model: ReducedModel,
     /// `true` if a reading has two bounds, whose distance a factor may multiply.
@@ -39,6 +42,8 @@ struct Record1 {
     kept: usize,
     header: bool,
     reading: String,
+    #[serde(default, skip_serializing_if = "ReducedMarks::is_empty")]
+    written: ReducedMarks,
     x: Foreign,
     y: Foreign,
     epsilon: Option<Foreign>,
@@ -54,6 +59,8 @@ struct Record2 {
     kept: usize,
     header: bool,
     reading: String,
+    #[serde(default, skip_serializing_if = "ReducedMarks::is_empty")]
+    written: ReducedMarks,
     /// x of a line, or two.
     x: Vec<Foreign>,
     y: Option<Foreign>,
@@ -91,7 +98,8 @@ impl ReductionRecord {
 
     /// The line in front, without line end.
     pub fn line(&self) -> String {
-        let ReductionRecord { rows, kept, counted, header, reading, model, widths, sums } = self.clone();
+        let ReductionRecord { rows, kept, counted, header, reading, written: cells, model, widths, sums } =
+            self.clone();
         let of_counted = if counted { 2 } else { 0 };
         let epsilon = match &model.bounds {
             ReducedBounds::Any => None,
@@ -100,7 +108,7 @@ impl ReductionRecord {
                 let ReducedModel { regressors: x, response: y, bounds } = model;
                 return written(
                     2 + of_counted,
-                    &Record2 { rows, kept, header, reading, x, y, bounds, widths, sums },
+                    &Record2 { rows, kept, header, reading, written: cells, x, y, bounds, widths, sums },
                 );
             }
         };
@@ -108,7 +116,7 @@ impl ReductionRecord {
         let x = model.regressors.into_iter().next().unwrap_or_default();
         let y = model.response.unwrap_or_default();
         let sums = [x_sum, y_sum, xx, xy];
-        written(1 + of_counted, &Record1 { rows, kept, header, reading, x, y, epsilon, sums })
+        written(1 + of_counted, &Record1 { rows, kept, header, reading, written: cells, x, y, epsilon, sums })
     }
 
     pub(super) fn parse(line: &[u8]) -> Result<Self, ReductionError> {
@@ -137,6 +145,7 @@ impl ReductionRecord {
         let differences = [
             (self.reading != other.reading, "the reading of numbers"),
             (self.header != other.header, "whether there is a header"),
+            (self.written != other.written, "the stated marks in numbers or words for missing values"),
         ];
         let of_others = differences.into_iter().find_map(|(differs, what)| differs.then_some(what));
         self.model.difference(&other.model).or(of_others)
@@ -151,17 +160,28 @@ fn written(format: u32, record: &impl Serialize) -> String {
 
 impl From<Record1> for ReductionRecord {
     fn from(record: Record1) -> Self {
-        let Record1 { rows, kept, header, reading, x, y, epsilon, sums: [x_sum, y_sum, xx, xy] } = record;
+        let Record1 { rows, kept, header, reading, written, x, y, epsilon, sums: [x_sum, y_sum, xx, xy] } =
+            record;
         let bounds = epsilon.map_or(ReducedBounds::Any, ReducedBounds::Multiples);
         let model = ReducedModel { regressors: vec![x], response: Some(y), bounds };
         let sums = Some([xx, x_sum, rows.to_string(), xy, y_sum]);
-        ReductionRecord { rows, kept, counted: false, header, reading, model, widths: rows > 0, sums }
+        ReductionRecord {
+            rows,
+            kept,
+            counted: false,
+            header,
+            reading,
+            written,
+            model,
+            widths: rows > 0,
+            sums,
+        }
     }
 }
 
 impl Record2 {
     fn checked(self) -> Result<ReductionRecord, ReductionError> {
-        let Record2 { rows, kept, header, reading, x, y, bounds, widths, sums } = self;
+        let Record2 { rows, kept, header, reading, written, x, y, bounds, widths, sums } = self;
         let bad = |problem: &str| Err(ReductionError::BadRecord(problem.into()));
         if !(1..=2).contains(&x.len()) {
             return bad("x has neither one name nor two");
@@ -173,7 +193,17 @@ impl Record2 {
             (ReducedBounds::Interval { lower: None, upper: None }, _) => bad("neither lower nor upper"),
             (ReducedBounds::Interval { .. }, None) | (_, Some(_)) => {
                 let model = ReducedModel { regressors: x, response: y, bounds };
-                Ok(ReductionRecord { rows, kept, counted: false, header, reading, model, widths, sums })
+                Ok(ReductionRecord {
+                    rows,
+                    kept,
+                    counted: false,
+                    header,
+                    reading,
+                    written,
+                    model,
+                    widths,
+                    sums,
+                })
             }
             (_, None) => bad("y is missing"),
         }

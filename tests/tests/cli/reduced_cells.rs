@@ -1,0 +1,113 @@
+//! Reductions of tables whose cells need an option: the line in front has it, so that the kept rows mean the same.
+
+use std::path::Path;
+
+use boundfit_tests::cli::{boundfit, directory_with};
+use serde_json::Value;
+
+/// Runs a fit in JSON; the interval of each parameter.
+fn pui(directory: &Path, line: &str) -> Value {
+    let run = boundfit(directory, &format!("fit {line} --format json"));
+    let report: Value =
+        serde_json::from_str(&run.stdout).unwrap_or_else(|_| panic!("{line}: {}", run.stderr));
+    let end = |of: usize, end: &str| report["pui"][of][end]["exact"].clone();
+    let both = [0, 1].map(|of| [end(of, "lower"), end(of, "upper")]);
+    assert!(both[1][0].is_string(), "{line}: {report}");
+    serde_json::json!(both)
+}
+
+#[test]
+fn kept_rows_are_read_with_the_marks_and_words_of_their_table() {
+    let directory = directory_with(&[
+        ("group.csv", b"x;y;e\n0;1,052;40\n1;1,158;50\n2;1,188;60\n3;1,380;70\n4;1,447;90\n"),
+        ("point.csv", b"x;y;e\n0;1.052,5;40\n1;1.158,5;50\n2;1.188;9\n3;1.380;70\n4;1.447;90\n"),
+        ("words.csv", b"x,lo,up\n0,1,-999\n1,-999.0,5\n2,2,9\n3,1,-999\n4,-999,8\n0,-5,4\n"),
+    ]);
+    let run = |line: &str| boundfit(directory.path(), line);
+    let marks = "--decimal comma --thousands .";
+    for (file, marks, columns, fitted, written) in [
+        ("group.csv", "--thousands ,", "--x x --y y", "--eps 60", "\"written\":{\"thousands\":\",\"},"),
+        (
+            "group.csv",
+            "--thousands ,",
+            "--x x --y y --eps-column e",
+            "",
+            "\"written\":{\"thousands\":\",\"},",
+        ),
+        (
+            "point.csv",
+            marks,
+            "--x x --y y",
+            "--eps 60",
+            "\"written\":{\"decimal\":\"comma\",\"thousands\":\".\"},",
+        ),
+        (
+            "words.csv",
+            "--missing-as -999",
+            "--x x --lower lo --upper up",
+            "",
+            "\"written\":{\"missing\":[\"-999\"]},",
+        ),
+    ] {
+        let reduced = run(&format!("reduce {file} {columns} {marks} -o reduced.csv"));
+        assert_eq!((reduced.status, reduced.stderr.as_str()), (0, ""), "{file}");
+        let text = std::fs::read_to_string(directory.path().join("reduced.csv")).unwrap();
+        assert!(text.lines().next().unwrap().contains(written), "{text}");
+        let whole = pui(directory.path(), &format!("{file} {columns} {fitted} {marks}"));
+        for marks in ["", marks] {
+            assert_eq!(
+                pui(directory.path(), &format!("reduced.csv {columns} {fitted} {marks}")),
+                whole,
+                "{file} {marks}"
+            );
+        }
+        // A reduction of a reduction is itself.
+        assert_eq!(run(&format!("reduce reduced.csv {columns}")).stdout, text);
+    }
+}
+
+#[test]
+fn other_marks_than_those_of_the_table_are_refused() {
+    let head = |written: &str| {
+        format!(
+            "# boundfit/reduced/1 {{\"rows\":2,\"kept\":2,\"header\":true,\"reading\":\"decimal\",{written}\"x\":\"x\",\"y\":\"y\",\
+             \"epsilon\":null,\"sums\":[\"1\",\"3001\",\"1\",\"2000\"]}}\nx;y\n0;1,001\n1;2,000\n"
+        )
+    };
+    let good = head("\"written\":{\"thousands\":\",\"},");
+    let directory = directory_with(&[
+        ("good.csv", good.as_bytes()),
+        ("both.csv", (good.clone() + &head("")).as_bytes()),
+        ("apart.csv", head("\"written\":{\"thousands\":\"'\"},").replace("1,001", "1'001").as_bytes()),
+        ("comma.csv", head("\"written\":{\"decimal\":\"komma\"},").as_bytes()),
+        ("one.csv", head("\"written\":{\"decimal\":\"comma\",\"thousands\":\",\"},").as_bytes()),
+        ("more.csv", head("\"written\":{\"marks\":\",\"},").as_bytes()),
+    ]);
+    for (line, message) in [
+        ("good.csv --decimal comma", "the decimal mark of the reduction is \"point\", not \"comma\""),
+        ("apart.csv --thousands ,", "the mark between digits in the reduction is \"'\", not \",\""),
+        (
+            "both.csv",
+            "line 5 on differs from the first one in the stated marks in numbers or words for missing values",
+        ),
+        ("comma.csv", "is not understood: an unknown decimal mark"),
+        ("one.csv", "is not understood: one mark for decimals and between digits"),
+        ("more.csv", "is not understood: unknown field `marks`"),
+    ] {
+        let run = boundfit(directory.path(), &format!("fit {line} --x x --y y --eps 1"));
+        assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{line}");
+        assert!(run.stderr.contains(message), "{line}\n{}", run.stderr);
+    }
+    assert_eq!(pui(directory.path(), "good.csv --x x --y y --eps 1")[1], serde_json::json!(["1000", "1002"]));
+}
+
+#[test]
+fn reports_of_reductions_name_a_comma_that_was_taken_for_a_decimal_one() {
+    let table = b"x;y\n0;1,5\n1;2,75\n2;4,25\n";
+    let directory = directory_with(&[("table.csv", table)]);
+    assert_eq!(boundfit(directory.path(), "reduce table.csv --x x --y y -o reduced.csv").status, 0);
+    for file in ["table.csv", "reduced.csv"] {
+        let run = boundfit(directory.path(), &format!("fit {file} --x x --y y --eps 1 --brief"));
+        assert!(run.stdout.contains("  table    decimal comma, separated by semicolons\n"), "{}", run.stdout);
+    }
+}
