@@ -27,8 +27,11 @@ def is_number(value: Any) -> bool:
     # Number has those of mpmath and sympy, too.
     if isinstance(value, (str, numbers.Number)) or getattr(value, "shape", None) == ():
         return True
-    # A scalar of pyarrow.
-    return hasattr(value, "as_py")
+    # A quantity of pint has the shape of its magnitude.
+    if type(value).__module__.partition(".")[0] == "pint" and hasattr(value, "magnitude"):
+        return is_number(value.magnitude)
+    # A scalar of pyarrow, or a float of gmpy2.
+    return hasattr(value, "as_py") or hasattr(value, "as_integer_ratio")
 
 
 def text(value: Any) -> str:
