@@ -113,8 +113,10 @@ def _of_pandas(values: Any, name: str, reading: str) -> Any:
     dtype: Any = getattr(values, "dtype", None)
     if not hasattr(dtype, "kind"):
         raise _no_column(values, name)
-    if hasattr(values, "cat") and dtype.categories.dtype.kind == "f":
-        return cells(values.astype(dtype.categories.dtype), name, reading)
+    # A series, an index or an array of categories, which become those of their numbers.
+    categories = getattr(dtype, "categories", None)
+    if categories is not None and categories.dtype.kind == "f":
+        return cells(values.astype(categories.dtype), name, reading)
     if dtype.kind in "mM":
         raise _times(name, dtype)
     if "dictionary" in str(dtype) and hasattr(dtype, "pyarrow_dtype"):
@@ -155,6 +157,10 @@ def _of_pyarrow(values: Any, name: str, reading: str) -> Any:
     if not hasattr(values, "null_count"):
         raise _no_column(values, name)
     types = pyarrow.types
+    if types.is_run_end_encoded(values.type):
+        import pyarrow.compute
+
+        values = pyarrow.compute.run_end_decode(values)
     if types.is_dictionary(values.type):
         values = values.cast(values.type.value_type)
     if types.is_temporal(values.type):

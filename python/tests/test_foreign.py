@@ -407,3 +407,17 @@ def test_a_quantity_of_pint_is_its_magnitude(monkeypatch: pytest.MonkeyPatch) ->
             assert boundfit.fit([0], [0], PintQuantity(magnitude, units)).response(0) == boundfit.Interval(LowerBound(-value), UpperBound(value))
     with pytest.raises(ValueError, match=r'^row 2 of y: 1.235 has the unit mm: expected a number without one, such as that of m_as\("mm"\)$'):
         boundfit.fit([0, 1], [0, PintQuantity(1.5, "mm")], 0)
+
+
+def test_short_floats_stay_short_in_categories_and_runs() -> None:
+    import pyarrow.compute
+
+    short = numpy.array([0, 0.1, 0.1, 0.3], dtype="float32")
+    expected = boundfit.fit([0, 1, 2, 3], short, "1/10").vertices
+    runs = pyarrow.compute.run_end_encode(pyarrow.array(short))
+    columns = [pandas.Categorical(short), pandas.CategoricalIndex(short), pandas.Series(pandas.Categorical(short)), runs, pyarrow.chunked_array([runs])]
+    for column in columns:
+        assert boundfit.fit([0, 1, 2, 3], column, "1/10").vertices == expected
+    gap = pyarrow.compute.run_end_encode(pyarrow.array([0, None, 0.1], pyarrow.float32()))
+    for column in (gap, pandas.Categorical(numpy.array([0, None, 0.1], dtype="float32"))):
+        assert boundfit.fit([0, 1, 2], column, 0, missing="skip").vertices == [(Fraction(1, 20), 0)]
