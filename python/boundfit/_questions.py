@@ -283,7 +283,7 @@ def next(
     >>> import boundfit
     >>> found = boundfit.next([0, 2], [0, 2], "1/2", within=(0, 4), goal="theta1")
     >>> found.certain
-    [Interval(lower=None, upper=UpperBound(0, 1)), Interval(lower=LowerBound(2, 1), upper=None)]
+    [OpenInterval(lower=None, upper=InnerUpperBound(0, 1)), OpenInterval(lower=InnerLowerBound(2, 1), upper=None)]
     >>> found.best[0].at, found.best[0].worst
     ([Fraction(4, 1)], Fraction(1, 2))
     """
