@@ -285,17 +285,31 @@ def _as_decimals(text: bytes, own: Readings) -> bytes:
     together if they are read in one way."""
     if _record(text)["reading"] == "decimal":
         return text
-    stated, header, rows = text.decode().split("\n", 2)
-    names = next(csv.reader([header]))
-    written = io.StringIO(newline="")
-    lines = csv.writer(written, lineterminator="\n")
+    stated, header, rows = _parts(text)
+    names = next(_records(header))
+    written = []
     has_counts = text.startswith(_WITH_COUNTS)
-    for row in csv.reader(io.StringIO(rows, newline="")):
+    for row in _records(rows):
         count, blank, first = row[0].partition(" ") if has_counts else ("", "", row[0])
         cells = [exactly(cell) if name in own.roles else cell for name, cell in zip(names, [first, *row[1:]], strict=True)]
-        written.write(count + blank)
-        lines.writerow(cells)
-    return "\n".join([stated.replace('"reading":"binary64"', '"reading":"decimal"', 1), header, written.getvalue()]).encode()
+        written.append(f"{count}{blank}{','.join(map(_in_quotes, cells))}\n")
+    return "\n".join([stated.replace('"reading":"binary64"', '"reading":"decimal"', 1), header, "".join(written)]).encode()
+
+
+def _parts(text: bytes) -> tuple[str, str, str]:
+    """The line in front of a reduction, its header, of which a cell in quotes may have several lines, and its rows."""
+    lines = text.decode().split("\n")
+    end = 1 + _record(text).get("header_lines", 1)
+    return lines[0], "\n".join(lines[1:end]), "\n".join(lines[end:])
+
+
+def _records(text: str) -> Iterator[list[str]]:
+    return csv.reader(io.StringIO(text, newline=""))
+
+
+def _in_quotes(cell: str) -> str:
+    """A cell of a line. The module csv leaves a carriage return that stands alone without quotes."""
+    return '"' + cell.replace('"', '""') + '"' if re.search('[,"\r\n]', cell) else cell
 
 
 def exactly(cell: str) -> str:
@@ -387,14 +401,14 @@ class Reduction:
         name = self.readings.identity
         if name is None:
             return None
-        header = next(csv.reader([self.text.split(b"\n", 2)[1].decode()]))
+        header = next(_records(_parts(self.text)[1]))
         return [row[header.index(name)] for row in self._rows()]
 
     def _rows(self) -> list[list[str]]:
-        lines = self.text.decode().split("\n")[2:]
+        rows = _parts(self.text)[2]
         if self.text.startswith(_WITH_COUNTS):
-            lines = [re.sub(r"^\d+ ", "", line) for line in lines]
-        return list(csv.reader(io.StringIO("\n".join(lines), newline="")))
+            rows = re.sub(r"^\d+ ", "", rows, flags=re.MULTILINE)
+        return list(_records(rows))
 
     def fit(
         self,

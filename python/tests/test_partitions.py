@@ -436,3 +436,21 @@ def test_a_reduction_without_a_bound_serves_each_and_has_none() -> None:
     with pytest.raises(ValueError, match="^the bound on the errors is missing: eps, eps_column, lower or upper$"):
         to_fit("x", "y", None, 2)
     assert to_fit("x", "y", None, 2, eps_column="e").eps is None
+
+
+@pytest.mark.parametrize("name", ["row\nid", 'row,"id"', "row\r\nid\n\nof a table"])
+@pytest.mark.parametrize("reading", ["decimal", "binary64"])
+def test_names_and_identities_may_have_line_ends(name: str, reading: Any) -> None:
+    own = readings("x", "y", "0.5", id=name, reading=reading)
+    identities = ["a\rb", "c\n\nd", 'e,"f"', "g\r\nh", "i", "\rj"]
+    halves = []
+    for start, y in ((0, [0.1, 1.5, 2.0]), (3, ["1/3", "4", "1/7"])):
+        table = pyarrow.table({name: identities[start : start + 3], "x": [float(start), start + 1.0, start + 2.0], "y": y})
+        part = partitions.reduce_partition(start, table.to_batches(), own)
+        assert part.reduction is not None, part.problem
+        halves.append(part.reduction)
+        assert set(Reduction(part.reduction, own).ids or ()) <= set(identities)
+    whole = Reduction(merged(halves, own), own)
+    expected = boundfit.fit([0.0, 1.0, 2.0, 3.0, 4.0, 5.0], [0.1, 1.5, 2.0, "1/3", "4", "1/7"], "4", reading=reading)
+    assert whole.rows == 6 and whole.ids is not None and set(whole.ids) <= set(identities)
+    assert whole.fit("4").vertices == expected.vertices

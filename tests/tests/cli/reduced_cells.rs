@@ -1,4 +1,4 @@
-//! Reductions of tables whose cells need an option: the line in front has it, so that the kept rows mean the same.
+//! Reductions whose cells are written unusually: the line in front says how, so that the kept rows mean the same.
 
 use std::path::Path;
 
@@ -109,5 +109,37 @@ fn reports_of_reductions_name_a_comma_that_was_taken_for_a_decimal_one() {
     for file in ["table.csv", "reduced.csv"] {
         let run = boundfit(directory.path(), &format!("fit {file} --x x --y y --eps 1 --brief"));
         assert!(run.stdout.contains("  table    decimal comma, separated by semicolons\n"), "{}", run.stdout);
+    }
+}
+
+#[test]
+fn headers_and_rows_with_line_ends_are_read_again() {
+    let open = "x,y,\"note\n\n(free text)\"\n0,1,q\n1,2,s\n3,1,t\n";
+    let used = "\"x\r\n5 m\",y,n\n0,0,\"a\n\nb\"\n1,3,\"c\n\n\n 7\"\n1,3,d\n2,-1,e\n3,0,f\n";
+    let directory = directory_with(&[("open.csv", open.as_bytes()), ("used.csv", used.as_bytes())]);
+    for (file, x, lines) in [("open.csv", "x", 3), ("used.csv", "1", 2)] {
+        let run = |line: &str| boundfit(directory.path(), line);
+        let reduced = run(&format!("reduce {file} --x {x} --y y"));
+        assert_eq!((reduced.status, reduced.stderr.as_str()), (0, ""), "{file}");
+        let head = reduced.stdout.lines().next().unwrap();
+        assert!(head.contains(&format!("\"header\":true,\"header_lines\":{lines},")), "{head}");
+        std::fs::write(directory.path().join("one.r"), &reduced.stdout).unwrap();
+        std::fs::write(directory.path().join("two.r"), reduced.stdout.repeat(2)).unwrap();
+        for eps in ["1", "3"] {
+            let whole = pui(directory.path(), &format!("{file} --x {x} --y y --eps {eps}0"));
+            for reduction in ["one.r", "two.r"] {
+                assert_eq!(
+                    pui(directory.path(), &format!("{reduction} --x {x} --y y --eps {eps}0")),
+                    whole,
+                    "{file}"
+                );
+            }
+        }
+        // A reduction of a reduction is itself.
+        assert_eq!(run(&format!("reduce one.r --x {x} --y y")).stdout, reduced.stdout);
+        let other = reduced.stdout.clone() + &reduced.stdout.replacen(",y,", ",z,", 1);
+        std::fs::write(directory.path().join("other.r"), other).unwrap();
+        let refused = run(&format!("fit other.r --x {x} --y y --eps 9"));
+        assert!(refused.stderr.contains("differs from the first one in its header"), "{}", refused.stderr);
     }
 }

@@ -21,6 +21,8 @@ pub struct ReductionRecord {
     pub counted: bool,
     /// `true` if the first line that follows is a header.
     pub header: bool,
+    /// The number of lines of the header: a cell in quotes may have several.
+    pub header_lines: usize,
     /// `decimal` or `binary64`: how numbers were read.
     pub reading: String,
     /// The marks and words that were stated for the cells of the table, which the rows still have.
@@ -41,6 +43,8 @@ struct Record1 {
     rows: usize,
     kept: usize,
     header: bool,
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    header_lines: usize,
     reading: String,
     #[serde(default, skip_serializing_if = "ReducedMarks::is_empty")]
     written: ReducedMarks,
@@ -58,6 +62,8 @@ struct Record2 {
     rows: usize,
     kept: usize,
     header: bool,
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    header_lines: usize,
     reading: String,
     #[serde(default, skip_serializing_if = "ReducedMarks::is_empty")]
     written: ReducedMarks,
@@ -98,8 +104,18 @@ impl ReductionRecord {
 
     /// The line in front, without line end.
     pub fn line(&self) -> String {
-        let ReductionRecord { rows, kept, counted, header, reading, written: cells, model, widths, sums } =
-            self.clone();
+        let ReductionRecord {
+            rows,
+            kept,
+            counted,
+            header,
+            header_lines,
+            reading,
+            written: cells,
+            model,
+            widths,
+            sums,
+        } = self.clone();
         let of_counted = if counted { 2 } else { 0 };
         let epsilon = match &model.bounds {
             ReducedBounds::Any => None,
@@ -108,7 +124,19 @@ impl ReductionRecord {
                 let ReducedModel { regressors: x, response: y, bounds } = model;
                 return written(
                     2 + of_counted,
-                    &Record2 { rows, kept, header, reading, written: cells, x, y, bounds, widths, sums },
+                    &Record2 {
+                        rows,
+                        kept,
+                        header,
+                        header_lines,
+                        reading,
+                        written: cells,
+                        x,
+                        y,
+                        bounds,
+                        widths,
+                        sums,
+                    },
                 );
             }
         };
@@ -116,7 +144,10 @@ impl ReductionRecord {
         let x = model.regressors.into_iter().next().unwrap_or_default();
         let y = model.response.unwrap_or_default();
         let sums = [x_sum, y_sum, xx, xy];
-        written(1 + of_counted, &Record1 { rows, kept, header, reading, written: cells, x, y, epsilon, sums })
+        written(
+            1 + of_counted,
+            &Record1 { rows, kept, header, header_lines, reading, written: cells, x, y, epsilon, sums },
+        )
     }
 
     pub(super) fn parse(line: &[u8]) -> Result<Self, ReductionError> {
@@ -152,6 +183,16 @@ impl ReductionRecord {
     }
 }
 
+/// The usual number of lines of a header.
+fn one() -> usize {
+    1
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over a reference")]
+fn is_one(lines: &usize) -> bool {
+    *lines == 1
+}
+
 fn written(format: u32, record: &impl Serialize) -> String {
     // Strings, numbers and truth values only: there is nothing in it that cannot be written.
     let json = serde_json::to_string(record).unwrap_or_default();
@@ -160,8 +201,18 @@ fn written(format: u32, record: &impl Serialize) -> String {
 
 impl From<Record1> for ReductionRecord {
     fn from(record: Record1) -> Self {
-        let Record1 { rows, kept, header, reading, written, x, y, epsilon, sums: [x_sum, y_sum, xx, xy] } =
-            record;
+        let Record1 {
+            rows,
+            kept,
+            header,
+            header_lines,
+            reading,
+            written,
+            x,
+            y,
+            epsilon,
+            sums: [x_sum, y_sum, xx, xy],
+        } = record;
         let bounds = epsilon.map_or(ReducedBounds::Any, ReducedBounds::Multiples);
         let model = ReducedModel { regressors: vec![x], response: Some(y), bounds };
         let sums = Some([xx, x_sum, rows.to_string(), xy, y_sum]);
@@ -170,6 +221,7 @@ impl From<Record1> for ReductionRecord {
             kept,
             counted: false,
             header,
+            header_lines,
             reading,
             written,
             model,
@@ -181,7 +233,7 @@ impl From<Record1> for ReductionRecord {
 
 impl Record2 {
     fn checked(self) -> Result<ReductionRecord, ReductionError> {
-        let Record2 { rows, kept, header, reading, written, x, y, bounds, widths, sums } = self;
+        let Record2 { rows, kept, header, header_lines, reading, written, x, y, bounds, widths, sums } = self;
         let bad = |problem: &str| Err(ReductionError::BadRecord(problem.into()));
         if !(1..=2).contains(&x.len()) {
             return bad("x has neither one name nor two");
@@ -198,6 +250,7 @@ impl Record2 {
                     kept,
                     counted: false,
                     header,
+                    header_lines,
                     reading,
                     written,
                     model,
