@@ -112,7 +112,7 @@ fn a_bound_of_the_readings_own_says_what_it_assumes() {
         ),
         "{text}"
     );
-    assert!(text.contains("if one is, the intervals below may miss the true theta."), "{text}");
+    assert!(text.contains("if one is, the set may miss the true theta."), "{text}");
     let own = report(directory.path(), &format!("{line} --eps 6/5*min"), b"");
     let from_least = &own["input"]["epsilon_from_least"];
     assert_eq!(
