@@ -95,7 +95,7 @@ class _Bound(Fraction):
 
 #: What a format of a float may be, but for the letter n, which asks for words of a place.
 _SPEC = re.compile(
-    r"(?P<before>(?:.?[<>=^])?[-+ ]?z?0?\d*[,_]?)(?:\.(?P<digits>\d{1,4}))?(?P<kind>[eEfFgG%])?", re.DOTALL
+    r"(?P<before>(?:.?[<>=^])?[-+ ]?z?0?\d*,?)(?:\.(?P<digits>\d{1,4}))?(?P<kind>[eEfFgG%])?", re.DOTALL
 )
 
 
