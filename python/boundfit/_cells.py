@@ -109,7 +109,7 @@ def _of_numpy(values: Any, name: str, reading: str) -> Any:
 
 def _of_pandas(values: Any, name: str, reading: str) -> Any:
     if hasattr(values, "columns"):
-        return cells(_only_column(values, name).iloc[:, 0], name, reading)
+        return cells(only_column(values, name).iloc[:, 0], name, reading)
     dtype: Any = getattr(values, "dtype", None)
     if not hasattr(dtype, "kind"):
         raise _no_column(values, name)
@@ -137,7 +137,7 @@ def _of_pandas(values: Any, name: str, reading: str) -> Any:
 
 def _of_polars(values: Any, name: str, reading: str) -> Any:
     if hasattr(values, "get_columns"):
-        return cells(_only_column(values, name).to_series(), name, reading)
+        return cells(only_column(values, name).to_series(), name, reading)
     refuse_lazy(values, name)
     if not hasattr(values, "to_list"):
         raise _no_column(values, name)
@@ -153,7 +153,7 @@ def _of_pyarrow(values: Any, name: str, reading: str) -> Any:
     import pyarrow
 
     if hasattr(values, "column_names"):
-        return cells(_only_column(values, name).column(0), name, reading)
+        return cells(only_column(values, name).column(0), name, reading)
     if not hasattr(values, "null_count"):
         raise _no_column(values, name)
     types = pyarrow.types
@@ -171,7 +171,7 @@ def _of_pyarrow(values: Any, name: str, reading: str) -> Any:
     return values.to_pylist()
 
 
-def _only_column(frame: Any, name: str) -> Any:
+def only_column(frame: Any, name: str) -> Any:
     width = frame.shape[1]
     if width != 1:
         raise ValueError(f"{name} has {width} columns: expected one")
