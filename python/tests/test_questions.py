@@ -267,7 +267,7 @@ def test_new_readings_are_judged(program: Program, tmp_path: Path, monkeypatch: 
     uniform = boundfit.fit([0, 1, 2], [0, 1.5, 2], 0.5).status(new=([3, 3], [3, 9]))
     assert uniform.new == statuses.new
     assert uniform.report("csv").count("\n") == 6
-    with pytest.raises(ValueError, match="new has 1 columns: expected x, y"):
+    with pytest.raises(ValueError, match="new has 1 column: expected x, y"):
         boundfit.fit([0, 1], [0, 1], 1).status(new=([1],))
     with pytest.raises(ValueError, match="new: row 1, column 2"):
         boundfit.fit([0, 1], [0, 1], 1).status(new=([1], [math.nan]))

@@ -143,3 +143,14 @@ fn headers_and_rows_with_line_ends_are_read_again() {
         assert!(refused.stderr.contains("differs from the first one in its header"), "{}", refused.stderr);
     }
 }
+
+#[test]
+fn a_header_of_many_lines_is_held_within_the_limit_of_a_line() {
+    let head = "# boundfit/reduced/1 {\"rows\":1,\"kept\":1,\"header\":true,\"header_lines\":1000000000000,\"reading\":\"decimal\",\
+                \"x\":\"x\",\"y\":\"y\",\"epsilon\":null,\"sums\":[\"0\",\"0\",\"0\",\"0\"]}\n";
+    let table = head.to_owned() + &"x,y\n".repeat(1000);
+    let directory = directory_with(&[("data.r", table.as_bytes())]);
+    let run = boundfit(directory.path(), "fit data.r --x x --y y --eps 1 --limit line=300");
+    assert_eq!(run.status, 1);
+    assert!(run.stderr.contains("its header is longer than a line may be"), "{}", run.stderr);
+}

@@ -14,7 +14,7 @@ use crate::table::TableOptions;
 pub struct ReducedMarks {
     decimal: Option<DecimalMark>,
     thousands: Option<Thousands>,
-    /// In alphabetical order, each once.
+    /// The words for missing values in alphabetical order, each once.
     missing: Vec<String>,
 }
 

@@ -188,6 +188,10 @@ impl<R: Read> ReductionReader<R> {
     fn header_line(&mut self, line: Vec<u8>) -> io::Result<()> {
         self.begun_header.extend(line.trim_ascii_end());
         self.begun_header.push(b'\n');
+        if self.begun_header.len() > self.longest_line.saturating_add(1) {
+            let problem = "its header is longer than a line may be";
+            return Err(io::Error::other(ReductionError::BadRecord(problem.into())));
+        }
         self.awaited -= 1;
         self.out = if self.header.is_some() { b"\n".to_vec() } else { line };
         if self.awaited > 0 {
