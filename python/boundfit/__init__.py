@@ -37,6 +37,7 @@ from ._found import (
 from ._groups import fit_groups
 from ._judge import Finding, JudgedProgram, judge
 from ._linearity import Characteristic, Linearity, LinearityLine, linearity, linearity_file
+from ._open import InnerLowerBound, InnerUpperBound, OpenInterval
 from ._polygon import Polygon, generators, polygon, polygon_file
 from ._proof import verify
 from ._questions import outliers, predict, status, windows
@@ -58,6 +59,8 @@ __all__ = [
     "Fit",
     "Growth",
     "Guarantee",
+    "InnerLowerBound",
+    "InnerUpperBound",
     "Interval",
     "Intervals",
     "JudgedProgram",
@@ -68,6 +71,7 @@ __all__ = [
     "LowerBound",
     "Minimax",
     "NextReading",
+    "OpenInterval",
     "Outliers",
     "Polygon",
     "PossibleX",

@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any, Generic, TypeVar, cast
 
 from ._bounds import Interval, Intervals, LowerBound, Point, ProvedInterval, Term, UpperBound
-from ._columns import Reading, maybe_digits
+from ._columns import Reading, maybe_digits, refuse_vain
 from ._html import of_text
 
 #: The document of an answer, of :mod:`boundfit.documents`.
@@ -42,6 +42,7 @@ class Answer(Generic[Document]):
 
     def report(self, format: str = "text", *, digits: int | None = None) -> str:
         """The report as ``"text"``, ``"markdown"`` or ``"latex"``; what is a table as ``"csv"``."""
+        refuse_vain(format, maybe_digits(digits))
         return self._ask(format, maybe_digits(digits))
 
     def proof(self) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any, Literal, TypeAlias, TypedDict, Unpack
 
@@ -82,6 +82,8 @@ def readings_of_file(
     **how: Unpack[Table],
 ) -> _boundfit.Readings:
     """Columns of a file, and what is asked of them."""
+    if not isinstance(x, (str, int)) and (isinstance(x, bytes) or not isinstance(x, Iterable)):
+        raise ValueError(f"x={x!r}: expected the name of a column or its number from 1, or two of them")
     regressors = [x] if isinstance(x, (str, int)) else list(x)
     if len(regressors) not in (1, 2):
         raise ValueError(f"x names {len(regressors)} columns: expected one, or two of a model with two regressors")
@@ -105,7 +107,7 @@ def readings_of_file(
         "strong": flag(strong, "strong"),
         **table(**how),
     }
-    return _boundfit.readings_of_file(os.fspath(path), [name for name in roles if name is not None], question)
+    return _boundfit.readings_of_file(os.fsdecode(path), [name for name in roles if name is not None], question)
 
 
 def ask(

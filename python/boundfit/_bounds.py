@@ -18,8 +18,8 @@ Point = tuple[Fraction, Fraction]
 
 
 def nearest(value: Fraction) -> float:
-    """The nearest double; of a bound that on its outer side."""
-    if isinstance(value, (LowerBound, UpperBound)):
+    """The nearest double; of a bound that on its side."""
+    if isinstance(value, _Bound):
         return float(value)
     return _nearest(value)
 
@@ -32,11 +32,21 @@ def _nearest(value: Fraction) -> float:
 
 
 class _Bound(Fraction):
-    """An end of an interval, which is written outward."""
+    """An end of an interval, which is written on one side of it: the outer one, unless the interval is open."""
 
     __slots__ = ()
 
     _rounding: ClassVar[str]
+
+    def __float__(self) -> float:
+        double = _nearest(self)
+        if self._rounding == ROUND_FLOOR:
+            if math.isinf(double):
+                return min(double, sys.float_info.max)
+            return math.nextafter(double, -math.inf) if Fraction(double) > self else double
+        if math.isinf(double):
+            return max(double, -sys.float_info.max)
+        return math.nextafter(double, math.inf) if Fraction(double) < self else double
 
     def __format__(self, spec: str) -> str:
         """As a float is formatted (``.3f``, ``.4g``, ``.2e``, ``.1%``, with sign, width and commas), but rounded outward. An
@@ -85,7 +95,7 @@ class _Bound(Fraction):
 
 #: What a format of a float may be, but for the letter n, which asks for words of a place.
 _SPEC = re.compile(
-    r"(?P<before>(?:.?[<>=^])?[-+ ]?z?0?\d*[,_]?)(?:\.(?P<digits>\d{1,4}))?(?P<kind>[eEfFgG%])?", re.DOTALL
+    r"(?P<before>(?:.?[<>=^])?[-+ ]?z?0?\d*,?)(?:\.(?P<digits>\d{1,4}))?(?P<kind>[eEfFgG%])?", re.DOTALL
 )
 
 
@@ -103,12 +113,6 @@ class LowerBound(_Bound):
 
     _rounding = ROUND_FLOOR
 
-    def __float__(self) -> float:
-        double = _nearest(self)
-        if math.isinf(double):
-            return min(double, sys.float_info.max)
-        return math.nextafter(double, -math.inf) if Fraction(double) > self else double
-
 
 class UpperBound(_Bound):
     """An upper end: a ``Fraction`` that is rounded up wherever it is rounded: by ``float()``, ``round()`` and formats.
@@ -124,12 +128,6 @@ class UpperBound(_Bound):
 
     _rounding = ROUND_CEILING
 
-    def __float__(self) -> float:
-        double = _nearest(self)
-        if math.isinf(double):
-            return max(double, -sys.float_info.max)
-        return math.nextafter(double, math.inf) if Fraction(double) < self else double
-
 
 def lower_bound(value: Fraction | None) -> LowerBound | None:
     return None if value is None else LowerBound(value.numerator, value.denominator)
@@ -141,16 +139,25 @@ def upper_bound(value: Fraction | None) -> UpperBound | None:
 
 @dataclass(frozen=True, slots=True)
 class Interval:
-    """The values between two ends, which belong to it; ``None`` where there is no end.
+    """The values between two ends, which belong to it unless they are said to be excluded; ``None`` where there is no end.
 
     >>> Interval(LowerBound(1, 2), None)
     Interval(lower=LowerBound(1, 2), upper=None)
+    >>> 1 in Interval(None, UpperBound(1), upper_included=False)
+    False
     """
 
     lower: LowerBound | None
     upper: UpperBound | None
     reading: Literal["decimal", "binary64"] = field(default="decimal", kw_only=True, repr=False, compare=False)
     """What a float means that is looked for: its shortest text, or what is stored."""
+    lower_included: bool = field(default=True, kw_only=True, repr=False)
+    """Whether the lower end belongs to the interval: not always where :attr:`boundfit.PossibleX.x` has it."""
+    upper_included: bool = field(default=True, kw_only=True, repr=False)
+
+    def __repr__(self) -> str:
+        excluded = "".join(f", {end}_included=False" for end in ("lower", "upper") if not getattr(self, f"{end}_included"))
+        return f"{type(self).__name__}(lower={self.lower!r}, upper={self.upper!r}{excluded})"
 
     def __iter__(self) -> Iterator[LowerBound | UpperBound | None]:
         """Both ends: ``lower, upper = interval``."""
@@ -163,7 +170,8 @@ class Interval:
 
     def __contains__(self, value: Number) -> bool:
         value = fraction(value, "value", self.reading)
-        return (self.lower is None or self.lower <= value) and (self.upper is None or value <= self.upper)
+        from_below = self.lower is None or self.lower < value or (self.lower_included and self.lower == value)
+        return from_below and (self.upper is None or value < self.upper or (self.upper_included and self.upper == value))
 
     def __array__(self, dtype: object = None, copy: bool | None = None) -> object:
         import numpy
@@ -182,7 +190,7 @@ class Interval:
         return ends
 
     def __format__(self, spec: str) -> str:
-        """Both ends as decimals of so many digits, rounded outward.
+        """Both ends as decimals of so many digits, rounded outward, with a round bracket where an end is excluded.
 
         >>> f"{Interval(LowerBound(1, 3), UpperBound(2, 3)):.4}"
         '[0.3333, 0.6667]'
@@ -192,7 +200,8 @@ class Interval:
         digits = re.fullmatch(r"\.([1-9]\d{0,3})g?", spec)
         if digits is None:
             raise ValueError(f"format {spec!r} of an interval: expected how many digits, such as .5")
-        return f"[{decimal(self.lower, int(digits[1]), True)}, {decimal(self.upper, int(digits[1]), False)}]"
+        opening, closing = "[" if self.lower_included else "(", "]" if self.upper_included else ")"
+        return f"{opening}{decimal(self.lower, int(digits[1]), True)}, {decimal(self.upper, int(digits[1]), False)}{closing}"
 
     def to_floats(self) -> tuple[float, float]:
         """Both ends as doubles, rounded outward; infinite where there is none."""

@@ -109,12 +109,14 @@ def _of_numpy(values: Any, name: str, reading: str) -> Any:
 
 def _of_pandas(values: Any, name: str, reading: str) -> Any:
     if hasattr(values, "columns"):
-        return cells(_only_column(values, name).iloc[:, 0], name, reading)
+        return cells(only_column(values, name).iloc[:, 0], name, reading)
     dtype: Any = getattr(values, "dtype", None)
     if not hasattr(dtype, "kind"):
         raise _no_column(values, name)
-    if hasattr(values, "cat") and dtype.categories.dtype.kind == "f":
-        return cells(values.astype(dtype.categories.dtype), name, reading)
+    # A series, an index or an array of categories, which become those of their numbers.
+    categories = getattr(dtype, "categories", None)
+    if categories is not None and categories.dtype.kind == "f":
+        return cells(values.astype(categories.dtype), name, reading)
     if dtype.kind in "mM":
         raise _times(name, dtype)
     if "dictionary" in str(dtype) and hasattr(dtype, "pyarrow_dtype"):
@@ -135,7 +137,7 @@ def _of_pandas(values: Any, name: str, reading: str) -> Any:
 
 def _of_polars(values: Any, name: str, reading: str) -> Any:
     if hasattr(values, "get_columns"):
-        return cells(_only_column(values, name).to_series(), name, reading)
+        return cells(only_column(values, name).to_series(), name, reading)
     refuse_lazy(values, name)
     if not hasattr(values, "to_list"):
         raise _no_column(values, name)
@@ -151,10 +153,14 @@ def _of_pyarrow(values: Any, name: str, reading: str) -> Any:
     import pyarrow
 
     if hasattr(values, "column_names"):
-        return cells(_only_column(values, name).column(0), name, reading)
+        return cells(only_column(values, name).column(0), name, reading)
     if not hasattr(values, "null_count"):
         raise _no_column(values, name)
     types = pyarrow.types
+    if types.is_run_end_encoded(values.type):
+        import pyarrow.compute
+
+        values = pyarrow.compute.run_end_decode(values)
     if types.is_dictionary(values.type):
         values = values.cast(values.type.value_type)
     if types.is_temporal(values.type):
@@ -165,7 +171,7 @@ def _of_pyarrow(values: Any, name: str, reading: str) -> Any:
     return values.to_pylist()
 
 
-def _only_column(frame: Any, name: str) -> Any:
+def only_column(frame: Any, name: str) -> Any:
     width = frame.shape[1]
     if width != 1:
         raise ValueError(f"{name} has {width} columns: expected one")

@@ -27,8 +27,11 @@ def is_number(value: Any) -> bool:
     # Number has those of mpmath and sympy, too.
     if isinstance(value, (str, numbers.Number)) or getattr(value, "shape", None) == ():
         return True
-    # A scalar of pyarrow.
-    return hasattr(value, "as_py")
+    # A quantity of pint has the shape of its magnitude.
+    if type(value).__module__.partition(".")[0] == "pint" and hasattr(value, "magnitude"):
+        return is_number(value.magnitude)
+    # A scalar of pyarrow, or a float of gmpy2.
+    return hasattr(value, "as_py") or hasattr(value, "as_integer_ratio")
 
 
 def text(value: Any) -> str:
@@ -68,6 +71,20 @@ def maybe_count(value: Any, name: str, least: int = 0, most: int | None = None) 
 def maybe_digits(value: Any) -> int | None:
     """The digits of a report, where they are given."""
     return maybe_count(value, "digits", 1, 1000)
+
+
+def refuse_vain(format: str, digits: int | None, brief: bool = False, full: bool = False) -> None:
+    """Refuses what has no effect on a report in a format.
+
+    :raises ValueError: where something has none.
+    """
+    documents = ("text", "latex", "markdown")
+    if brief and full:
+        raise ValueError("brief and full exclude each other: give one of them")
+    if (brief or full) and format not in documents:
+        raise ValueError(f"{'brief' if brief else 'full'} has no effect on format={format!r}, which has everything: expected text, latex or markdown")
+    if digits is not None and format not in (*documents, "json"):
+        raise ValueError(f"digits has no effect on format={format!r}, which has doubles, exact numbers or both: expected text, latex, markdown or json")
 
 
 def flag(value: Any, name: str) -> bool:
@@ -262,11 +279,19 @@ def table(
         "sheet": None if sheet is None else str(sheet),
         "skip_lines": maybe_count(skip_lines, "skip_lines"),
         "units_row": flag(units_row, "units_row"),
-        "missing_as": [text(missing_as)] if is_number(missing_as) else [text(word) for word in missing_as],
+        "missing_as": _words(missing_as),
         "block": None if block is None else str(block),
         "limits": None if limits is None else _limits(limits),
         **how,
     }
+
+
+def _words(asked: Any) -> list[str]:
+    if is_number(asked):
+        return [text(asked)]
+    if isinstance(asked, bytes) or not isinstance(asked, Iterable):
+        raise ValueError(f"missing_as={asked!r}: expected a text such as \"OVLD\", a number, or several of them")
+    return [text(word) for word in asked]
 
 
 def _chosen(asked: Rows, name: str) -> str | list[int] | None:

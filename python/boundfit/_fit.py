@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 from . import _boundfit
 from ._answers import counted, value
 from ._bounds import Interval, Intervals, LowerBound, Point, ProvedInterval, Term, UpperBound, lower_bound, nearest, upper_bound
-from ._columns import Number, Reading, count, flag, fraction, maybe_count, maybe_digits, several, text
+from ._columns import Number, Reading, count, flag, fraction, maybe_count, maybe_digits, refuse_vain, several, text
 from ._plane import PlaneSet
 from ._questions import Asked
 
@@ -246,13 +246,14 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         :meth:`proof` as ``"proof"``.
 
         ``brief`` writes ten lines; ``full`` adds proofs, area and centroid, and all estimates of the inverse line."""
+        refuse_vain(format, maybe_digits(digits), flag(brief, "brief"), flag(full, "full"))
         if format == "proof":
             return self.proof()
         return self._core.text(format, flag(brief, "brief"), flag(full, "full"), maybe_digits(digits))
 
     def to_csv(self, path: str | os.PathLike[str] | None = None) -> bytes:
         """The columns in memory as CSV, every number exactly as it was read, and row K behind K lines: the bytes that proofs are
-        about. They are also written to ``path``, if there is one.
+        about. The fit of a reduction in memory has the text of the reduction. They are also written to ``path``, if there is one.
 
         >>> from boundfit import fit
         >>> fit([0, 1, 2], ["0", "1.50", "1/3"], 1).to_csv()
@@ -277,8 +278,10 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         >>> verify(through.proof(), through.to_csv())
         True
 
-        :raises ValueError: where the readings come from a file that is not plain delimited text.
+        :raises ValueError: where the readings come from a file that is not plain delimited text, or from a reduction.
         """
+        if self._core.is_of_reductions:
+            raise ValueError("a proof is about every reading, and this is a reduction: prove the answer about the table that it was made from")
         proof = self._readings.proof() if self._readings.is_in_memory else self._core.proof()
         if proof is None:
             raise ValueError(

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ._answers import Answer, counted, interval, intervals, number, point, proved_intervals, terms, value
 from ._bounds import Interval, Intervals, Point, ProvedInterval, Term
 from ._columns import Reading
+from ._open import InnerLowerBound, InnerUpperBound, OpenInterval
 
 if TYPE_CHECKING:
     from .documents import LinearRangeDocument, NextReadingDocument, OutliersDocument, PredictionDocument, StatusesDocument, WindowDocument
@@ -117,7 +119,12 @@ class PossibleX(NamedTuple):
 
     y: Fraction
     x: list[Interval]
-    """One interval or two; none where no x gives such a reading."""
+    """One interval or two; none where no x gives such a reading. An end may be excluded: no line gives the reading there."""
+
+
+def _source(own: Any, reading: Reading) -> Interval:
+    lower_included, upper_included = own["lower_included"] is not False, own["upper_included"] is not False
+    return replace(interval(own, reading), lower_included=lower_included, upper_included=upper_included)
 
 
 class Prediction(Answer["PredictionDocument"]):
@@ -148,7 +155,7 @@ class Prediction(Answer["PredictionDocument"]):
     @property
     def from_(self) -> list[PossibleX]:
         """The readings asked about, in their order."""
-        return [PossibleX(value(own["y"]), [interval(one, self._reading) for one in own["x"]]) for own in self._document["from"]]
+        return [PossibleX(value(own["y"]), [_source(one, self._reading) for one in own["x"]]) for own in self._document["from"]]
 
 
 class Outliers(Answer["OutliersDocument"]):
@@ -291,9 +298,15 @@ class NextReading(Answer["NextReadingDocument"]):
         return f"<boundfit.NextReading: certain in {self.certain}>"
 
     @property
-    def certain(self) -> list[Interval]:
-        """The open intervals of x where a reading certainly makes the set smaller; none of an empty set."""
-        return [interval(own, self._reading) for own in self._document["certain"] or ()]
+    def certain(self) -> list[OpenInterval]:
+        """The open intervals of x where a reading certainly makes the set smaller; none of an empty set. Ends are rounded inward."""
+
+        def one(own: Any) -> OpenInterval:
+            lower, upper = number(own["lower"]), number(own["upper"])
+            inner = None if lower is None else InnerLowerBound(lower)
+            return OpenInterval(inner, None if upper is None else InnerUpperBound(upper), reading=self._reading)
+
+        return [one(own) for own in self._document["certain"] or ()]
 
     @property
     def within(self) -> tuple[Fraction, Fraction] | None:

@@ -6,7 +6,7 @@ import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, TypeVar
 
-from ._cells import cells
+from ._cells import cells, only_column
 from ._columns import Missing, NamedColumns, Number, Reading
 from ._keywords import knows
 from ._reduction import NO_NUMBERS, Names, Readings, columns_of_groups, fitted_groups, in_halves, in_words, lacks_all, readings, unique
@@ -72,7 +72,8 @@ def fit_groups(
     keys = [_listed(_counted(given[name]), name) for name in own.by]
     columns = [(name, cells(given[role], role, reading)) for name, role in zip(unique(own.roles), own.roles, strict=True)]
     ids = None if id is None else _listed(given[id], id)
-    for name, values in [*zip(own.by, keys, strict=True), *columns]:
+    named = [] if id is None else [(id, ids)]
+    for name, values in [*zip(own.by, keys, strict=True), *columns, *named]:
         if len(values) != len(keys[0]):
             raise ValueError(f"the column {name!r} has {len(values)} rows, but {own.by[0]!r} has {len(keys[0])}")
     groups = _Groups(columns, _codes(keys, own.by, _module(frame) == "pandas"), ids, own)
@@ -84,13 +85,16 @@ def fit_groups(
 def _column(frame: Any, name: str) -> Any:
     try:
         own = frame[name]
-        # An iterator can be gone through once only.
-        return list(own) if isinstance(own, Iterator) else own
     except Exception as problem:
         # Every library has an exception of its own for it.
         if name not in getattr(frame, "column_names", getattr(frame, "columns", frame)):
             raise ValueError(f"the frame has no column {name!r}") from None
         raise ValueError(f"the column {name!r}: {problem}") from problem
+    if hasattr(own, "columns") and hasattr(own, "iloc"):
+        # In pandas columns of one name are a frame, and so are those of names with several levels.
+        return only_column(own, name).iloc[:, 0]
+    # An iterator can be gone through once only.
+    return list(own) if isinstance(own, Iterator) else own
 
 
 def _counted(values: Any) -> Any:
@@ -128,11 +132,12 @@ def _codes(keys: list[list[Any]], by: tuple[str, ...], nan_is_missing: bool) -> 
             return None
         return value if value == value else None if nan_is_missing else _NAN
 
-    own = [values if set(map(type, values)) <= {str, int} else [hashable(value) for value in values] for values in keys]
     numbers: dict[Any, int] = {}
     try:
+        own = [values if set(map(type, values)) <= {str, int} else [hashable(value) for value in values] for values in keys]
         codes = array.array("q", [numbers.setdefault(key, len(numbers)) for key in (own[0] if len(own) == 1 else zip(*own, strict=True))])
-    except TypeError as problem:
+    except Exception as problem:
+        # Comparing and hashing call the methods of whatever the cells are.
         raise ValueError(f"by: a cell of {', '.join(map(repr, by))} is no key: {problem}") from None
     first = [0] * len(numbers)
     for row in range(len(codes) - 1, -1, -1):

@@ -179,7 +179,7 @@ def linearity_file(
     given = {key: str(own) for key, own in {"x": x, "y": y, "up": up, "down": down, "direction": direction}.items() if own is not None}
     own: dict[str, Any] = {key: given.pop(key) for key in ("x", "y") if key in given}
     words: dict[str, Any] = {"ask": "linearity", "reading": reading, "missing": missing, **own, **table(**how)}
-    readings = _boundfit.readings_of_file(os.fspath(path), list(own.values()), words)
+    readings = _boundfit.readings_of_file(os.fsdecode(path), list(own.values()), words)
     return _answer(readings, full_scale, through, given)
 
 

@@ -15,6 +15,7 @@ from zlib import crc32
 
 import numpy
 import pyarrow
+import pyarrow.compute
 
 from ._bounds import UpperBound, nearest, upper_bound
 from ._cells import cells
@@ -120,8 +121,8 @@ def split(table: pyarrow.Table, own: Readings, parts: int) -> list[pyarrow.Table
     """The rows by where their groups are gathered: for engines that have no shuffle by key which keeps groups whole."""
     table = table.select(own.columns + [name for name in (REDUCTION,) if name in table.column_names])
     codes, first = _codes(table, own.by)
-    keys = table.select(list(own.by)).take(first).to_pylist()
-    places = numpy.array([crc32(repr(list(key.values())).encode()) % parts for key in keys], dtype=numpy.int64)
+    keys = _hashables(table.select(list(own.by)).take(first))
+    places = numpy.array([crc32(repr(key).encode()) % parts for key in keys], dtype=numpy.int64)
     place_of = places[codes] if len(codes) else codes
     return [table.filter(pyarrow.array(place_of == place)) for place in range(parts)]
 
@@ -281,9 +282,7 @@ def _codes(table: pyarrow.Table, by: tuple[str, ...]) -> tuple[Any, Any]:
     """Of each row the number of its group, and of each group its first row, in the order of these. Null is a key like others."""
     codes = numpy.zeros(table.num_rows, dtype=numpy.int64)
     for name in by:
-        column = table.column(name).combine_chunks()
-        if pyarrow.types.is_dictionary(column.type):
-            column = column.dictionary_decode()
+        column = _comparable(table.column(name))
         encoded = column.dictionary_encode(null_encoding="encode")
         own = encoded.indices.to_numpy(zero_copy_only=False).astype(numpy.int64)
         # Numbered anew after each column, so that they stay small.
@@ -296,9 +295,22 @@ def _codes(table: pyarrow.Table, by: tuple[str, ...]) -> tuple[Any, Any]:
     return codes, first
 
 
+def _comparable(column: Any) -> Any:
+    """Keys that are equal where in memory they are one: times as the integers that they store, since Python's own times have
+    microseconds and take two hours at the end of summer time for one; and no zero with a sign."""
+    column, types = column.combine_chunks(), pyarrow.types
+    if types.is_dictionary(column.type):
+        column = column.dictionary_decode()
+    if types.is_timestamp(column.type) or types.is_duration(column.type) or types.is_time64(column.type):
+        return column.cast(pyarrow.int64())
+    if types.is_floating(column.type):
+        return pyarrow.compute.add(column.cast(pyarrow.float64()), 0.0)
+    return column
+
+
 def _hashables(keys: pyarrow.Table) -> list[Hashable]:
     """Keys as rows that are equal where the engines say so: a NaN is itself."""
-    columns = [[value if value == value else "NaN" for value in keys.column(name).to_pylist()] for name in keys.column_names]
+    columns = [[value if value == value else "NaN" for value in _comparable(keys.column(name)).to_pylist()] for name in keys.column_names]
     return list(zip(*columns, strict=True))
 
 

@@ -138,4 +138,4 @@ def generators(
 @knows()
 def polygon_file(path: str | os.PathLike[str], *, reading: Reading = "decimal") -> Polygon:
     """The set of a file of half-planes (``.ine``, or a table of a1, a2, b) or of generators (``.ext``)."""
-    return _of_file(os.fspath(path), reading)
+    return _of_file(os.fsdecode(path), reading)

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any, Literal, Unpack
 
 from . import _boundfit, _found
+from ._answers import counted as so_many
 from ._asking import How, ask, exact, readings
 from ._cells import cells
 from ._columns import Column, Number, count, flag, fraction, is_number, maybe_count, regressors, several, text
@@ -140,8 +141,11 @@ def _further(columns: Any, readings: _boundfit.Readings) -> list[tuple[str, Any]
         raise ValueError(f"new is of type {type(columns).__name__}: expected a tuple of columns such as (x, y)")
     names = readings.names
     if len(columns) != len(names):
-        raise ValueError(f"new has {len(columns)} columns: expected {', '.join(names)}")
-    return [(name, cells(column, "new", readings.reading)) for name, column in zip(names, columns, strict=True)]
+        raise ValueError(f"new has {so_many(len(columns), 'column')}: expected {', '.join(names)}")
+    further = [(name, cells(column, "new", readings.reading)) for name, column in zip(names, columns, strict=True)]
+    if not any(len(column) for _, column in further):
+        raise ValueError("new: the columns are empty")
+    return further
 
 
 def _values(asked: Any, name: str, regressors_of_each: int, reading: str) -> list[tuple[str, Any]]:
@@ -283,7 +287,7 @@ def next(
     >>> import boundfit
     >>> found = boundfit.next([0, 2], [0, 2], "1/2", within=(0, 4), goal="theta1")
     >>> found.certain
-    [Interval(lower=None, upper=UpperBound(0, 1)), Interval(lower=LowerBound(2, 1), upper=None)]
+    [OpenInterval(lower=None, upper=InnerUpperBound(0, 1)), OpenInterval(lower=InnerLowerBound(2, 1), upper=None)]
     >>> found.best[0].at, found.best[0].worst
     ([Fraction(4, 1)], Fraction(1, 2))
     """

@@ -10,13 +10,7 @@ from . import _boundfit
 from ._asking import Name, Table, readings, readings_of_file
 from ._columns import Column, Missing, Number, Reading, regressors
 from ._keywords import knows
-
-
-def _any_bound(regressors: int) -> Number:
-    """A bound in place of none, which a reduction of a line under one bound does not have."""
-    if regressors == 2:
-        raise ValueError("the bound on the errors is missing (eps, lower or upper): with two regressors it tells which readings decide")
-    return 0
+from ._reduction import any_bound
 
 
 @knows()
@@ -39,7 +33,7 @@ def reduce(
     [b'x,y', b'0.0,0.0', b'1.0,1.5', b'2.0,1.5', b'3.0,3.0']
     """
     if eps is None and lower is None and upper is None:
-        eps = _any_bound(len(regressors(x)))
+        eps = any_bound(len(regressors(x)))
     return _boundfit.reduce(readings(x, y, eps, lower=lower, upper=upper, reading=reading, missing=missing))
 
 
@@ -60,7 +54,7 @@ def reduce_file(
     """As :func:`reduce`, of columns of a file, or of reductions one after the other in it. How it is read is told as in
     :func:`boundfit.fit_file`."""
     if eps is None and eps_column is None and lower is None and upper is None:
-        eps = _any_bound(1 if isinstance(x, (str, int)) else len(x))
+        eps = any_bound(1 if isinstance(x, (str, int)) else len(x))
     asked = readings_of_file(
         path, x, y, eps, eps_column=eps_column, lower=lower, upper=upper, reading=reading, missing=missing, **how
     )

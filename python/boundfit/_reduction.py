@@ -78,6 +78,15 @@ class Readings:
             "missing": self.missing,
         }
 
+    @property
+    def has_bounds(self) -> bool:
+        """Whether something bounds the errors."""
+        return any(own is not None for own in (self.eps, self.eps_column, self.lower, self.upper))
+
+    def asked_to_reduce(self) -> dict[str, Any]:
+        """As :meth:`asked`. Where a line has no bound yet its reduction serves each, and any stands for it."""
+        return self.asked() | ({} if self.has_bounds else {"eps": any_bound(len(self.x))})
+
     def nothing(self) -> bytes:
         """The reduction of no rows. Asking for it finds what is wrong with the question before any row is moved."""
         return reduce_columns([(name, []) for name in self.reduced_columns], self)
@@ -133,17 +142,36 @@ QUESTION = tuple(name for name in readings.__annotations__ if name not in ("x", 
 
 
 def to_reduce(x: Names, y: str | None, eps: Number | None, fan_in: int, **question: Any) -> Readings:
-    """The columns and the question of a reduction in a tree. Where columns bound the readings, no number does.
+    """The columns and the question of a reduction in a tree, which of a line need no bound.
 
     :raises ValueError: when it makes no sense, whatever the readings are.
     """
     if fan_in < 2:
         raise ValueError(f"fan_in={fan_in}: expected at least 2 reductions to be put together at a time")
-    if any(question.get(other) is not None for other in ("eps_column", "lower", "upper")):
-        eps = None
     own = readings(x, y, eps, **question)
     own.nothing()
     return own
+
+
+def to_fit(x: Names, y: str | None, eps: Number | None, fan_in: int, **question: Any) -> Readings:
+    """As :func:`to_reduce`, with a bound.
+
+    :raises ValueError: when it makes no sense, whatever the readings are, or without a bound.
+    """
+    own = to_reduce(x, y, eps, fan_in, **question)
+    if not own.has_bounds:
+        raise ValueError("the bound on the errors is missing: eps, eps_column, lower or upper")
+    return own
+
+
+def any_bound(regressors: int) -> Number:
+    """A bound in place of none, which a reduction of a line under one bound does not have.
+
+    :raises ValueError: of two regressors.
+    """
+    if regressors == 2:
+        raise ValueError("the bound on the errors is missing (eps, lower or upper): with two regressors it tells which readings decide")
+    return 0
 
 
 def _tuple(names: Names) -> tuple[str, ...]:
@@ -238,7 +266,7 @@ def in_words(problem: ValueError, named: Callable[[int], str]) -> str:
 
 def reduce_columns(columns: NamedColumns, own: Readings) -> bytes:
     """The reduction of some rows, which may be none."""
-    return _boundfit.reduce_part(columns, own.roles, own.identity, own.asked())
+    return _boundfit.reduce_part(columns, own.roles, own.identity, own.asked_to_reduce())
 
 
 def merged(texts: Iterable[bytes], own: Readings) -> bytes:
@@ -248,7 +276,7 @@ def merged(texts: Iterable[bytes], own: Readings) -> bytes:
         level = [_as_decimals(text, own) for text in level]
     while len(level) > 1:
         groups = [level[start : start + FAN_IN] for start in range(0, len(level), FAN_IN)]
-        level = [_boundfit.merge_reductions(b"".join(group), own.identity, own.asked()) for group in groups]
+        level = [_boundfit.merge_reductions(b"".join(group), own.identity, own.asked_to_reduce()) for group in groups]
     return level[0]
 
 
@@ -257,17 +285,31 @@ def _as_decimals(text: bytes, own: Readings) -> bytes:
     together if they are read in one way."""
     if _record(text)["reading"] == "decimal":
         return text
-    stated, header, rows = text.decode().split("\n", 2)
-    names = next(csv.reader([header]))
-    written = io.StringIO(newline="")
-    lines = csv.writer(written, lineterminator="\n")
+    stated, header, rows = _parts(text)
+    names = next(_records(header))
+    written = []
     has_counts = text.startswith(_WITH_COUNTS)
-    for row in csv.reader(io.StringIO(rows, newline="")):
+    for row in _records(rows):
         count, blank, first = row[0].partition(" ") if has_counts else ("", "", row[0])
         cells = [exactly(cell) if name in own.roles else cell for name, cell in zip(names, [first, *row[1:]], strict=True)]
-        written.write(count + blank)
-        lines.writerow(cells)
-    return "\n".join([stated.replace('"reading":"binary64"', '"reading":"decimal"', 1), header, written.getvalue()]).encode()
+        written.append(f"{count}{blank}{','.join(map(_in_quotes, cells))}\n")
+    return "\n".join([stated.replace('"reading":"binary64"', '"reading":"decimal"', 1), header, "".join(written)]).encode()
+
+
+def _parts(text: bytes) -> tuple[str, str, str]:
+    """The line in front of a reduction, its header, of which a cell in quotes may have several lines, and its rows."""
+    lines = text.decode().split("\n")
+    end = 1 + _record(text).get("header_lines", 1)
+    return lines[0], "\n".join(lines[1:end]), "\n".join(lines[end:])
+
+
+def _records(text: str) -> Iterator[list[str]]:
+    return csv.reader(io.StringIO(text, newline=""))
+
+
+def _in_quotes(cell: str) -> str:
+    """A cell of a line. The module csv leaves a carriage return that stands alone without quotes."""
+    return '"' + cell.replace('"', '""') + '"' if re.search('[,"\r\n]', cell) else cell
 
 
 def exactly(cell: str) -> str:
@@ -359,14 +401,14 @@ class Reduction:
         name = self.readings.identity
         if name is None:
             return None
-        header = next(csv.reader([self.text.split(b"\n", 2)[1].decode()]))
+        header = next(_records(_parts(self.text)[1]))
         return [row[header.index(name)] for row in self._rows()]
 
     def _rows(self) -> list[list[str]]:
-        lines = self.text.decode().split("\n")[2:]
+        rows = _parts(self.text)[2]
         if self.text.startswith(_WITH_COUNTS):
-            lines = [re.sub(r"^\d+ ", "", line) for line in lines]
-        return list(csv.reader(io.StringIO("\n".join(lines), newline="")))
+            rows = re.sub(r"^\d+ ", "", rows, flags=re.MULTILINE)
+        return list(_records(rows))
 
     def fit(
         self,

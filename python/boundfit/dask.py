@@ -17,7 +17,7 @@ from dask.delayed import delayed
 from . import _partitions
 from ._columns import Number, text
 from ._keywords import knows
-from ._reduction import FAN_IN, QUESTION, Names, Part, Readings, ReducedFit, Reduction, merge_parts, readings, to_reduce
+from ._reduction import FAN_IN, QUESTION, Names, Part, Readings, ReducedFit, Reduction, merge_parts, readings, to_fit, to_reduce
 
 __all__ = ["fit", "fit_groups", "reduce"]
 
@@ -48,7 +48,7 @@ def fit_groups(
 
 @knows(QUESTION)
 def reduce(
-    ddf: dask.dataframe.DataFrame, x: Names, y: str | None = None, eps: Number | None = 0, *, fan_in: int = FAN_IN, **question: Any
+    ddf: dask.dataframe.DataFrame, x: Names, y: str | None = None, eps: Number | None = None, *, fan_in: int = FAN_IN, **question: Any
 ) -> Reduction:
     """The readings that decide, with the sums over all: see :func:`boundfit.spark.reduce`."""
     own = to_reduce(x, y, eps, fan_in, **question)
@@ -66,6 +66,7 @@ def fit(
     ddf: dask.dataframe.DataFrame, x: Names, y: str | None = None, eps: Number | None = None, *, fan_in: int = FAN_IN, **question: Any
 ) -> ReducedFit:
     """Fits all rows: see :func:`boundfit.spark.fit`."""
+    to_fit(x, y, eps, fan_in, **question)
     return reduce(ddf, x, y, eps, fan_in=fan_in, **question).fit()
 
 

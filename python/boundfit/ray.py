@@ -14,7 +14,7 @@ import pyarrow
 from . import _partitions
 from ._columns import Number
 from ._keywords import knows
-from ._reduction import FAN_IN, QUESTION, Names, Part, Readings, ReducedFit, Reduction, merge_parts, readings, to_reduce
+from ._reduction import FAN_IN, QUESTION, Names, Part, Readings, ReducedFit, Reduction, merge_parts, readings, to_fit, to_reduce
 
 if TYPE_CHECKING:
     from ray.data import Dataset
@@ -52,7 +52,7 @@ def fit_groups(
 
 @knows(QUESTION)
 def reduce(
-    dataset: Dataset, x: Names, y: str | None = None, eps: Number | None = 0, *, fan_in: int = FAN_IN, **question: Any
+    dataset: Dataset, x: Names, y: str | None = None, eps: Number | None = None, *, fan_in: int = FAN_IN, **question: Any
 ) -> Reduction:
     """The readings that decide, with the sums over all: see :func:`boundfit.spark.reduce`."""
     own = to_reduce(x, y, eps, fan_in, **question)
@@ -71,6 +71,7 @@ def fit(
     dataset: Dataset, x: Names, y: str | None = None, eps: Number | None = None, *, fan_in: int = FAN_IN, **question: Any
 ) -> ReducedFit:
     """Fits all rows: see :func:`boundfit.spark.fit`."""
+    to_fit(x, y, eps, fan_in, **question)
     return reduce(dataset, x, y, eps, fan_in=fan_in, **question).fit()
 
 

@@ -21,7 +21,7 @@ from pyspark.sql.types import StructType
 from . import _partitions
 from ._columns import Number
 from ._keywords import knows
-from ._reduction import FAN_IN, QUESTION, Names, Readings, ReducedFit, Reduction, merge_parts, readings, to_reduce
+from ._reduction import FAN_IN, QUESTION, Names, Readings, ReducedFit, Reduction, merge_parts, readings, to_fit, to_reduce
 
 if TYPE_CHECKING:
     from pyspark.sql import Column, DataFrame
@@ -67,9 +67,11 @@ def fit_groups(
 
 
 @knows(QUESTION)
-def reduce(df: DataFrame, x: Names, y: str | None = None, eps: Number | None = 0, *, fan_in: int = FAN_IN, **question: Any) -> Reduction:
+def reduce(df: DataFrame, x: Names, y: str | None = None, eps: Number | None = None, *, fan_in: int = FAN_IN, **question: Any) -> Reduction:
     """The readings of a data frame that decide, with the sums over all: each partition is reduced where it is, what is left is put
     together where there is room, ``fan_in`` partitions at a time, and the rest on the driver. No row is moved between machines.
+
+    A line needs no ``eps`` here: its reduction serves each, which its ``fit`` is given. Two regressors need bounds.
 
     ``id`` names the column by which proofs call the readings, such as the key of the table; all else in ``question`` is as in
     :func:`boundfit.reduce`.
@@ -96,6 +98,7 @@ def fit(df: DataFrame, x: Names, y: str | None = None, eps: Number | None = None
 
     :raises ValueError: with the partition and the reading that is wrong, or when there are no readings.
     """
+    to_fit(x, y, eps, fan_in, **question)
     return reduce(df, x, y, eps, fan_in=fan_in, **question).fit()
 
 

@@ -137,7 +137,6 @@ fn text(value: &Bound<'_, PyAny>, reading: Reading) -> PyResult<String> {
     let kind = kind.name()?;
     match kind.to_str()? {
         "NoneType" | "NAType" => Ok(String::new()),
-        "Decimal" | "Fraction" => printed(value),
         _ if value.cast::<PyInt>().is_ok() => printed(value),
         _ if value.hasattr("as_py")? => text(&unwrapped(value)?, reading),
         other if TIMES.contains(&other) || matches!(kind_of(value)?, Some('m' | 'M')) => {
@@ -148,6 +147,7 @@ fn text(value: &Bound<'_, PyAny>, reading: Reading) -> PyResult<String> {
         _ if kind_of(value)? == Some('b') => {
             Err(PyValueError::new_err(format!("{value} is a truth value, not a number")))
         }
+        "Decimal" | "Fraction" => printed(value),
         _ if value.hasattr("__index__")? || value.hasattr("__float__")? => {
             Ok(value.extract::<Given>()?.text(reading))
         }

@@ -142,6 +142,12 @@ impl Fitted {
         self.measurements().fitted()
     }
 
+    /// Returns whether the rows are those that reductions kept.
+    #[getter]
+    fn is_of_reductions(&self) -> bool {
+        self.measurements().is_of_reductions()
+    }
+
     /// The number of rows, fitted or not.
     #[getter]
     fn rows_total(&self) -> usize {
@@ -300,7 +306,9 @@ impl Fitted {
         let (form, held) = (named(format)?, slf.clone().unbind());
         let text = waiting(slf.py(), move |_| {
             let own = held.get();
-            own.written(&question, form, own.shown_origin(), style)
+            // A document for programs names no file where there is none.
+            let origin = if form == Form::Json { own.origin() } else { own.shown_origin() };
+            own.written(&question, form, origin, style)
         })?;
         text.map_err(|refusal| refuse(in_words(&refusal, slf.get().file.is_some())))
     }

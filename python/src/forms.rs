@@ -1,10 +1,12 @@
 //! The forms of an answer.
 
 pub(crate) use boundfit::ask::Form;
+use boundfit::ask::Refusal;
 use boundfit::report::Style;
 use pyo3::prelude::*;
 
 use crate::numbers::refuse;
+use crate::questions::refused;
 use crate::readings::Readings;
 use crate::waiting::{Stop, waiting};
 
@@ -22,7 +24,7 @@ pub(crate) fn asked(
     readings: &Bound<'_, Readings>,
     form: &str,
     digits: Option<usize>,
-    ask: impl Fn(&Readings, Form, &Style, &Stop) -> Result<String, String> + Send + 'static,
+    ask: impl Fn(&Readings, Form, &Style, &Stop) -> Result<String, Refusal> + Send + 'static,
 ) -> PyResult<String> {
     let form = named(form)?;
     let style = Style { digits, ..Style::default() };
@@ -31,5 +33,5 @@ pub(crate) fn asked(
         Form::Proof => ask(&held.get().written(), form, &style, stop),
         _ => ask(held.get(), form, &style, stop),
     })?;
-    answer.map_err(refuse)
+    answer.map_err(|refusal| refused(readings.py(), &refusal, readings.get().has_limits()))
 }

@@ -8,7 +8,7 @@ use pyo3::Borrowed;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyFloat, PyInt, PyString, PyType};
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyString, PyTuple, PyType};
 
 /// `fractions.Fraction`.
 pub(crate) fn fraction_type(py: Python<'_>) -> PyResult<&Bound<'_, PyType>> {
@@ -46,8 +46,8 @@ pub(crate) fn refuse(problem: impl std::fmt::Display) -> PyErr {
     PyValueError::new_err(problem.to_string())
 }
 
-/// Returns the exact value of an object that another program computed. A float, long or short, is the stored number; a text, and an
-/// object that prints as a number, is read as a decimal or a fraction.
+/// Returns the exact value of an object that another program computed. A float, long or short, is the stored number; a text is read
+/// as a decimal or a fraction.
 pub(crate) fn exact(object: &Bound<'_, PyAny>, name: &str) -> PyResult<Rational> {
     object.extract::<Given>()?.number(Reading::Binary64, name)
 }
@@ -105,47 +105,121 @@ fn binary(value: &Bound<'_, PyAny>) -> PyResult<Option<BigRational>> {
     Ok(Some(BigRational::new_raw(numerator.extract()?, denominator.extract()?).reduced()))
 }
 
-/// Returns the text of an object that prints as a number, or is a number of which only some digits are printed.
+/// Returns the text of a number that its type gives exactly: an integer, a fraction, a decimal, a binary float. Of anything else it is
+/// what the object prints, which is no number.
 pub(crate) fn printed(value: &Bound<'_, PyAny>) -> PyResult<String> {
-    if let Some(number) = binary(value)? {
+    if let Ok(text) = value.cast::<PyString>() {
+        return Ok(text.to_str()?.to_owned());
+    }
+    let is_truth = value.is_instance_of::<PyBool>();
+    if !is_truth && let Ok(small) = value.extract::<i64>() {
+        return Ok(small.to_string());
+    }
+    if value.is_instance(decimal_type(value.py())?)? {
+        return decimal_type(value.py())?.call_method1("__str__", (value,))?.extract();
+    }
+    if !is_truth && let Some(number) = ratio(value)?.map_or_else(|| binary(value), |ratio| Ok(Some(ratio)))? {
         return Ok(number.to_string());
     }
-    let error = match value.str() {
-        Ok(text) => return Ok(text.to_str()?.to_owned()),
-        Err(error) => error,
-    };
-    // Python does not print integers of more than 4,300 digits.
-    let (Ok(numerator), Ok(denominator)) = (value.getattr("numerator"), value.getattr("denominator")) else {
-        return Err(error);
-    };
-    let wide = BigRational::new_raw(numerator.extract()?, denominator.extract()?);
-    if wide.numer().bits().max(wide.denom().bits()) > most_bits() {
-        return Err(too_long());
+    let text = value.str()?.to_str()?.to_owned();
+    if Reading::Decimal.read(&text, &Limits::default()).is_err() {
+        return Ok(text);
     }
-    Ok(wide.to_string())
+    let kind = value.get_type();
+    Err(refuse(format_args!(
+        "{text:?} is what an object of type {} prints, which may be rounded (expected an int, a float, a Decimal, a Fraction or a text)",
+        kind.name()?
+    )))
+}
+
+/// `decimal.Decimal`.
+fn decimal_type(py: Python<'_>) -> PyResult<&Bound<'_, PyType>> {
+    static DECIMAL: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    DECIMAL.import(py, "decimal", "Decimal")
+}
+
+/// Returns the number in an object with a numerator and a denominator, or which gives its ratio or is an index; `None` of anything else.
+fn ratio(value: &Bound<'_, PyAny>) -> PyResult<Option<BigRational>> {
+    let parts = (value.getattr_opt("numerator")?, value.getattr_opt("denominator")?);
+    let parts = match (parts, value.getattr_opt("as_integer_ratio")?) {
+        ((Some(numerator), Some(denominator)), _) => Some((numerator, denominator)),
+        (_, Some(ratio)) => ratio.call0().ok().and_then(|ratio| ratio.extract().ok()),
+        _ => None,
+    };
+    let parts = match parts {
+        Some((numerator, denominator)) => index(&numerator)?.zip(index(&denominator)?),
+        None => index(value)?.map(|own| (own, PyInt::new(value.py(), 1).into_any())),
+    };
+    let Some((numerator, denominator)) = parts else { return Ok(None) };
+    for part in [&numerator, &denominator] {
+        if part.call_method0("bit_length")?.extract::<u64>()? > most_bits() {
+            return Err(too_long());
+        }
+    }
+    if !denominator.is_truthy()? {
+        return Ok(None);
+    }
+    Ok(Some(BigRational::new_raw(numerator.extract()?, denominator.extract()?).reduced()))
+}
+
+/// Returns the integer that an object says it is.
+fn index<'py>(object: &Bound<'py, PyAny>) -> PyResult<Option<Bound<'py, PyAny>>> {
+    Ok(object.getattr_opt("__index__")?.and_then(|own| own.call0().ok()))
+}
+
+/// Returns the magnitude of a quantity of pint without a unit, and any other object as it is. Refuses quantities with a unit.
+fn magnitude<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let module = value.get_type().module()?;
+    let (unit, numbers) = match module.to_str()?.split('.').next() {
+        Some("pint") => (value.getattr_opt("units")?, "m_as"),
+        Some("astropy") => (value.getattr_opt("unit")?, "to_value"),
+        _ => return Ok(value.clone()),
+    };
+    let unit = unit.map_or_else(String::new, |unit| unit.to_string());
+    if !["", "dimensionless"].contains(&unit.as_str()) {
+        return Err(refuse(format_args!(
+            "{value} has the unit {unit}: expected a number without one, such as that of {numbers}({unit:?})"
+        )));
+    }
+    if numbers == "m_as" { value.getattr("magnitude") } else { Ok(value.clone()) }
+}
+
+/// A float of numpy, or what an array of one holds, which prints as many digits as somebody chose.
+fn float_of_numpy<'py>(float: &Bound<'py, PyAny>) -> PyResult<(String, Bound<'py, PyAny>)> {
+    let py = float.py();
+    let plain = float
+        .call_method0("__float__")
+        .map_err(|_| refuse(format_args!("{float}: not a number without a unit")))?;
+    let numpy = py.import("numpy")?;
+    let scalar = numpy.call_method1("asarray", (float,))?.get_item(PyTuple::empty(py))?;
+    let size = plain.extract::<f64>()?.abs();
+    let options = PyDict::new(py);
+    // As numpy itself prints them by default.
+    let name = if size == 0.0 || !size.is_finite() || (1e-4..1e16).contains(&size) {
+        options.set_item("trim", "0")?;
+        "format_float_positional"
+    } else {
+        options.set_item("trim", "-")?;
+        "format_float_scientific"
+    };
+    let shown: String = numpy.getattr(name)?.call((&scalar,), Some(&options))?.extract()?;
+    Ok((shown, scalar))
 }
 
 /// Returns the stored number of a float of numpy, as a text that is exactly it.
-fn stored_float(float: &Bound<'_, PyAny>, shown: &str) -> PyResult<String> {
+fn stored_float(scalar: &Bound<'_, PyAny>, shown: &str) -> PyResult<String> {
     const LONGEST_DOUBLE: usize = 8;
-    // A quantity of astropy has a unit, and is no number.
-    let plain = float
-        .call_method0("__float__")
-        .map_err(|_| refuse(format_args!("{shown}: not a number without a unit")));
-    let double: f64 = plain?.extract()?;
-    if float.getattr("dtype")?.getattr("itemsize")?.extract::<usize>()? <= LONGEST_DOUBLE {
-        return Ok(stored_text(double));
+    if scalar.getattr("dtype")?.getattr("itemsize")?.extract::<usize>()? <= LONGEST_DOUBLE {
+        return Ok(stored_text(scalar.call_method0("__float__")?.extract()?));
     }
-    // An array without dimensions has no ratio, but the number in it has.
-    let ratio = float.call_method0("item")?.call_method0("as_integer_ratio");
     // Neither infinity nor NaN has a ratio.
-    let Ok(ratio) = ratio else { return Ok(shown.to_owned()) };
+    let Ok(ratio) = scalar.call_method0("as_integer_ratio") else { return Ok(shown.to_owned()) };
     let (numerator, denominator) = ratio.extract()?;
     Ok(BigRational::new_raw(numerator, denominator).to_string())
 }
 
 /// A number that an argument gives, or words such as those of a law. A float means what floats mean in the readings: its shortest
-/// text, or what is stored. Everything else is exactly what it prints.
+/// text, or what is stored. Everything else is exactly the number that it is.
 pub(crate) struct Given {
     /// The shortest text of a float, the text of everything else.
     pub(crate) shown: String,
@@ -166,16 +240,19 @@ impl<'py> FromPyObject<'_, 'py> for Given {
                 is_text: false,
             });
         }
-        let object = unwrapped(&object)?;
+        let object = magnitude(&unwrapped(&object)?)?;
         if object.is_instance_of::<PyFloat>() {
             return object.extract();
         }
-        let shown = printed(&object)?;
         // Neither short nor long floats of numpy are a `float`.
-        let stored = match kind_of(&object)? {
-            Some('f') => Some(stored_float(&object, &shown)?),
-            Some('m' | 'M') => return Err(refuse(format_args!("{shown} is a time, not a number"))),
-            _ => None,
+        let (shown, stored) = match kind_of(&object)? {
+            Some('f') => {
+                let (shown, scalar) = float_of_numpy(&object)?;
+                let stored = stored_float(&scalar, &shown)?;
+                (shown, Some(stored))
+            }
+            Some('m' | 'M') => return Err(refuse(format_args!("{object} is a time, not a number"))),
+            _ => (printed(&object)?, None),
         };
         Ok(Given { shown, stored, is_text: object.is_instance_of::<PyString>() })
     }

@@ -49,8 +49,8 @@ pub(crate) fn ask(
         let tables: Arc<dyn Tables> = Arc::new(Held { tables: held.clone(), shown, files });
         let options = stop.in_options(&readings.asked.options);
         let own = Asked { tables: Some(tables), options, ..readings.asked.clone() };
-        let answer = request.answer(&own, readings.source()?, form, Some(origin), style);
-        Ok(answer.map_err(|refusal| in_words(&refusal, has_limits))?.text)
+        let answer = request.answer(&own, readings.data.source()?, form, Some(origin), style);
+        Ok(answer?.text)
     })
 }
 
@@ -93,11 +93,26 @@ impl Surface for Arguments {
     }
 }
 
+/// The exception about an answer that there is not, to a call that has an argument `limits` or not.
+pub(crate) fn refused(py: Python<'_>, refusal: &Refusal, has_limits: bool) -> PyErr {
+    match refusal {
+        Refusal::Input(error) => crate::words::refused(py, error, has_limits),
+        refusal => refuse(in_words(refusal, has_limits)),
+    }
+}
+
 /// Returns the reason why there is no answer, to a call that has an argument `limits` or not.
 pub(crate) fn in_words(refusal: &Refusal, has_limits: bool) -> String {
     match refusal {
         Refusal::Input(error) => crate::words::in_words(error, has_limits),
         // A way that the call does not have leaves the mark before it.
-        refusal => refusal.words(&Arguments { has_limits }).trim_end_matches([' ', ',', ';']).to_owned(),
+        refusal => {
+            let words = refusal.words(&Arguments { has_limits });
+            // Python names no columns of files as values.
+            words
+                .replace(", or FILE:COL)", ", or an array of them)")
+                .trim_end_matches([' ', ',', ';'])
+                .to_owned()
+        }
     }
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import decimal
+import os
 import pickle
 import re
 from collections.abc import Callable
@@ -200,6 +201,13 @@ YEAR = numpy.datetime64(2020, "Y")
 EXPONENT = "exponent beyond 10000 (the limit)"
 
 REFUSED: list[tuple[Callable[[], Any], str]] = [
+    (lambda: fit().status(new=([], [])), "new: the columns are empty"),
+    (lambda: fit().status(new=([1],)), "new has 1 column: expected x, y"),
+    (lambda: fit().predict(grid=(0, 1, 100000)), 'grid="0..1/100000": refused: more than 100000 values (expected fewer, or an array of them)'),
+    (lambda: boundfit.fit_file("w.csv", None, "y", 1), "x=None: expected the name of a column or its number from 1, or two of them"),  # type: ignore[arg-type]
+    (lambda: boundfit.fit_file("w.csv", 1.0, 2, 1), "x=1.0: expected the name of a column or its number from 1, or two of them"),  # type: ignore[arg-type]
+    (lambda: boundfit.fit_file("w.csv", 1, 2, 1, missing_as=None), 'missing_as=None: expected a text such as "OVLD", a number, or several of them'),  # type: ignore[arg-type]
+    (lambda: f"{fit().pui[0].lower:_.2f}", "format '_.2f' of a bound: expected one of a float"),  # type: ignore[index]
     (lambda: boundfit.status(**LINE | {"x_eps": 1}), "x_eps: only fit and fit_file answer with errors in x"),
     (lambda: boundfit.range(**LINE | {"strong": True}), "strong: only fit and fit_file answer with errors in x"),
     (lambda: boundfit.judge([1, 1], [[1, 1]], [4], [(0, -numpy.inf), (0, None)]), "bounds[0]: the upper bound is -inf: expected a number, inf or None"),
@@ -269,3 +277,9 @@ def test_limits_are_named_where_there_is_such_an_argument(tmp_path: Path) -> Non
     for how in ({**LINE, "y": [0, "1" * 20000]}, {**LINE, "eps": "1e99999"}):
         with pytest.raises(ValueError, match=r"\(the limit\) at character \d+$"):
             boundfit.fit(**how)
+
+
+def test_a_further_file_that_is_not_there_is_none(tmp_path: Path) -> None:
+    own = boundfit.fit_file(os.fsencode(table(tmp_path)), "x", "y", 1, missing_as=-999)  # type: ignore[arg-type]
+    with pytest.raises(FileNotFoundError, match="nowhere.csv: cannot read: No such file"):
+        own.status(new=str(tmp_path / "nowhere.csv"))

@@ -325,3 +325,99 @@ def test_long_binary_floats_are_what_they_hold() -> None:
     assert boundfit.fit([0], [0], third).response(0) == boundfit.Interval(LowerBound(-third.value), UpperBound(third.value))
     with pytest.raises(ValueError, match=r"^row 2 of y: a number of more than 10000 digits \(the limit\)$"):
         boundfit.fit([0, 1], [0, Binary(0, 1, 10**12)], 0)
+
+
+class Printing:
+    """Prints fewer digits than it has."""
+
+    def __float__(self) -> float:
+        return 0.123
+
+    def __str__(self) -> str:
+        return "0.1"
+
+
+class OwnInt(int):
+    __str__ = Printing.__str__
+
+
+class OwnDecimal(Decimal):
+    __str__ = Printing.__str__
+
+
+class OwnFraction(Fraction):
+    __str__ = Printing.__str__
+
+
+class Ratio(Printing):
+    def as_integer_ratio(self) -> tuple[int, int]:
+        return 123, 1000
+
+
+@pytest.mark.parametrize(
+    ("number", "value"),
+    [(OwnInt(3), 3), (OwnDecimal("0.25"), Fraction(1, 4)), (OwnFraction(1, 3), Fraction(1, 3)), (Ratio(), Fraction(123, 1000))],
+)
+def test_a_number_is_what_it_holds_and_not_what_it_prints(number: Any, value: Fraction) -> None:
+    for reading in ("decimal", "binary64"):
+        how: dict[str, Any] = {"reading": reading}
+        assert boundfit.fit([0, 1], [0, number], 0, **how).vertices == [(value, 0)]
+        assert boundfit.fit([0], [0], number, **how).response(0) == boundfit.Interval(LowerBound(-value), UpperBound(value))
+
+
+def test_what_only_prints_a_number_is_refused() -> None:
+    with pytest.raises(ValueError, match=r'^row 2 of y: "0.1" is what an object of type Printing prints, which may be rounded \(expected an int, '):
+        boundfit.fit([0, 1], [0, Printing()], 0)
+
+
+@pytest.mark.parametrize("kind", ["f2", "f4", "f8", "g"])
+def test_print_options_of_numpy_change_no_number(kind: str) -> None:
+    column = numpy.array([0, 0.12345679], kind)
+    tiny = numpy.array([0, 1], kind) * numpy.dtype(kind).type(6e-5)
+
+    def found() -> list[Any]:
+        fits = [boundfit.fit([0, 1], own, 0).vertices for own in (column, list(column), tiny, list(tiny))]
+        return [*fits, boundfit.fit([0], [0], column[1]).vertices, boundfit.fit([0, 1], list(column), 0, reading="binary64").vertices]
+
+    expected = found()
+    assert expected[0] == expected[1] and expected[2] == expected[3]
+    with numpy.printoptions(legacy="1.13", precision=3):
+        assert found() == expected
+
+
+class PintQuantity:
+    """As a scalar of pint."""
+
+    def __init__(self, magnitude: Any, units: str) -> None:
+        self.magnitude, self.units = magnitude, units
+
+    def __float__(self) -> float:
+        return float(self.magnitude)
+
+    def __str__(self) -> str:
+        return "1.235"
+
+
+def test_a_quantity_of_pint_is_its_magnitude(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(PintQuantity, "__module__", "pint.registry")
+    value = Fraction("1.23456789")
+    for units in ("", "dimensionless"):
+        for magnitude in (1.23456789, Decimal("1.23456789")):
+            assert boundfit.fit([0, 1], [0, PintQuantity(magnitude, units)], 0).vertices == [(value, 0)]
+            assert boundfit.fit([0], [0], PintQuantity(magnitude, units)).response(0) == boundfit.Interval(LowerBound(-value), UpperBound(value))
+    with pytest.raises(ValueError, match=r'^row 2 of y: 1.235 has the unit mm: expected a number without one, such as that of m_as\("mm"\)$'):
+        boundfit.fit([0, 1], [0, PintQuantity(1.5, "mm")], 0)
+
+
+def test_short_floats_stay_short_in_categories_and_runs() -> None:
+    import pyarrow.compute
+
+    short = numpy.array([0, 0.1, 0.1, 0.3], dtype="float32")
+    expected = boundfit.fit([0, 1, 2, 3], short, "1/10").vertices
+    runs = pyarrow.compute.run_end_encode(pyarrow.array(short))
+    columns = [pandas.Categorical(short), pandas.CategoricalIndex(short), pandas.Series(pandas.Categorical(short)), runs, pyarrow.chunked_array([runs])]
+    for column in columns:
+        assert boundfit.fit([0, 1, 2, 3], column, "1/10").vertices == expected
+    gap = pyarrow.compute.run_end_encode(pyarrow.array([0, None, 0.1], pyarrow.float32()))
+    for column in (gap, pandas.Categorical(numpy.array([0, None, 0.1], dtype="float32"))):
+        assert boundfit.fit([0, 1, 2], column, 0, missing="skip").vertices == [(Fraction(1, 20), 0)]

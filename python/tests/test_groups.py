@@ -5,6 +5,8 @@ from __future__ import annotations
 import csv
 import io
 import math
+import re
+from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -243,3 +245,29 @@ def test_times_are_keys_to_the_last_nanosecond_and_in_both_hours_of_a_change_of_
 def test_a_reduction_of_two_regressors_needs_a_bound() -> None:
     with pytest.raises(ValueError, match="the bound on the errors is missing"):
         boundfit.reduce(([1, 2, 4], [2, 3, 1]), [3, 5, 5])
+
+
+DUPLICATES = pandas.DataFrame([["a", "a", 0, 1], ["b", "b", 1, 1], ["b", "b", 2, 1]], columns=["k", "k", "x", "y"])
+NAMED_TWICE = pandas.DataFrame([["a", 0, 0, 1, "z"], ["b", 1, 1, 1, 1]], columns=["k", "x", "id", "id", "y"])
+
+NO_COLUMNS: list[tuple[Any, dict[str, Any], str]] = [
+    ({"k": ["a", "b", "a"], "x": [0, 0, 1], "y": [0, 1, 2], "id": ["r1"]}, {"id": "id"}, "the column 'id' has 1 rows, but 'k' has 3"),
+    ({"k": ["a"], "x": [0], "y": [0], "id": [1, 2]}, {"id": "id"}, "the column 'id' has 2 rows, but 'k' has 1"),
+    (DUPLICATES, {}, "k has 2 columns: expected one"),
+    (NAMED_TWICE, {"id": "id"}, "id has 2 columns: expected one"),
+    ({"k": [Decimal("sNaN"), 1, 1], "x": [0, 1, 2], "y": [0, 1, 2]}, {}, "by: a cell of 'k' is no key: "),
+    ({"k": [numpy.array([1, 2])] * 3, "x": [0, 1, 2], "y": [0, 1, 2]}, {}, "by: a cell of 'k' is no key: "),
+    ({"k": [[1], [1], [1]], "x": [0, 1, 2], "y": [0, 1, 2]}, {}, "by: a cell of 'k' is no key: "),
+]
+
+
+@pytest.mark.parametrize(("frame", "how", "message"), NO_COLUMNS, ids=lambda own: own if isinstance(own, str) else "")
+def test_columns_that_are_none_are_refused(frame: Any, how: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=f"^{re.escape(message)}"):
+        boundfit.fit_groups(frame, "k", "x", "y", 1, **how)
+
+
+def test_names_with_levels_are_taken_by_the_first() -> None:
+    frame = pandas.DataFrame([["a", 0, 1], ["b", 1, 1], ["b", 2, 1]], columns=pandas.MultiIndex.from_tuples([("k", "p"), ("x", "p"), ("y", "q")]))
+    found = boundfit.fit_groups(frame, "k", "x", "y", 1)
+    assert (found["k"].tolist(), found["rows"].tolist()) == (["a", "b"], [1, 2])

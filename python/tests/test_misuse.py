@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import errno
+import json
 import pickle
+import re
 import warnings
 from collections.abc import Callable
 from datetime import datetime, timedelta
@@ -220,3 +222,34 @@ def test_one_number_is_no_list(tmp_path: Path) -> None:
             boundfit.fit_file(tmp_path / "one.csv", "x", "y", **{"eps": 1, key: [1]})
     with pytest.raises(ValueError, match="^encoding: 5: expected a text$"):
         boundfit.fit_file(tmp_path / "one.csv", "x", "y", 1, encoding=5)
+
+
+LINE = boundfit.fit([0, 1, 2], [0, 1.5, 2], 0.5)
+
+IN_VAIN: list[tuple[Callable[[], Any], str]] = [
+    (lambda: LINE.report(brief=True, full=True), "brief and full exclude each other: give one of them"),
+    (lambda: LINE.report("csv", brief=True), "brief has no effect on format='csv', which has everything: expected text, latex or markdown"),
+    (lambda: LINE.report("wkt", full=True), "full has no effect on format='wkt'"),
+    (lambda: LINE.report("proof", digits=3), "digits has no effect on format='proof', which has doubles, exact numbers or both"),
+    (lambda: LINE.status().report("csv", digits=3), "digits has no effect on format='csv'"),
+]
+
+
+@pytest.mark.parametrize(("call", "message"), IN_VAIN, ids=lambda own: own if isinstance(own, str) else "")
+def test_an_argument_without_effect_is_refused(call: Callable[[], Any], message: str) -> None:
+    with pytest.raises(ValueError, match=f"^{re.escape(message)}"):
+        call()
+
+
+def test_documents_of_columns_name_no_file() -> None:
+    assert LINE.report("json") == LINE.to_json() and LINE.status().report("json") == LINE.status().to_json()
+    assert json.loads(LINE.report("json", digits=3))["input"]["file"] is None
+
+
+def test_a_reduction_says_that_it_is_one(tmp_path: Path) -> None:
+    (tmp_path / "reduced.csv").write_bytes(boundfit.reduce([0, 1, 2, 3, 4], [0, 5, 0, 5, 0]))
+    fit = boundfit.fit_file(tmp_path / "reduced.csv", "x", "y", 1)
+    with pytest.raises(ValueError, match="^a proof is about every reading, and this is a reduction: prove the answer about the table that it was made from$"):
+        fit.proof()
+    assert fit.to_dict()["reasons"]["mended_without"] == "since the data are a reduction"
+    assert "The single row to leave out is not known, since the data are a reduction." in " ".join(fit.report(full=True).split())

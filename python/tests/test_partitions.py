@@ -15,9 +15,10 @@ from typing import Any
 
 import boundfit
 import pyarrow
+import pyarrow.compute
 import pytest
 from boundfit import _partitions as partitions
-from boundfit._reduction import Part, Readings, Reduction, merge_parts, merged, readings
+from boundfit._reduction import Part, Readings, Reduction, merge_parts, merged, readings, to_fit, to_reduce
 
 from conftest import Program
 
@@ -229,7 +230,7 @@ def test_readings_that_are_wrong_are_an_answer() -> None:
 @pytest.mark.parametrize(
     "arguments, message",
     [
-        ({"x": "x", "y": "y"}, "the bound on the errors is missing"),
+        ({"x": ["x", "t"], "y": "y"}, "the bound on the errors is missing"),
         ({"x": ["x", "y", "t"], "y": "y", "eps": 1}, "x names 3 columns"),
         ({"x": "x", "y": "y", "eps": "much"}, 'eps="much"'),
         ({"x": "x", "y": "y", "eps": 1, "where": "theta3 > 1"}, 'where="theta3 > 1"'),
@@ -386,3 +387,70 @@ def test_the_error_of_a_group_in_parts_covers_the_rounding_of_its_centre(centre:
     middle = Fraction(float(centre))
     assert middle - Fraction(double) <= centre - error and centre + error <= middle + Fraction(double)
     assert Fraction(double) - error <= Fraction(math.ulp(float(centre))) + Fraction(math.ulp(double))
+
+
+EQUAL_KEYS = {
+    # Half past two, before and after clocks go back.
+    "summer time ends": pyarrow.array([1761438600] * 3 + [1761442200] * 3, pyarrow.timestamp("s", "Europe/Berlin")),
+    "nanoseconds of a day": pyarrow.array([0] * 3 + [1] * 3, pyarrow.time64("ns")),
+    "nanoseconds": pyarrow.array([0] * 3 + [1] * 3, pyarrow.timestamp("ns")),
+    "durations": pyarrow.array([0] * 3 + [1] * 3, pyarrow.duration("ns")),
+    "short floats": pyarrow.array([0.1] * 3 + [0.3] * 3, pyarrow.float32()),
+    "a dictionary of times": pyarrow.array([0] * 3 + [1] * 3, pyarrow.timestamp("ns")).dictionary_encode(),
+    "zeros of both signs": pyarrow.array([0.0] * 3 + [-0.0] * 3),
+}
+
+
+@pytest.mark.parametrize("kind", EQUAL_KEYS)
+def test_keys_are_equal_where_they_are_in_memory(kind: str) -> None:
+    table = pyarrow.table({"k": EQUAL_KEYS[kind], "x": [0.0, 1.0, 2.0] * 2, "y": [0.0, 1.0, 2.0, 5.0, 6.0, 7.0]})
+    own = readings("x", "y", "0.1", by="k")
+    count = 1 if kind == "zeros of both signs" else 2
+    for combine in (None, 2, 100):
+        sent = table
+        if combine is not None:
+            sent = pyarrow.Table.from_batches(partitions.combine_partition(table.to_batches(), own, combine))
+        places = partitions.split(sent, own, 3)
+        fitted = [pyarrow.Table.from_batches(partitions.fit_partition(place.to_batches(), own)) for place in places if len(place)]
+        found = pyarrow.concat_tables(fitted)
+        assert found["rows"].to_pylist() == [6 // count] * count
+        assert set(found["kind"].to_pylist()) == {"empty" if count == 1 else "polygon"}
+        assert found.schema.field("k").type == table.schema.field("k").type
+        key = found["k"].combine_chunks()
+        key = key.dictionary_decode() if "dictionary" in kind else key
+        assert pyarrow.compute.count_distinct(key).as_py() == count
+    if "dictionary" not in kind:
+        assert boundfit.fit_groups(table, "k", "x", "y", "0.1")["rows"].to_pylist() == [6 // count] * count
+
+
+def test_a_reduction_without_a_bound_serves_each_and_has_none() -> None:
+    own = to_reduce("x", "y", None, 2)
+    part = partitions.reduce_partition(0, batches_of(TABLE), own)
+    assert part.reduction is not None
+    reduction = Reduction(merged([part.reduction], own), own)
+    assert reduction.fit("0.5").vertices == reduction.fit(0.5).vertices
+    with pytest.raises(ValueError, match="^the bound on the errors is missing: eps, eps_column, lower or upper$"):
+        reduction.fit()
+    with pytest.raises(ValueError, match="^the bound on the errors is missing .*: with two regressors it tells which readings decide$"):
+        to_reduce(["x", "n"], "y", None, 2)
+    with pytest.raises(ValueError, match="^the bound on the errors is missing: eps, eps_column, lower or upper$"):
+        to_fit("x", "y", None, 2)
+    assert to_fit("x", "y", None, 2, eps_column="e").eps is None
+
+
+@pytest.mark.parametrize("name", ["row\nid", 'row,"id"', "row\r\nid\n\nof a table"])
+@pytest.mark.parametrize("reading", ["decimal", "binary64"])
+def test_names_and_identities_may_have_line_ends(name: str, reading: Any) -> None:
+    own = readings("x", "y", "0.5", id=name, reading=reading)
+    identities = ["a\rb", "c\n\nd", 'e,"f"', "g\r\nh", "i", "\rj"]
+    halves = []
+    for start, y in ((0, [0.1, 1.5, 2.0]), (3, ["1/3", "4", "1/7"])):
+        table = pyarrow.table({name: identities[start : start + 3], "x": [float(start), start + 1.0, start + 2.0], "y": y})
+        part = partitions.reduce_partition(start, table.to_batches(), own)
+        assert part.reduction is not None, part.problem
+        halves.append(part.reduction)
+        assert set(Reduction(part.reduction, own).ids or ()) <= set(identities)
+    whole = Reduction(merged(halves, own), own)
+    expected = boundfit.fit([0.0, 1.0, 2.0, 3.0, 4.0, 5.0], [0.1, 1.5, 2.0, "1/3", "4", "1/7"], "4", reading=reading)
+    assert whole.rows == 6 and whole.ids is not None and set(whole.ids) <= set(identities)
+    assert whole.fit("4").vertices == expected.vertices

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import math
+import pickle
 import random
 from collections.abc import Callable
 from fractions import Fraction
@@ -266,7 +267,7 @@ def test_new_readings_are_judged(program: Program, tmp_path: Path, monkeypatch: 
     uniform = boundfit.fit([0, 1, 2], [0, 1.5, 2], 0.5).status(new=([3, 3], [3, 9]))
     assert uniform.new == statuses.new
     assert uniform.report("csv").count("\n") == 6
-    with pytest.raises(ValueError, match="new has 1 columns: expected x, y"):
+    with pytest.raises(ValueError, match="new has 1 column: expected x, y"):
         boundfit.fit([0, 1], [0, 1], 1).status(new=([1],))
     with pytest.raises(ValueError, match="new: row 1, column 2"):
         boundfit.fit([0, 1], [0, 1], 1).status(new=([1], [math.nan]))
@@ -464,3 +465,31 @@ def test_sets_without_any_end_have_intervals_as_fits_have() -> None:
     assert boundfit.windows([1, 1], [0, 9], 1, window=2)[0].pui is None
     for proved in (boundfit.Fit, boundfit.XErrorFit, boundfit.LinearRange):
         assert get_type_hints(proved.pui.fget)["return"] == boundfit.Intervals[boundfit.ProvedInterval] | None
+
+
+def test_a_reading_is_certain_to_help_strictly_between_ends_rounded_inward() -> None:
+    fit = boundfit.fit(["1/3", "10/3"], [0, 1], "1/2")
+    below, above = fit.next((0, 1)).certain
+    third, other = Fraction(1, 3), Fraction(10, 3)
+    assert (below.lower, below.upper, above.lower, above.upper) == (None, third, other, None)
+    assert third not in below and other not in above and 0 in below and 4 in above
+    for double in (below.to_floats()[1], float(below.upper or 0), above.to_floats()[0], float(above.lower or 0)):
+        assert double in (below if double < 1 else above)
+        line = fit.response(Fraction(double))
+        assert line is not None and line.width is not None and line.width > 1
+    for kind in ("f2", "f4", "f8", "O"):
+        assert Fraction(float(numpy.asarray(below, dtype=kind)[1])) < third and Fraction(float(numpy.asarray(above, dtype=kind)[0])) > other
+    assert (f"{below:.4}", f"{above:.4}") == ("(-inf, 0.3333)", "(3.334, inf)")
+    assert (f"{below.upper:.3f}", round(above.lower or 0, 2)) == ("0.333", Fraction(334, 100))
+    copied = pickle.loads(pickle.dumps(below))
+    assert copied == below and list(copied) == [None, third] and copied.width is None
+    assert "OpenInterval(lower=None, upper=InnerUpperBound(1, 3))" in repr(fit.next((0, 1)))
+
+
+def test_the_x_of_a_reading_exclude_ends_that_no_line_reaches() -> None:
+    below, above = boundfit.fit([1], [-2], "1/2").predict(from_=3).from_[0].x
+    assert 1 not in below and 1 not in above and "0.999" in below and "1.001" in above
+    assert (below.upper_included, above.lower_included, below.lower_included) == (False, False, True)
+    assert repr(below) == "Interval(lower=None, upper=UpperBound(1, 1), upper_included=False)" and f"{below:.3}" == "[-inf, 1)"
+    assert below == boundfit.Interval(None, boundfit.UpperBound(1), upper_included=False) != boundfit.Interval(None, boundfit.UpperBound(1))
+    assert pickle.loads(pickle.dumps(below)) == below

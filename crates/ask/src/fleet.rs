@@ -8,7 +8,7 @@ use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{ColumnSelector, Source, TableNotes};
 use boundfit_questions::times;
 use boundfit_report::{
-    FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, TableJson, table_line,
+    FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, TableJson, in_page_width, table_line,
     write_group_json,
 };
 use serde::Deserialize;
@@ -149,7 +149,9 @@ impl Groups {
         let mut text = String::new();
         table.finish(&mut text);
         let summary = whole.to_text() + &table_line(self.fleet.table()) + &self.remarks();
-        put(out, format!("{text}\n{summary}"))
+        // The counts stay one line.
+        let (counts, below) = summary.split_once('\n').unwrap_or((&summary, ""));
+        put(out, format!("{text}\n{counts}\n{}", in_page_width(below)))
     }
 
     /// Fits groups and shows each as a line.

@@ -3,7 +3,9 @@
 use boundfit_estimation::{Measurements, MultipleOfLeast, Problem};
 use boundfit_formats::Source;
 use boundfit_questions::{Extent, Moving, Turn, times};
-use boundfit_report::{FleetTable, TableJson, WindowReport, WindowSummary, table_line, write_window_json};
+use boundfit_report::{
+    FleetTable, TableJson, WindowReport, WindowSummary, in_page_width, table_line, write_window_json,
+};
 use serde::Deserialize;
 
 use crate::asked::{Asked, assumed, remarks};
@@ -156,7 +158,8 @@ impl Ask for Window {
         }
         let mut text = String::new();
         table.finish(&mut text);
-        put(out, format!("{text}\n{to_text}{}", table_line(problem.measurements.table())))?;
+        let below = to_text + &table_line(problem.measurements.table());
+        put(out, format!("{text}\n{}", in_page_width(&below)))?;
         Ok(Written::of_set(is_empty))
     }
 }

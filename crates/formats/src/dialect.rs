@@ -90,6 +90,11 @@ impl MissingWords {
         MissingWords { notation: (dialect.given_mark(), dialect.thousands), ..self }
     }
 
+    /// The words, without blanks around them.
+    pub(crate) fn texts(&self) -> &[String] {
+        &self.texts
+    }
+
     /// Returns whether there are none.
     pub fn is_empty(&self) -> bool {
         self.texts.is_empty()

@@ -90,8 +90,8 @@ pub use memory_use::MemoryUse;
 pub use notes::{BlockNote, HeaderNote, SheetLooks, SheetNote, Skipped, TableNotes};
 pub use open::{HeldRows, read_table, scan};
 pub use reduction::{
-    AskedReduction, REDUCTION_MARK, ReducedBounds, ReducedModel, ReductionError, ReductionRecord, Reductions,
-    open_reduction,
+    AskedReduction, REDUCTION_MARK, ReducedBounds, ReducedMarks, ReducedModel, ReductionError,
+    ReductionRecord, Reductions, open_reduction,
 };
 pub use row_range::RowRange;
 pub use scan::{Batch, Pieces, Progress, ScanOptions, Scanned};

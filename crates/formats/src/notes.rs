@@ -128,6 +128,13 @@ impl Skipped {
 }
 
 impl TableNotes {
+    /// Returns what is unusual about the cells of reductions, whose lines in front say all else; `None` if nothing is.
+    pub fn of_reductions(self) -> Option<Self> {
+        let (header, block, skipped) =
+            (HeaderNote { line: self.header.line, ..HeaderNote::default() }, None, Skipped::default());
+        Some(TableNotes { header, block, skipped, ..self }).filter(|own| own.words().is_some())
+    }
+
     /// Returns words for the unusual properties of the table. The usual table has names in its first line,
     /// numbers with points, and commas, semicolons or tabs between them.
     pub fn words(&self) -> Option<String> {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{
-    Central, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, Model, ParameterBound,
+    Central, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, Measurements, Model, ParameterBound,
     ParameterInterval, Problem, Ties, least_squares_is_feasible, mending_rows,
 };
 use boundfit_exact::{Endpoint, Interval, Rational};
@@ -25,10 +25,18 @@ use crate::origin::Origin;
 use crate::style::Style;
 
 /// The reason why a report omits binary64 least squares.
-pub(crate) const NO_BINARY64: &str = "not computed, since not every reading is kept in memory";
+pub(crate) fn no_binary64(measurements: &Measurements) -> String {
+    format!("not computed, {}", not_every_reading(measurements))
+}
 
-/// The reason why the row that would mend an empty set is not known.
-pub(crate) const NO_MENDING: &str = "since not every reading is kept in memory";
+/// The reason why something that takes every reading is not known, such as the row that would mend an empty set.
+pub(crate) fn not_every_reading(measurements: &Measurements) -> &'static str {
+    if measurements.is_of_reductions() {
+        "since the data are a reduction"
+    } else {
+        "since not every reading is kept in memory"
+    }
+}
 
 /// The report as indented JSON, with a line end.
 pub fn fit_json(
@@ -233,7 +241,7 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
         reasons.insert("eui", reason.to_string());
     }
     if fit.least_squares.is_ok() && problem.measurements.all().is_none() {
-        reasons.insert("binary64", NO_BINARY64.to_owned());
+        reasons.insert("binary64", no_binary64(&problem.measurements));
     }
     if !has_bounded_end(fit) {
         reasons.insert("pui", if region.is_empty() { without_fps() } else { "no end is bounded".to_owned() });
@@ -263,7 +271,7 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
         reasons.insert("epsilon_min", reason.to_owned());
     }
     if region.is_empty() && problem.measurements.all().is_none() {
-        reasons.insert("mended_without", NO_MENDING.to_owned());
+        reasons.insert("mended_without", not_every_reading(&problem.measurements).to_owned());
     }
     if !matches!(problem.measurements.model(), Model::Line { .. }) {
         reasons.insert("inverse", "the model is not a line".to_owned());

@@ -88,7 +88,7 @@ pub use answer::{ActiveJson, FitJson, JudgeJson, RangeJson, SolutionJson, SweepJ
 pub use cdd::{h_representation, v_representation};
 pub use check::{check_document, verdict_line};
 pub use check_json::check_json;
-pub use document::Document;
+pub use document::{Document, in_page_width};
 pub use findings::{solutions_document, solutions_json, solutions_junit, solutions_sarif};
 pub use fit::{
     InverseLine, NextStep, bound_found, brief_document, fit_document, full_fit_document, next_document,

@@ -389,3 +389,37 @@ fn group_names_run_nothing_on_a_terminal() {
     let csv = boundfit(directory.path(), "fit a.csv --x x --y y --eps 1 --by g --format csv").stdout;
     assert!(csv.lines().nth(1).unwrap().starts_with("a\\u{1b}[2J,2,1,"), "{csv}");
 }
+
+#[test]
+fn the_lines_below_groups_and_windows_fit_a_page() {
+    let mut table = "sensor,x,y\n".to_owned();
+    for sensor in 0..9 {
+        (0..4).for_each(|row| {
+            writeln!(table, "a sensor with a long name {sensor},{row},{}", row * row).unwrap()
+        });
+    }
+    let directory = directory_with(&[("data.csv", table.as_bytes())]);
+    for (options, below) in [
+        (
+            "--by sensor --eps 0.1",
+            "9 groups, 36 rows: 9 empty\n\
+             No theta meets every bound of: a sensor with a long name 0, a sensor with a long\n\
+             name 1, a sensor with a long name 2, a sensor with a long name 3, a sensor with\n\
+             a long name 4 and 4 more\n",
+        ),
+        (
+            "--by sensor --eps min",
+            "Assumed: no error is larger than eps_min of its own group, a bound found from\n\
+             these very readings\n",
+        ),
+        (
+            "--window 3 --eps min",
+            "Assumed: no error is larger than eps_min of all readings, a bound found from\n\
+             these very readings: 1\n",
+        ),
+    ] {
+        let run = boundfit(directory.path(), &format!("fit data.csv --x x --y y {options}"));
+        assert!(run.stdout.ends_with(below), "{}", run.stdout);
+        assert!(run.stdout.lines().all(|line| line.chars().count() <= 80), "{}", run.stdout);
+    }
+}

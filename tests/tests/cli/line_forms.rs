@@ -112,7 +112,7 @@ fn a_bound_of_the_readings_own_says_what_it_assumes() {
         ),
         "{text}"
     );
-    assert!(text.contains("if one is, the intervals below may miss the true theta."), "{text}");
+    assert!(text.contains("if one is, the set may miss the true theta."), "{text}");
     let own = report(directory.path(), &format!("{line} --eps 6/5*min"), b"");
     let from_least = &own["input"]["epsilon_from_least"];
     assert_eq!(
@@ -134,7 +134,7 @@ fn a_bound_of_the_readings_own_says_what_it_assumes() {
         assert!([0, 4].contains(&run.status), "{command}: {}", run.stderr);
     }
     let groups = printed(directory.path(), &format!("{line} --by group --eps 2*min"));
-    let assumed = "Assumed: no error is larger than 2 times eps_min of its own group, a bound found from these very readings\n";
+    let assumed = "Assumed: no error is larger than 2 times eps_min of its own group, a bound found\nfrom these very readings\n";
     assert!(groups.ends_with(assumed), "{groups}");
 }
 

@@ -36,6 +36,7 @@ mod polygon;
 mod predict;
 mod range;
 mod reduce;
+mod reduced_cells;
 mod replacing;
 mod schemas;
 mod selection;

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use boundfit_exact::{Foreign, Rational};
 use boundfit_formats::{
-    AskedBlock, Batch, ColumnSelector, HeldRows, InputError, Reductions, ScanOptions, Scanned, Source,
-    open_reduction, scan,
+    Batch, ColumnSelector, HeldRows, InputError, Reductions, ScanOptions, Scanned, Source, open_reduction,
+    scan,
 };
 
 use super::agreement::KeptRows;
@@ -101,9 +101,7 @@ impl<'a> FirstLook<'a> {
         let (source, reductions) = open_reduction(source, &options.table.sizes)?;
         let mut options = options.clone();
         if let Some(reductions) = &reductions {
-            options.table.header = reductions.header();
-            // Records stand between the rows of several.
-            options.table.block = Some(AskedBlock::All);
+            reductions.apply(&mut options.table).map_err(|error| InputError::of_file(&name, error))?;
             // The reduction must serve these bounds, and this check comes first.
             (options.unbounded_rows, options.same_columns) = (true, true);
         }

@@ -5,7 +5,8 @@ use std::io::{self, Write};
 
 use boundfit_exact::Rational;
 use boundfit_formats::{
-    AskedBlock, Batch, InputError, ReductionRecord, ScanOptions, Source, TableNotes, open_reduction, scan,
+    Batch, InputError, ReducedBounds, ReducedMarks, ReductionRecord, ScanOptions, Source, TableNotes,
+    open_reduction, scan,
 };
 
 use super::agreement::KeptRows;
@@ -96,9 +97,7 @@ impl ReducedTable {
         let (source, reductions) = open_reduction(source, &options.table.sizes)?;
         let mut options = ScanOptions { keep_text: true, hash: false, ..options.clone() };
         if let Some(reductions) = &reductions {
-            options.table.header = reductions.header();
-            // Records stand between the rows of several.
-            options.table.block = Some(AskedBlock::All);
+            reductions.apply(&mut options.table).map_err(|error| InputError::of_file(&name, error))?;
             // The check that reductions fit together comes first.
             (options.unbounded_rows, options.same_columns) = (true, true);
             // Reductions of nothing are reductions too.
@@ -148,13 +147,16 @@ impl ReducedTable {
             rows.extend(first);
             counts = vec![1; rows.len()];
         }
+        let may_lack = matches!(asked.model.bounds, ReducedBounds::Interval { .. });
         let record = ReductionRecord {
             rows: own.count,
-            kept: rows.iter().map(|row| 1 + row.iter().filter(|&&byte| byte == b'\n').count()).sum(),
+            kept: rows.iter().map(|row| lines(row)).sum(),
             counted: counts.iter().any(|&count| count > 1)
-                || is_named && rows.iter().any(|row| row.contains(&b'\n')),
+                || rows.iter().any(|row| is_named && row.contains(&b'\n') || has_blank_line(row)),
             header: scanned.header_line.is_some(),
+            header_lines: scanned.header_line.as_deref().map_or(1, lines),
             reading: options.table.reading.name().to_owned(),
+            written: ReducedMarks::of(&options.table, may_lack),
             model: asked.model,
             widths: own.has_widths,
             sums: written(&own.sums),
@@ -212,6 +214,16 @@ impl ReducedTable {
         }
         Ok(())
     }
+}
+
+/// The number of lines of a row: cells in quotes may have several.
+fn lines(row: &[u8]) -> usize {
+    1 + row.iter().filter(|&&byte| byte == b'\n').count()
+}
+
+/// Returns whether a line of a row is blank, which between rows counts as none.
+fn has_blank_line(row: &[u8]) -> bool {
+    row.contains(&b'\n') && row.split(|&byte| byte == b'\n').any(|line| line.trim_ascii().is_empty())
 }
 
 /// The sums as a reduction has them.

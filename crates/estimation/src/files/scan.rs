@@ -1,7 +1,9 @@
 //! Tables of any size.
 
 use boundfit_exact::Column;
-use boundfit_formats::{InputError, ReductionError, Reductions, RowNumbers, ScanOptions, Scanned, Source};
+use boundfit_formats::{
+    InputError, ReductionError, Reductions, RowNumbers, ScanOptions, Scanned, Source, TableNotes,
+};
 
 use super::columns::Columns;
 use super::first_look::{Collected, FirstLook};
@@ -67,8 +69,9 @@ impl Measurements {
         if let Some(reductions) = &look.reductions {
             let readings = readings_of_reductions(&look, reductions, all, &mut meaning, &scanned)?;
             let mut own = measurements(meaning, selection, scanned, readings);
-            // The record of a reduction says how its table was read.
-            own.origin = Origin { rows_total: own.fitted(), layout: None, table: None, ..own.origin };
+            // The records say how rows are told apart; the notation of numbers may be found out.
+            let table = own.origin.table.take().and_then(TableNotes::of_reductions);
+            own.origin = Origin { rows_total: own.fitted(), layout: None, table, ..own.origin };
             return Ok(own);
         }
         columns.refuse_unbounded(&look.name, all.unbounded)?;

@@ -19,7 +19,9 @@ pub enum ReductionError {
     #[error("the reductions stand for more than {} readings", usize::MAX)]
     TooManyRows,
     /// Something that cannot be true of any readings beside the rows that follow.
-    #[error("the reduction contradicts itself: {what} (was it edited? make it again from the table)")]
+    #[error(
+        "the reduction contradicts itself: {what} (was it edited, or made by a former version from grouped digits? make it again from the table)"
+    )]
     Contradiction {
         /// The statement of the reduction, and the evidence against it.
         what: &'static str,

@@ -7,11 +7,13 @@
 //! lines keep their numbers.
 
 pub(crate) mod error;
+mod marks;
 mod model;
 mod reader;
 pub(crate) mod record;
 
 pub use error::ReductionError;
+pub use marks::ReducedMarks;
 pub use model::{AskedReduction, ReducedBounds, ReducedModel};
 pub use reader::{Reductions, open_reduction};
 pub use record::{REDUCTION_MARK, ReductionRecord};

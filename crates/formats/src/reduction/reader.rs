@@ -3,10 +3,12 @@
 use std::io::{self, BufRead, BufReader, Cursor, Read};
 use std::sync::{Arc, Mutex};
 
+use crate::block::AskedBlock;
 use crate::columns::Header;
 use crate::error::InputError;
 use crate::limits::SizeLimits;
 use crate::source::Source;
+use crate::table::TableOptions;
 
 use super::error::ReductionError;
 use super::record::{REDUCTION_MARK, ReductionRecord};
@@ -74,10 +76,19 @@ impl Reductions {
             .collect()
     }
 
-    /// Returns whether the table has a header.
-    pub fn header(&self) -> Header {
-        let present = self.records().first().is_some_and(|record| record.header);
-        if present { Header::Present } else { Header::Absent }
+    /// Sets how the rows are read: with or without a header, across the lines in front, and with the marks and words that were
+    /// stated where the table was reduced.
+    ///
+    /// # Errors
+    /// When a mark is stated that differs.
+    pub fn apply(&self, table: &mut TableOptions) -> Result<(), ReductionError> {
+        let records = self.records();
+        let first = records.first();
+        let present = first.is_some_and(|record| record.header);
+        table.header = if present { Header::Present } else { Header::Absent };
+        // Records stand between the rows of several.
+        table.block = Some(AskedBlock::All);
+        first.map_or(Ok(()), |record| record.written.apply(table))
     }
 }
 
@@ -118,7 +129,9 @@ struct ReductionReader<R> {
     /// The number of readings that the rows of the current reduction stand for so far; `None` where they do
     /// not say so.
     counted: Option<u64>,
-    awaits_header: bool,
+    /// The number of lines of the header that are still to come, and those before.
+    awaited: usize,
+    begun_header: Vec<u8>,
     out: Vec<u8>,
     position: usize,
     longest_line: usize,
@@ -136,7 +149,8 @@ impl<R: Read> ReductionReader<R> {
             begun: 0,
             found: 0,
             counted: None,
-            awaits_header: false,
+            awaited: 0,
+            begun_header: Vec::new(),
             out: Vec::new(),
             position: 0,
             longest_line,
@@ -159,20 +173,38 @@ impl<R: Read> ReductionReader<R> {
             self.check_count()?;
             self.begin(ReductionRecord::parse(text).map_err(io::Error::other)?)?;
             self.out = b"\n".to_vec();
-        } else if text.is_empty() {
+        } else if text.is_empty() && self.begun_header.is_empty() {
             self.out = line;
-        } else if std::mem::take(&mut self.awaits_header) {
-            let different = self.header.as_ref().is_some_and(|header| header != text);
-            if different {
-                return Err(self.different("its header"));
-            }
-            self.out = if self.header.is_some() { b"\n".to_vec() } else { line.clone() };
-            self.header = Some(text.to_vec());
+        } else if self.awaited > 0 {
+            self.header_line(line)?;
         } else {
             self.out = self.row(line)?;
             self.found += 1;
         }
         Ok(true)
+    }
+
+    /// Takes a line of the header, of which cells in quotes may have several.
+    fn header_line(&mut self, line: Vec<u8>) -> io::Result<()> {
+        self.begun_header.extend(line.trim_ascii_end());
+        self.begun_header.push(b'\n');
+        if self.begun_header.len() > self.longest_line.saturating_add(1) {
+            let problem = "its header is longer than a line may be";
+            return Err(io::Error::other(ReductionError::BadRecord(problem.into())));
+        }
+        self.awaited -= 1;
+        self.out = if self.header.is_some() { b"\n".to_vec() } else { line };
+        if self.awaited > 0 {
+            return Ok(());
+        }
+        let header = std::mem::take(&mut self.begun_header);
+        match &self.header {
+            Some(first) if *first != header => Err(self.different("its header")),
+            _ => {
+                self.header = Some(header);
+                Ok(())
+            }
+        }
     }
 
     /// A line of a row without how many readings it stands for, which is noted.
@@ -199,7 +231,9 @@ impl<R: Read> ReductionReader<R> {
 
     fn begin(&mut self, record: ReductionRecord) -> io::Result<()> {
         self.counted = record.counted.then_some(0);
-        (self.begun, self.found, self.awaits_header) = (self.line, 0, record.header);
+        (self.begun, self.found) = (self.line, 0);
+        self.awaited = if record.header { record.header_lines.max(1) } else { 0 };
+        self.begun_header.clear();
         let difference = {
             let records = &mut self.reductions.0.lock().map_err(|_| poisoned())?.records;
             let difference = records.first().and_then(|first| first.difference(&record));

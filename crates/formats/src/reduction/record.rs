@@ -4,6 +4,7 @@ use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use serde::{Deserialize, Serialize};
 
 use super::error::ReductionError;
+use super::marks::ReducedMarks;
 use super::model::{AskedReduction, ReducedBounds, ReducedModel};
 
 /// The beginning of the line in front, before the number of the format.
@@ -20,8 +21,12 @@ pub struct ReductionRecord {
     pub counted: bool,
     /// `true` if the first line that follows is a header.
     pub header: bool,
+    /// The number of lines of the header: a cell in quotes may have several.
+    pub header_lines: usize,
     /// `decimal` or `binary64`: how numbers were read.
     pub reading: String,
+    /// The marks and words that were stated for the cells of the table, which the rows still have.
+    pub written: ReducedMarks,
     /// The questions that a reduction serves.
     pub model: ReducedModel,
     /// `true` if a reading has two bounds, whose distance a factor may multiply.
@@ -38,7 +43,11 @@ struct Record1 {
     rows: usize,
     kept: usize,
     header: bool,
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    header_lines: usize,
     reading: String,
+    #[serde(default, skip_serializing_if = "ReducedMarks::is_empty")]
+    written: ReducedMarks,
     x: Foreign,
     y: Foreign,
     epsilon: Option<Foreign>,
@@ -53,7 +62,11 @@ struct Record2 {
     rows: usize,
     kept: usize,
     header: bool,
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    header_lines: usize,
     reading: String,
+    #[serde(default, skip_serializing_if = "ReducedMarks::is_empty")]
+    written: ReducedMarks,
     /// x of a line, or two.
     x: Vec<Foreign>,
     y: Option<Foreign>,
@@ -91,7 +104,18 @@ impl ReductionRecord {
 
     /// The line in front, without line end.
     pub fn line(&self) -> String {
-        let ReductionRecord { rows, kept, counted, header, reading, model, widths, sums } = self.clone();
+        let ReductionRecord {
+            rows,
+            kept,
+            counted,
+            header,
+            header_lines,
+            reading,
+            written: cells,
+            model,
+            widths,
+            sums,
+        } = self.clone();
         let of_counted = if counted { 2 } else { 0 };
         let epsilon = match &model.bounds {
             ReducedBounds::Any => None,
@@ -100,7 +124,19 @@ impl ReductionRecord {
                 let ReducedModel { regressors: x, response: y, bounds } = model;
                 return written(
                     2 + of_counted,
-                    &Record2 { rows, kept, header, reading, x, y, bounds, widths, sums },
+                    &Record2 {
+                        rows,
+                        kept,
+                        header,
+                        header_lines,
+                        reading,
+                        written: cells,
+                        x,
+                        y,
+                        bounds,
+                        widths,
+                        sums,
+                    },
                 );
             }
         };
@@ -108,7 +144,10 @@ impl ReductionRecord {
         let x = model.regressors.into_iter().next().unwrap_or_default();
         let y = model.response.unwrap_or_default();
         let sums = [x_sum, y_sum, xx, xy];
-        written(1 + of_counted, &Record1 { rows, kept, header, reading, x, y, epsilon, sums })
+        written(
+            1 + of_counted,
+            &Record1 { rows, kept, header, header_lines, reading, written: cells, x, y, epsilon, sums },
+        )
     }
 
     pub(super) fn parse(line: &[u8]) -> Result<Self, ReductionError> {
@@ -137,10 +176,21 @@ impl ReductionRecord {
         let differences = [
             (self.reading != other.reading, "the reading of numbers"),
             (self.header != other.header, "whether there is a header"),
+            (self.written != other.written, "the stated marks in numbers or words for missing values"),
         ];
         let of_others = differences.into_iter().find_map(|(differs, what)| differs.then_some(what));
         self.model.difference(&other.model).or(of_others)
     }
+}
+
+/// The usual number of lines of a header.
+fn one() -> usize {
+    1
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over a reference")]
+fn is_one(lines: &usize) -> bool {
+    *lines == 1
 }
 
 fn written(format: u32, record: &impl Serialize) -> String {
@@ -151,17 +201,39 @@ fn written(format: u32, record: &impl Serialize) -> String {
 
 impl From<Record1> for ReductionRecord {
     fn from(record: Record1) -> Self {
-        let Record1 { rows, kept, header, reading, x, y, epsilon, sums: [x_sum, y_sum, xx, xy] } = record;
+        let Record1 {
+            rows,
+            kept,
+            header,
+            header_lines,
+            reading,
+            written,
+            x,
+            y,
+            epsilon,
+            sums: [x_sum, y_sum, xx, xy],
+        } = record;
         let bounds = epsilon.map_or(ReducedBounds::Any, ReducedBounds::Multiples);
         let model = ReducedModel { regressors: vec![x], response: Some(y), bounds };
         let sums = Some([xx, x_sum, rows.to_string(), xy, y_sum]);
-        ReductionRecord { rows, kept, counted: false, header, reading, model, widths: rows > 0, sums }
+        ReductionRecord {
+            rows,
+            kept,
+            counted: false,
+            header,
+            header_lines,
+            reading,
+            written,
+            model,
+            widths: rows > 0,
+            sums,
+        }
     }
 }
 
 impl Record2 {
     fn checked(self) -> Result<ReductionRecord, ReductionError> {
-        let Record2 { rows, kept, header, reading, x, y, bounds, widths, sums } = self;
+        let Record2 { rows, kept, header, header_lines, reading, written, x, y, bounds, widths, sums } = self;
         let bad = |problem: &str| Err(ReductionError::BadRecord(problem.into()));
         if !(1..=2).contains(&x.len()) {
             return bad("x has neither one name nor two");
@@ -173,7 +245,18 @@ impl Record2 {
             (ReducedBounds::Interval { lower: None, upper: None }, _) => bad("neither lower nor upper"),
             (ReducedBounds::Interval { .. }, None) | (_, Some(_)) => {
                 let model = ReducedModel { regressors: x, response: y, bounds };
-                Ok(ReductionRecord { rows, kept, counted: false, header, reading, model, widths, sums })
+                Ok(ReductionRecord {
+                    rows,
+                    kept,
+                    counted: false,
+                    header,
+                    header_lines,
+                    reading,
+                    written,
+                    model,
+                    widths,
+                    sums,
+                })
             }
             (_, None) => bad("y is missing"),
         }

@@ -26,6 +26,11 @@ pub(super) fn wrapped(text: &str, width: usize) -> Vec<String> {
     lines.lines
 }
 
+/// Breaks the lines of a text so that each fits into a page of listings, unless one word alone does not.
+pub fn in_page_width(text: &str) -> String {
+    text.lines().flat_map(|line| wrapped(line, WIDTH)).map(|line| line + "\n").collect()
+}
+
 /// Lines that are filled one after the other.
 struct Lines {
     lines: Vec<String>,

@@ -6,7 +6,7 @@ use boundfit_exact::english::{counted, listed};
 
 use super::Report;
 use crate::document::Text;
-use crate::fit_json::NO_MENDING;
+use crate::fit_json::not_every_reading;
 use crate::formula::{absurdity, products};
 
 impl Report<'_> {
@@ -64,7 +64,10 @@ impl Report<'_> {
                 .to_owned();
         }
         match mending_rows(self.problem, self.fit).as_deref() {
-            None => format!("The single row to leave out is not known, {NO_MENDING}."),
+            None => {
+                let reason = not_every_reading(&self.problem.measurements);
+                format!("The single row to leave out is not known, {reason}.")
+            }
             Some([]) => "No single row is to blame: without any one of them the set stays empty.".to_owned(),
             Some([row]) => {
                 format!("Without row {row} the set is not empty; no other single row has this effect.")

@@ -144,7 +144,7 @@ pub(crate) fn assumption(MultipleOfLeast { factor, least }: &MultipleOfLeast, st
     };
     let text = text.number(style.upper(least)).words(
         ", the least bound under which any theta fits. It was found from these very readings, which cannot show that \
-         errors are no larger; if one is, the intervals below may miss the true theta.",
+         errors are no larger; if one is, the set may miss the true theta.",
     );
     match least.is_zero() {
         true => text.words(" Here it is 0: the readings fit exactly, and say nothing of their errors."),

@@ -5,7 +5,7 @@ use boundfit_exact::english::list;
 
 use super::{Extent, Report};
 use crate::document::{Symbol, THETA, Text};
-use crate::fit_json::{NO_BINARY64, NO_WIDTHS};
+use crate::fit_json::{NO_WIDTHS, no_binary64};
 use crate::region::measured_point;
 use crate::slope_lines;
 use crate::style::Style;
@@ -93,7 +93,9 @@ impl Report<'_> {
                 (label, float("QR", &floats.qr)),
                 (Text::new(), float("pseudo-inverse", &floats.pseudo_inverse)),
             ],
-            None if self.fit.least_squares.is_ok() => vec![(label, NO_BINARY64.into())],
+            None if self.fit.least_squares.is_ok() => {
+                vec![(label, no_binary64(&self.problem.measurements).into())]
+            }
             None => Vec::new(),
         }
     }
