@@ -491,3 +491,18 @@ fn rows_of_empty_cells_at_the_end_are_not_asked_for() {
     let run = boundfit(directory.path(), "verify p.json a.csv");
     assert!(run.stdout.contains("rows    1 and 3 of 3\n"), "{run:?}");
 }
+
+#[test]
+fn the_reason_why_a_table_has_no_proof_is_its_own() {
+    let blocks = "x,y\n1,2\n2,3\n\n\nx,y\n3,5\n4,5\n";
+    for (table, options, reason) in [
+        ("x,y,z\n1,2\n2,3\n3,5\n", "", "a row has fewer cells than the first one"),
+        (blocks, "--block 2", "they are one of several blocks, or all of them"),
+        (blocks, "--block all", "they are one of several blocks, or all of them"),
+    ] {
+        let directory = directory_with(&[("a.csv", table.as_bytes())]);
+        let run =
+            boundfit(directory.path(), &format!("fit a.csv --x x --y y --eps 1 {options} --proof p.json"));
+        assert!(run.status != 0 && run.stderr.contains(reason), "{options}: {run:?}");
+    }
+}
