@@ -142,7 +142,11 @@ pub(crate) fn assumption(MultipleOfLeast { factor, least }: &MultipleOfLeast, st
             Text::from("that no error is larger than ").then(style.given(factor)).words(" times eps_min, ")
         }
     };
-    let text = text.number(style.upper(least)).words(
+    let text = text.number(style.upper(least));
+    if *factor < Rational::one() && !least.is_zero() {
+        return text.words(", the least bound under which any theta fits. Under a smaller one none does.");
+    }
+    let text = text.words(
         ", the least bound under which any theta fits. It was found from these very readings, which cannot show that \
          errors are no larger; if one is, the intervals below may miss the true theta.",
     );
