@@ -385,3 +385,19 @@ fn an_objective_without_a_name_is_compared() {
     let run = judge("vertex-third", &wrong, &[]);
     assert!(run.status == 1 && run.stderr.contains("-7"), "{run:?}");
 }
+
+#[test]
+fn words_that_only_begin_like_optimal_are_no_answer() {
+    for (status, verdict) in [
+        ("optimal", "exact"),
+        ("Optimal", "exact"),
+        ("optimality not proven", "no answer"),
+        ("optimal?", "no answer"),
+        ("optimal relaxed sum of infeasibilities", "no answer"),
+        ("infeasible point", "no answer"),
+    ] {
+        let text = format!(r#"{{"status": "{status}", "objective": "-2/3", "x": ["1/3", "1/3"]}}"#);
+        let (_, solution) = judged_text("vertex-third", &text);
+        assert_eq!(solution["verdict"], verdict, "{status}: {solution}");
+    }
+}
