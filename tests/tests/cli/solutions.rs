@@ -401,3 +401,13 @@ fn words_that_only_begin_like_optimal_are_no_answer() {
         assert_eq!(solution["verdict"], verdict, "{status}: {solution}");
     }
 }
+
+#[test]
+fn reduced_costs_without_duals_are_said_to_be_passed_over() {
+    let right = r#""objective": "-2/3", "x": ["1/3", "1/3"]"#;
+    let (_, solution) = judged_text("vertex-third", &format!("{{{right}, \"reduced_costs\": [5, 5]}}"));
+    let said = "the reduced costs are not looked at: there are no duals";
+    assert_eq!(solution["not_judged"], said, "{solution}");
+    let (_, solution) = judged_text("vertex-third", &format!("{{{right}}}"));
+    assert_eq!(solution["not_judged"], Value::Null, "{solution}");
+}
