@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use boundfit_tests::program::{Run, root, run};
+use boundfit_tests::program::{Run, root, run, run_with_input};
 use serde_json::Value;
 
 /// Returns the output of a solver of this name about a program.
@@ -410,4 +410,15 @@ fn reduced_costs_without_duals_are_said_to_be_passed_over() {
     assert_eq!(solution["not_judged"], said, "{solution}");
     let (_, solution) = judged_text("vertex-third", &format!("{{{right}}}"));
     assert_eq!(solution["not_judged"], Value::Null, "{solution}");
+}
+
+#[test]
+fn a_model_and_its_solution_cannot_share_standard_input() {
+    let run = run(&["judge", "-", "--solution", "-"]);
+    let problem = "error: the model and its solutions cannot share standard input\n";
+    assert!(run.status == 2 && run.stderr.starts_with(problem), "{run:?}");
+    let solution = fs::read(root().join(fixture("maximise", "cbc"))).unwrap();
+    let judge = ["judge", "fixtures/tiny-lp/maximise.mps", "--solution", "-"];
+    let run = run_with_input(&judge, &solution);
+    assert!(run.stdout.contains("\nstandard input, written by CBC: right, exactly\n"), "{run:?}");
 }
