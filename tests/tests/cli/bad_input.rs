@@ -3,7 +3,9 @@
 use boundfit_tests::program::root;
 
 use boundfit_tests::cli::refusals::{A_NUMBER, refuses, refuses_files, refuses_options};
-use boundfit_tests::cli::{boundfit, directory_with, files_in, printed, unbroken, words};
+use boundfit_tests::cli::{
+    boundfit, boundfit_with_input, directory_with, files_in, printed, unbroken, words,
+};
 
 #[test]
 fn files_that_cannot_be_opened() {
@@ -412,4 +414,23 @@ fn equations_announced_too_late() {
     let directory = directory_with(&[("late.ine", late.as_bytes())]);
     let message = "late.ine: line 7, column 1: \"linearity\": this does not list rows of the matrix to come (expected \"linearity COUNT ROW...\" before begin, with rows counted from 1)";
     refuses(directory.path(), "polygon late.ine", 1, message);
+}
+
+/// The first line of the message about a text.
+fn message(options: &str, text: &str) -> String {
+    let directory = directory_with(&[]);
+    let columns = if options.contains("--x ") { "" } else { "--x x --y y" };
+    let line = format!("fit - --eps 1 {columns} {options}");
+    let run = boundfit_with_input(directory.path(), &line, text.as_bytes());
+    assert_eq!(run.stdout, "", "{options} {text:?}");
+    run.stderr.lines().next().unwrap_or_default().to_owned()
+}
+
+#[test]
+fn records_on_one_line_are_told_apart() {
+    let records = r#"[{"x":1,"y":2},{"x":2,"y":3},{"x":3},{"x":4,"y":5}]"#;
+    let start = "error: standard input: line 1, row 3, column 2 (y): \"\": the value is missing";
+    assert!(message("", records).starts_with(start), "{}", message("", records));
+    let lines = message("", &records.replace("},", "},\n"));
+    assert!(lines.starts_with("error: standard input: line 3, column 2 (y): \"\""), "{lines}");
 }

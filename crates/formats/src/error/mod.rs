@@ -22,7 +22,7 @@ pub struct Place {
     pub sheet: Option<Foreign>,
     /// Line of the file, from 1.
     pub line: Option<u64>,
-    /// Number of the data row, from 1, in a file without lines.
+    /// Number of the data row, from 1, in a file without lines or with several rows in one line.
     pub row: Option<usize>,
     /// Column of the table, from 1, with its name when there is a header.
     pub column: Option<(usize, Option<Foreign>)>,
@@ -138,7 +138,7 @@ impl fmt::Display for Place {
             write!(f, ": line {line}")?;
         }
         if let Some(row) = self.row {
-            write!(f, ": row {row}")?;
+            write!(f, "{} row {row}", if self.line.is_some() { "," } else { ":" })?;
         }
         if let Some((number, name)) = &self.column {
             let separator = if self.line.is_none() && self.row.is_none() { ":" } else { "," };
