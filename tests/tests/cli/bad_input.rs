@@ -434,3 +434,18 @@ fn records_on_one_line_are_told_apart() {
     let lines = message("", &records.replace("},", "},\n"));
     assert!(lines.starts_with("error: standard input: line 3, column 2 (y): \"\""), "{lines}");
 }
+
+#[test]
+fn messages_name_only_ways_that_help() {
+    let keys = message("--x 1 --y 2", r#"[{"2":1,"1":2},{"2":2,"1":3}]"#);
+    assert!(keys.contains("is the name of column") && !keys.contains("--header"), "{keys}");
+    let zero = message("", "x;y\n0'001;2\n2;3\n");
+    assert!(zero.contains("\"0'001\"") && !zero.contains("--thousands"), "{zero}");
+    let grouped = message("", "x;y\n1'001;2\n2;3\n");
+    assert!(grouped.contains("reads digits in groups of three"), "{grouped}");
+    let passed = message("--skip-lines 9", "x,y\n1,2\n2,3\n");
+    let problem = "error: standard input: the file has no row behind the first 9 lines, which are passed over (expected at least one \
+                   row of numbers)";
+    assert_eq!(passed, problem);
+    assert!(message("--skip-lines 9", "").contains("the file is empty"));
+}

@@ -111,7 +111,10 @@ fn grouping_mark(number: &str) -> Option<&'static str> {
     let groups: Vec<&str> = whole.unwrap_or(number).split(mark).collect();
     let are_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
     let (first, others) = groups.split_first()?;
-    let is_grouped = (1..=3).contains(&first.len()) && others.iter().all(|group| group.len() == 3);
+    // No group stands behind a zero: 0'001 is no number, whatever groups digits.
+    let is_grouped = (1..=3).contains(&first.len())
+        && !first.starts_with('0')
+        && others.iter().all(|group| group.len() == 3);
     let is_clear = !matches!(mark, '.' | ',') || others.len() > 1 || decimals.is_some();
     let is_number = groups.iter().chain(&decimals).all(|text| are_digits(text));
     (!others.is_empty() && is_grouped && is_clear && is_number).then_some(*option)
