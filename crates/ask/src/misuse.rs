@@ -154,7 +154,7 @@ impl NoProof {
         }
         let obstacle = match measurements.layout() {
             Some(layout) => obstacle(&layout.dialect),
-            None => "they are another kind of file, or packed",
+            None => other_rows(measurements),
         };
         NoProof::NoText(obstacle)
     }
@@ -179,6 +179,17 @@ impl NoProof {
             NoProof::TooMany { most, of } => return format!("the proof would take more than {most} {of}"),
         };
         in_words(sentence, surface)
+    }
+}
+
+/// Returns the reason why the rows of a table are not those of its lines.
+fn other_rows(measurements: &Measurements) -> &'static str {
+    let text = measurements.table().filter(|table| !table.is_sheet && !table.is_records);
+    match text {
+        Some(table) if table.block.is_some() => "they are one of several blocks, or all of them",
+        Some(table) if table.skipped.headers > 0 => "their header is repeated among the rows",
+        Some(table) if table.skipped.short_rows > 0 => "a row has fewer cells than the first one",
+        _ => "they are another kind of file, or packed",
     }
 }
 

@@ -36,6 +36,31 @@ impl Law {
         &self.text
     }
 
+    /// The name of y, and the law as it was written. If another column has the name `x` or `y`, names of columns stand in place of
+    /// x and y: `|U|`.
+    pub(crate) fn in_names_of(&self, regressors: &[Foreign], y: &Foreign) -> [Foreign; 2] {
+        let is_other = regressors.iter().any(|x| x.raw() == "y") || y.raw() == "x";
+        let Some(x) = regressors.first().filter(|_| is_other) else {
+            return ["y".into(), self.text.clone()];
+        };
+        let (mut named, mut rest) = (String::new(), self.text.raw());
+        while let Some(own) = rest.chars().next() {
+            let quantity = ["|y|", "|x|", "(y)", "(x)"].into_iter().find(|words| rest.starts_with(words));
+            let length = quantity.map_or(own.len_utf8(), str::len);
+            let (words, after) = rest.split_at(length);
+            match quantity {
+                None => named.push_str(words),
+                Some(_) => named.extend(words.chars().map(|own| match own {
+                    'y' => y.raw().to_owned(),
+                    'x' => x.raw().to_owned(),
+                    other => other.to_string(),
+                })),
+            }
+            rest = after;
+        }
+        [y.clone(), named.into()]
+    }
+
     /// The law in the only way in which laws that say the same of every reading are written here, with exact numbers:
     /// `1/20*|y| + 1/500`.
     #[cfg(feature = "files")]

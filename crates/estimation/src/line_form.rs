@@ -18,7 +18,7 @@ impl LineForm {
     /// Returns what x is called when it is counted from the origin: `year`, `year - 1980`, `x + 1/3`.
     pub fn abscissa(&self, x: &Foreign) -> Foreign {
         /// Digits of a decimal that is still easier to read than a fraction.
-        const MOST_DIGITS: usize = 17;
+        const MOST_DIGITS: usize = 40;
         let size = self.x_origin.abs();
         let shown = || {
             size.exact_decimal(MOST_DIGITS).map_or_else(|| size.to_string(), |decimal| decimal.to_string())
@@ -60,5 +60,9 @@ mod tests {
         {
             assert_eq!(named(numerator, denominator), name);
         }
+        let digits = "2.123456789012345678912345678901234567";
+        let x_origin = boundfit_exact::Reading::Decimal.read(digits, &Default::default()).unwrap();
+        let long = LineForm { x_origin, through_origin: false };
+        assert_eq!(long.abscissa(&"x".into()).raw(), format!("x - {digits}"));
     }
 }

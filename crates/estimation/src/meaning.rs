@@ -21,6 +21,16 @@ pub enum Model {
     },
 }
 
+impl Model {
+    /// The columns of the regressors, the intercept left out.
+    pub(crate) fn regressors(&self) -> &[Foreign] {
+        match self {
+            Model::Line { x } => std::slice::from_ref(x),
+            Model::TwoRegressors { regressors } => regressors,
+        }
+    }
+}
+
 /// The source of the error bounds, with columns by name or, in a question, by selector.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[allow(clippy::large_enum_variant, reason = "one per fit")]

@@ -201,10 +201,7 @@ impl Measurements {
 
     /// The name of the error in formulas: `e`, unless a column beside it has that name.
     pub fn error_name(&self) -> &'static str {
-        let regressors = match self.model() {
-            Model::Line { x } => std::slice::from_ref(x),
-            Model::TwoRegressors { regressors } => regressors,
-        };
+        let regressors = self.model().regressors();
         let bound = match self.error_bound() {
             ErrorBound::Column(column) => Some(column),
             _ => None,
@@ -213,6 +210,12 @@ impl Measurements {
             regressors.iter().chain([self.response()]).chain(bound).any(|column| column.raw() == name)
         };
         ["e", "error", "noise"].into_iter().find(|name| !is_taken(name)).unwrap_or("residual")
+    }
+
+    /// The name of y, and a law as it was written. If another column has the name `x` or `y`, names of columns stand in place of
+    /// x and y: `|U|`.
+    pub fn law_in_names(&self, law: &Law) -> [Foreign; 2] {
+        law.in_names_of(self.model().regressors(), self.response())
     }
 
     /// Returns whether the response is a column, and not only a name for what lies between two bounds.

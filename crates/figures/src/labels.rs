@@ -124,8 +124,11 @@ pub(crate) fn bound(problem: &Problem, options: &PlotOptions) -> String {
     match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => uniform_bound(problem, epsilon, options),
         ErrorBound::Column(column) => format!("|{e}| ≤ {} of each row", one_line(column, LONGEST_NAME)),
-        ErrorBound::Law(law) if law.is_asymmetric() => format!("y {}", one_line(law.text(), LONGEST_NAME)),
-        ErrorBound::Law(law) => format!("|{e}| ≤ {}", one_line(law.text(), LONGEST_NAME)),
+        ErrorBound::Law(law) => {
+            let [y, words] =
+                problem.measurements.law_in_names(law).map(|words| one_line(&words, LONGEST_NAME));
+            if law.is_asymmetric() { format!("{y} {words}") } else { format!("|{e}| ≤ {words}") }
+        }
         ErrorBound::Interval { lower, upper } => {
             let [lower, upper] =
                 [lower, upper].map(|name| name.as_ref().map(|name| one_line(name, LONGEST_NAME)));

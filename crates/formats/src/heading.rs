@@ -166,7 +166,7 @@ impl Heading {
         let position = match Heading::named(names, wanted.raw()).as_slice() {
             [_, _, ..] => Err(fail(InputErrorKind::AmbiguousColumn { wanted })),
             [index] if is_other(*index) && !self.prefers_names => {
-                Err(fail(InputErrorKind::NameOrNumber { wanted, named: index + 1 }))
+                Err(fail(InputErrorKind::NameOrNumber { wanted, named: index + 1, fits_header: true }))
             }
             [index] => Ok(index + 1),
             [] => column

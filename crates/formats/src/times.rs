@@ -26,7 +26,7 @@ pub(crate) fn is_time(cell: &[u8]) -> bool {
         text.split(|mark: char| " -/.:,T".contains(mark)).filter(|part| !part.is_empty()).collect();
     let is_digits = |part: &&str| part.bytes().all(|byte| byte.is_ascii_digit());
     let has_month = parts.len() > 1 && parts.iter().any(|part| is_month(part)) && parts.iter().any(is_digits);
-    has_month || is_clock(text) || is_date(text) || is_quarter(text)
+    has_month || is_clock(text) || is_date(text) || is_quarter(text) || is_duration(text)
 }
 
 /// A text as long as this is neither.
@@ -73,6 +73,14 @@ fn is_date(text: &str) -> bool {
     })
 }
 
+/// `PT1H`, `PT12H30M05S`, `P1DT2H`: how OpenDocument stores a time.
+fn is_duration(text: &str) -> bool {
+    let rest = text.strip_prefix("PT").or_else(|| text.strip_prefix('P')).unwrap_or_default();
+    rest.starts_with(|first: char| first.is_ascii_digit())
+        && rest.ends_with(['D', 'H', 'M', 'S'])
+        && rest.bytes().all(|byte| byte.is_ascii_digit() || b"DTHMS.,".contains(&byte))
+}
+
 /// `2024Q1`, `2024-Q1`.
 fn is_quarter(text: &str) -> bool {
     let Some((year, quarter)) = text.split_once(['Q', 'q']) else { return false };
@@ -103,12 +111,15 @@ mod tests {
             "1974-Q1",
             "2024-01",
             "8:05 PM",
+            "PT1H",
+            "PT12H30M05.5S",
+            "P1DT2H",
         ] {
             assert!(is_time(text.as_bytes()), "{text}");
         }
         for text in [
             "", "x", "1.5", "-1.5", "1.2.3", "1_000", "12 mV", "0x10", "1-2", "3:a", "Q1", "maybe 1",
-            "2024Q5", "10.0.0.1",
+            "2024Q5", "10.0.0.1", "P1", "PTH", "P5x",
         ] {
             assert!(!is_time(text.as_bytes()), "{text}");
         }

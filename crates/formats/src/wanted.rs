@@ -3,7 +3,7 @@
 use boundfit_exact::{Foreign, WorkMeter};
 
 use crate::columns::{ColumnPlace, ColumnSelector, Header, refuse_same};
-use crate::error::InputError;
+use crate::error::{InputError, InputErrorKind};
 use crate::heading::{AskedColumns, Heading};
 use crate::scan::{ScanOptions, Scanned, csv_line, each_once};
 use crate::selection::RowCondition;
@@ -55,8 +55,11 @@ impl<'a> WantedColumns<'a> {
         let heading = Heading::new(file, &cells, 1, Header::Present, asked, &[])?;
         let find = |selector| {
             heading.find(file, selector).map_err(|mut error| {
-                // There are no lines here.
+                // There are no lines here, and nothing but the names tells columns apart.
                 error.place.line = None;
+                if let InputErrorKind::NameOrNumber { fits_header, .. } = &mut error.kind {
+                    *fits_header = false;
+                }
                 error
             })
         };

@@ -63,10 +63,10 @@ fn of_set(set: &SetFound) -> Vec<(&'static str, String)> {
 /// Returns what is known of a theorem.
 fn of_rows(count: usize) -> Vec<(&'static str, String)> {
     let rows = counted(count, "row", "rows");
-    vec![(
-        "agrees",
-        format!("{rows} and all conditions of the theorem, exactly; only coqc checks what it concludes"),
-    )]
+    vec![
+        ("agrees", format!("{rows} and all conditions of the theorem, exactly")),
+        ("", "only coqc checks what the theorem concludes".to_owned()),
+    ]
 }
 
 /// The facts that the checks have shown.

@@ -22,7 +22,7 @@ use crate::whole_set::longest;
 pub struct Statement {
     /// The rows that were read, the way of reading, and the meaning of the rows for the parameters.
     pub about: About,
-    /// The number of rows the data have.
+    /// The number of rows of the data, rows of empty cells at the end left out.
     pub rows_total: u64,
     /// The names of the columns, where the data have a header.
     pub names: BTreeMap<u64, Foreign>,

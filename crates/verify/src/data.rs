@@ -78,7 +78,7 @@ impl Data {
             found => found,
         };
         let (hash, rows) = rows.finish()?;
-        Ok(Look { hash, rows_total: rows - u64::from(has_header), names, found })
+        Ok(Look { hash, rows_total: rows.saturating_sub(u64::from(has_header)), names, found })
     }
 }
 

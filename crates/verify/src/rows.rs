@@ -21,6 +21,8 @@ pub(crate) struct Rows<R> {
     after_return: bool,
     /// The number of rows there were that are not blank.
     count: u64,
+    /// The number of rows up to the last one with a cell that is not empty.
+    filled: u64,
 }
 
 /// The look of rows, and their largest size.
@@ -48,7 +50,7 @@ impl<R: Read> Rows<R> {
             }
         }
         let input = BufReader::with_capacity(1 << 16, Cursor::new(start).chain(data));
-        Ok(Rows { input, row: Row::new(shape), after_return: false, count: 0 })
+        Ok(Rows { input, row: Row::new(shape), after_return: false, count: 0, filled: 0 })
     }
 
     /// Goes on to the next row that is not blank; `false` at the end.
@@ -56,6 +58,9 @@ impl<R: Read> Rows<R> {
         while self.take_row()? {
             if !self.row.is_blank() {
                 self.count += 1;
+                if self.row.is_filled {
+                    self.filled = self.count;
+                }
                 return Ok(true);
             }
         }
@@ -80,11 +85,11 @@ impl<R: Read> Rows<R> {
         Cells { text: &self.row.text, ends: &self.row.ends }
     }
 
-    /// The SHA-256 of all bytes, the rest of which is read, and how many rows there were.
+    /// The SHA-256 of all bytes, the rest of which is read, and the number of rows. Rows of empty cells at the end do not count.
     pub(crate) fn finish(mut self) -> Result<(String, u64), Failure> {
         while self.next()? {}
         let hash = self.input.into_inner().into_inner().1.hash.finalize();
-        Ok((hexadecimal(&hash), self.count))
+        Ok((hexadecimal(&hash), self.filled))
     }
 
     /// The next row, blank or not; `false` at the end.
@@ -130,6 +135,8 @@ struct Row {
     ends: Vec<usize>,
     /// The number of cells that have ended.
     cells: usize,
+    /// True if a cell has a byte that is not white space.
+    is_filled: bool,
 }
 
 /// The place of the next byte.
@@ -144,13 +151,13 @@ enum State {
 
 impl Row {
     fn new(shape: Shape) -> Self {
-        Row { shape, state: State::CellStart, text: Vec::new(), ends: Vec::new(), cells: 0 }
+        Row { shape, state: State::CellStart, text: Vec::new(), ends: Vec::new(), cells: 0, is_filled: false }
     }
 
     fn begin(&mut self) {
         self.text.clear();
         self.ends.clear();
-        (self.state, self.cells) = (State::CellStart, 0);
+        (self.state, self.cells, self.is_filled) = (State::CellStart, 0, false);
     }
 
     /// Adds what may be looked at behind the last cell.
@@ -205,6 +212,7 @@ impl Row {
 
     /// Appends bytes to the cell, if it is kept.
     fn keep(&mut self, bytes: &[u8]) {
+        self.is_filled = self.is_filled || !bytes.trim_ascii_start().is_empty();
         if self.cells < self.shape.kept.max(1) {
             self.text.extend_from_slice(bytes);
         }

@@ -220,7 +220,7 @@ pub(super) fn find(
     }
     match (places.as_slice(), column.number()) {
         ([place], Some(number)) if number != *place && (1..=width).contains(&number) && !prefers_names => {
-            Err(wrong(Some(line), InputErrorKind::NameOrNumber { wanted, named: *place }))
+            Err(wrong(Some(line), InputErrorKind::NameOrNumber { wanted, named: *place, fits_header: true }))
         }
         ([place], _) => Ok(*place),
         ([], Some(number)) if (1..=width).contains(&number) => Ok(number),

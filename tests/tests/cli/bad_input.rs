@@ -3,7 +3,9 @@
 use boundfit_tests::program::root;
 
 use boundfit_tests::cli::refusals::{A_NUMBER, refuses, refuses_files, refuses_options};
-use boundfit_tests::cli::{boundfit, directory_with, files_in, printed, unbroken, words};
+use boundfit_tests::cli::{
+    boundfit, boundfit_with_input, directory_with, files_in, printed, unbroken, words,
+};
 
 #[test]
 fn files_that_cannot_be_opened() {
@@ -412,4 +414,38 @@ fn equations_announced_too_late() {
     let directory = directory_with(&[("late.ine", late.as_bytes())]);
     let message = "late.ine: line 7, column 1: \"linearity\": this does not list rows of the matrix to come (expected \"linearity COUNT ROW...\" before begin, with rows counted from 1)";
     refuses(directory.path(), "polygon late.ine", 1, message);
+}
+
+/// The first line of the message about a text.
+fn message(options: &str, text: &str) -> String {
+    let directory = directory_with(&[]);
+    let columns = if options.contains("--x ") { "" } else { "--x x --y y" };
+    let line = format!("fit - --eps 1 {columns} {options}");
+    let run = boundfit_with_input(directory.path(), &line, text.as_bytes());
+    assert_eq!(run.stdout, "", "{options} {text:?}");
+    run.stderr.lines().next().unwrap_or_default().to_owned()
+}
+
+#[test]
+fn records_on_one_line_are_told_apart() {
+    let records = r#"[{"x":1,"y":2},{"x":2,"y":3},{"x":3},{"x":4,"y":5}]"#;
+    let start = "error: standard input: line 1, row 3, column 2 (y): \"\": the value is missing";
+    assert!(message("", records).starts_with(start), "{}", message("", records));
+    let lines = message("", &records.replace("},", "},\n"));
+    assert!(lines.starts_with("error: standard input: line 3, column 2 (y): \"\""), "{lines}");
+}
+
+#[test]
+fn messages_name_only_ways_that_help() {
+    let keys = message("--x 1 --y 2", r#"[{"2":1,"1":2},{"2":2,"1":3}]"#);
+    assert!(keys.contains("is the name of column") && !keys.contains("--header"), "{keys}");
+    let zero = message("", "x;y\n0'001;2\n2;3\n");
+    assert!(zero.contains("\"0'001\"") && !zero.contains("--thousands"), "{zero}");
+    let grouped = message("", "x;y\n1'001;2\n2;3\n");
+    assert!(grouped.contains("reads digits in groups of three"), "{grouped}");
+    let passed = message("--skip-lines 9", "x,y\n1,2\n2,3\n");
+    let problem = "error: standard input: the file has no row behind the first 9 lines, which are passed over (expected at least one \
+                   row of numbers)";
+    assert_eq!(passed, problem);
+    assert!(message("--skip-lines 9", "").contains("the file is empty"));
 }

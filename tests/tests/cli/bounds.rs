@@ -186,3 +186,18 @@ fn bounds_that_were_swapped_are_counted() {
     let right = boundfit(directory.path(), "fit data.csv --x t --lower lo --upper up --no-lp").stdout;
     assert!(!right.contains("swapped?"), "{right}");
 }
+
+/// The columns are named y and x, so that |y| of the law is not |y| of the model.
+#[test]
+fn a_law_has_the_names_of_the_columns_if_they_are_those_of_others() {
+    let directory = directory_with(&[("data.csv", b"y,x\n1,2\n2,3\n3,5\n")]);
+    let line = |options: &str| boundfit(directory.path(), &format!("{options} data.csv --x y --y x")).stdout;
+    let both = line("fit --eps +1%*|y|/-2%*abs(x)+3%*range(y)");
+    assert!(both.contains("  error    x +1%*|x|/-2%*abs(y)+3%*range(x) of each row\n"), "{both}");
+    let share = line("status --eps 20%*|y|");
+    assert!(share.contains("  error    |e| <= 20%*|x| of each row\n"), "{share}");
+    let range = line("fit --eps 50%*range(y)");
+    assert!(range.contains("  error    |e| <= 50%*range(x) = 1.5\n"), "{range}");
+    let further = line("predict --at 2 --eps 20%*|y|");
+    assert!(!further.contains("|y|"), "{further}");
+}

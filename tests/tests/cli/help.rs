@@ -146,3 +146,11 @@ fn the_synopsis_of_a_manual_page_names_values() {
     assert!(page.contains(limit) && page.contains("columns (100000): columns of a table of text"), "{page}");
     assert!(page.contains("\n.SH \"EXIT STATUS\"\n.TP\n\\fB0\\fR\nan answer was found\n"), "{page}");
 }
+
+/// A proof cannot be compared with options that depend on the readings: `verify` refuses them.
+#[test]
+fn verify_describes_no_option_that_it_always_refuses() {
+    let help = printed(&root(), "verify --help");
+    assert!(!help.contains("--where-row") && !help.contains("'1.2*min'"), "{help}");
+    assert!(help.contains("For 'min' and range(y) give the number"), "{help}");
+}

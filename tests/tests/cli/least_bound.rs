@@ -1,6 +1,6 @@
 //! `--eps min`: the number that it comes to stands in every format, and there is none under conditions that contradict each other.
 
-use boundfit_tests::cli::{boundfit, directory_with, printed};
+use boundfit_tests::cli::{boundfit, directory_with, printed, unbroken};
 
 /// ε_min is 1/8.
 const TABLE: &[u8] = b"x,y\n1,2\n2,3.1\n3,3.9\n4,5.2\n";
@@ -90,4 +90,16 @@ fn figures_of_several_fits_name_the_bound_of_each() {
         let svg = printed(directory.path(), &format!("plot data.csv --x x --y y {options}"));
         assert!(svg.contains(described), "{options}: {svg}");
     }
+}
+
+#[test]
+fn less_than_the_least_bound_fits_nothing() {
+    let directory = directory_with(&[("data.csv", TABLE), ("exact.csv", b"x,y\n1,2\n2,3\n3,4\n")]);
+    let run = boundfit(directory.path(), "fit data.csv --x x --y y --eps 1/2*min");
+    let words = unbroken(&run.stdout);
+    assert!(run.status == 3 && words.contains("Under a smaller one none does."), "{run:?}");
+    assert!(!words.contains("intervals below"), "{words}");
+    // ε_min is 0, and so is the half of it.
+    let run = boundfit(directory.path(), "fit exact.csv --x x --y y --eps 1/2*min");
+    assert!(run.status == 0 && !run.stdout.contains("Under a smaller one"), "{run:?}");
 }

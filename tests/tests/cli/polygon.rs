@@ -202,6 +202,9 @@ fn columns_beside_a_half_plane_do_not_make_it_another_one() {
     for (table, message) in [
         ("a1,a2,rel,b\n1,0,>=,0\n0,1,>=,0\n2,3,<=,6\n", relation("line 2, column 3 (rel): \">=\"")),
         ("a1,a2,b,rel\n1,0,0,\n0,1,0,=\n2,3,6,\n", relation("line 3, column 4 (rel): \"=\"")),
+        ("a1,a2,b,sense\n1,0,1,L\n0,1,1,G\n", relation("line 2, column 4 (sense): \"L\"")),
+        ("a1,a2,b,w\n1,0,1,le\n0,1,1,ge\n", relation("line 2, column 4 (w): \"le\"")),
+        ("[{\"a1\": 1, \"a2\": 0, \"Sense\": \"G\", \"b\": 0}]", relation("line 1, column 3 (Sense): \"G\"")),
         ("1,0,\u{2264},5\n0,1,\u{2264},5\n", relation("line 1, column 3: \"\u{2264}\"")),
         ("1,0,0,5\n0,1,0,5\n", beside("line 1, column 4: \"5\"")),
         ("[{\"a1\": 1, \"a2\": 0, \"rel\": \"<\", \"b\": 0}]", relation("line 1, column 3 (rel): \"<\"")),
@@ -210,6 +213,8 @@ fn columns_beside_a_half_plane_do_not_make_it_another_one() {
         assert_eq!((run.status, run.stdout.as_str(), run.stderr), (1, "", message), "{table:?}");
     }
     let plain = without_file(answer("a1,a2,b\n-1,0,0\n0,-1,0\n2,3,6\n"));
+    let labels = without_file(answer("a1,a2,b,corner\n-1,0,0,E\n0,-1,0,G\n2,3,6,L\n"));
+    assert_eq!(labels["region"], plain["region"]);
     let others = without_file(answer("a1,a2,b,w\n-1,0,0,>= 1\n0,-1,0,5\n2,3,6,\n"));
     assert_eq!(others["region"], plain["region"]);
 }

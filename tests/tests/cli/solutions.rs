@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use boundfit_tests::program::{Run, root, run};
+use boundfit_tests::program::{Run, root, run, run_with_input};
 use serde_json::Value;
 
 /// Returns the output of a solver of this name about a program.
@@ -384,4 +384,41 @@ fn an_objective_without_a_name_is_compared() {
     let (_folder, wrong) = changed("vertex-third", "glpk-plain", named, "Objective:  -7");
     let run = judge("vertex-third", &wrong, &[]);
     assert!(run.status == 1 && run.stderr.contains("-7"), "{run:?}");
+}
+
+#[test]
+fn words_that_only_begin_like_optimal_are_no_answer() {
+    for (status, verdict) in [
+        ("optimal", "exact"),
+        ("Optimal", "exact"),
+        ("optimality not proven", "no answer"),
+        ("optimal?", "no answer"),
+        ("optimal relaxed sum of infeasibilities", "no answer"),
+        ("infeasible point", "no answer"),
+    ] {
+        let text = format!(r#"{{"status": "{status}", "objective": "-2/3", "x": ["1/3", "1/3"]}}"#);
+        let (_, solution) = judged_text("vertex-third", &text);
+        assert_eq!(solution["verdict"], verdict, "{status}: {solution}");
+    }
+}
+
+#[test]
+fn reduced_costs_without_duals_are_said_to_be_passed_over() {
+    let right = r#""objective": "-2/3", "x": ["1/3", "1/3"]"#;
+    let (_, solution) = judged_text("vertex-third", &format!("{{{right}, \"reduced_costs\": [5, 5]}}"));
+    let said = "the reduced costs are not looked at: there are no duals";
+    assert_eq!(solution["not_judged"], said, "{solution}");
+    let (_, solution) = judged_text("vertex-third", &format!("{{{right}}}"));
+    assert_eq!(solution["not_judged"], Value::Null, "{solution}");
+}
+
+#[test]
+fn a_model_and_its_solution_cannot_share_standard_input() {
+    let run = run(&["judge", "-", "--solution", "-"]);
+    let problem = "error: the model and its solutions cannot share standard input\n";
+    assert!(run.status == 2 && run.stderr.starts_with(problem), "{run:?}");
+    let solution = fs::read(root().join(fixture("maximise", "cbc"))).unwrap();
+    let judge = ["judge", "fixtures/tiny-lp/maximise.mps", "--solution", "-"];
+    let run = run_with_input(&judge, &solution);
+    assert!(run.stdout.contains("\nstandard input, written by CBC: right, exactly\n"), "{run:?}");
 }

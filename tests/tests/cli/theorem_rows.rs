@@ -118,8 +118,7 @@ fn what_agrees_and_where_it_does_not_is_said_in_a_line() {
         "{}",
         run.stdout
     );
-    let last =
-        "  agrees  3 rows and all conditions of the theorem, exactly; only coqc checks what it concludes\n";
+    let last = "  agrees  3 rows and all conditions of the theorem, exactly\n          only coqc checks what the theorem concludes\n";
     assert!(run.stdout.ends_with(last), "{}", run.stdout);
     let other = boundfit(directory.path(), "verify a.v a.csv --x x --y y --eps 0.3");
     assert_eq!(other.status, 4, "{other:?}");

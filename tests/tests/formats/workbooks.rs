@@ -50,8 +50,16 @@ fn stored_numbers_keep_their_value_in_every_notation() {
     for book in books("x,y\n1,8.5\n2,8;3\n3,7.25") {
         assert_eq!(ys(&book, comma).unwrap(), ["17/2", "83/10", "29/4"]);
         assert_eq!(ys(&book, grouped(Thousands::Point)).unwrap(), ["17/2", "83/10", "29/4"]);
+        // Nothing but texts has a decimal mark.
+        assert_eq!(ys(&book, |_| ()).unwrap(), ["17/2", "83/10", "29/4"]);
+    }
+    for book in books("x,y\n1,1;5\n2,3.1\n3,0;125") {
+        assert_eq!(ys(&book, |_| ()).unwrap(), ["3/2", "31/10", "1/8"]);
+    }
+    // A comma that may group digits tells no mark.
+    for book in books("x,y\n1,8.5\n2,1;234") {
         assert!(
-            ys(&book, |_| ()).unwrap_err().starts_with("S!B3 (y): \"8,3\": a number with a decimal comma")
+            ys(&book, |_| ()).unwrap_err().starts_with("S!B3 (y): \"1,234\": a number with a decimal comma")
         );
     }
     for book in books("x,y\n1,1.234\n2,-1.5e-7\n3,2.5e300\n4,1.234;5") {

@@ -56,6 +56,9 @@ pub(super) fn parse_claim_file(
     if let Some((line, column)) = nested_beyond(text, limits.nesting) {
         return Err(ClaimError::Nesting { limit: limits.nesting, line, column });
     }
+    if !text.trim_start_matches('\u{feff}').trim_start().starts_with('{') {
+        return Err(ClaimError::NoObject);
+    }
     let file: ClaimFile = serde_json::from_str(text.trim_start_matches('\u{feff}'))?;
     let source = file.source.clone().unwrap_or_else(|| name.clone());
     let status = match file.status.as_deref() {

@@ -16,6 +16,11 @@ pub enum ClaimError {
         Foreign::from(.0.to_string())
     )]
     Json(#[from] serde_json::Error),
+    /// JSON that is a list.
+    #[error(
+        "a list (expected {{\"source\": \"...\", \"status\": \"optimal|infeasible|unbounded\", \"pui\": [[LO, HI], [LO, HI]]}})"
+    )]
+    NoObject,
     /// JSON with arrays or objects too deep inside each other.
     #[error("nested deeper than {limit} levels (the limit) at line {line} column {column}")]
     Nesting {

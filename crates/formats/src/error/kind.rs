@@ -83,7 +83,7 @@ pub enum InputErrorKind {
         columns: u64,
     },
     /// Columns of a MATLAB file or in memory that do not make a table.
-    #[error("the column {:?} has {} numbers, but {:?} has {}", .first.0, .first.1, .other.0, .other.1)]
+    #[error("the column {:?} has {}, but {:?} has {}", .first.0, count(.first.1, ["number", "numbers"]), .other.0, .other.1)]
     DifferentLengths {
         /// A column and how many numbers it has.
         first: (Foreign, u64),
@@ -187,6 +187,9 @@ pub enum InputErrorKind {
     /// An empty file.
     #[error("the file is empty")]
     Empty,
+    /// A file of no more lines than are to be passed over.
+    #[error("the file has no row behind the first {}, which are passed over", count(*.0, ["line", "lines"]))]
+    NothingBehind(u64),
     /// The file ends after its header.
     #[error("the file has a header but no data rows")]
     NoRows,
@@ -305,6 +308,8 @@ pub enum InputErrorKind {
         wanted: Foreign,
         /// The column with this name.
         named: usize,
+        /// True if the table may be read as one without a header.
+        fits_header: bool,
     },
     /// A column that the table does not have.
     #[error("there is no column {wanted:?}{}", advice(.wanted, .available, *.numbers))]
@@ -507,6 +512,11 @@ impl From<io::Error> for InputErrorKind {
     }
 }
 
+/// A number of things in words.
+fn count(count: u64, [one, many]: [&str; 2]) -> String {
+    counted(usize::try_from(count).unwrap_or(usize::MAX), one, many)
+}
+
 impl InputErrorKind {
     /// The limit that was passed, if that is the problem.
     pub fn limit(&self) -> Option<Limit> {
@@ -545,7 +555,7 @@ impl InputErrorKind {
                 way(Setting::Block, "N|NAME", "chooses it"),
                 way(Setting::Block, "all", "takes the rows of all of them together"),
             ],
-            InputErrorKind::NameOrNumber { .. } => {
+            InputErrorKind::NameOrNumber { fits_header: true, .. } => {
                 vec![way(Setting::Header, "no", "says that the first row is a reading")]
             }
             InputErrorKind::CommasTwice { .. } => {
@@ -582,9 +592,10 @@ impl InputErrorKind {
     pub(super) fn expected(&self) -> Option<String> {
         Some(match self {
             InputErrorKind::IsDirectory => "a file, or - for standard input".to_owned(),
-            InputErrorKind::Empty | InputErrorKind::NoRows | InputErrorKind::EmptySheet { .. } => {
-                "at least one row of numbers".to_owned()
-            }
+            InputErrorKind::Empty
+            | InputErrorKind::NothingBehind(_)
+            | InputErrorKind::NoRows
+            | InputErrorKind::EmptySheet { .. } => "at least one row of numbers".to_owned(),
             InputErrorKind::NotUtf8 { unit: "cell", .. } => {
                 "text in UTF-8, as the characters before it are".to_owned()
             }

@@ -22,7 +22,7 @@ pub struct Place {
     pub sheet: Option<Foreign>,
     /// Line of the file, from 1.
     pub line: Option<u64>,
-    /// Number of the data row, from 1, in a file without lines.
+    /// Number of the data row, from 1, in a file without lines or with several rows in one line.
     pub row: Option<usize>,
     /// Column of the table, from 1, with its name when there is a header.
     pub column: Option<(usize, Option<Foreign>)>,
@@ -111,7 +111,10 @@ fn grouping_mark(number: &str) -> Option<&'static str> {
     let groups: Vec<&str> = whole.unwrap_or(number).split(mark).collect();
     let are_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
     let (first, others) = groups.split_first()?;
-    let is_grouped = (1..=3).contains(&first.len()) && others.iter().all(|group| group.len() == 3);
+    // No group stands behind a zero: 0'001 is no number, whatever groups digits.
+    let is_grouped = (1..=3).contains(&first.len())
+        && !first.starts_with('0')
+        && others.iter().all(|group| group.len() == 3);
     let is_clear = !matches!(mark, '.' | ',') || others.len() > 1 || decimals.is_some();
     let is_number = groups.iter().chain(&decimals).all(|text| are_digits(text));
     (!others.is_empty() && is_grouped && is_clear && is_number).then_some(*option)
@@ -138,7 +141,7 @@ impl fmt::Display for Place {
             write!(f, ": line {line}")?;
         }
         if let Some(row) = self.row {
-            write!(f, ": row {row}")?;
+            write!(f, "{} row {row}", if self.line.is_some() { "," } else { ":" })?;
         }
         if let Some((number, name)) = &self.column {
             let separator = if self.line.is_none() && self.row.is_none() { ":" } else { "," };

@@ -7,6 +7,10 @@ use strsim::osa_distance;
 pub(super) fn advice(wanted: &Foreign, available: &[Foreign], numbers: Option<usize>) -> String {
     match (nearest(wanted.raw(), available), numbers) {
         // Where several columns are asked for, a comma separates their names.
+        (Some(name), _) if name.raw().contains(',') && name.raw().contains('"') => {
+            let number = available.iter().position(|other| other == name).map_or(0, |place| place + 1);
+            format!("; did you mean {name:?}? Ask for it by its number, {number}")
+        }
         (Some(name), _) if name.raw().contains(',') => {
             format!("; did you mean '\"{name}\"', with the quotes?")
         }
@@ -85,6 +89,10 @@ mod tests {
         assert_eq!(
             advice(&"U".into(), &names(&["U, V", "y"]), None),
             "; did you mean '\"U, V\"', with the quotes?"
+        );
+        assert_eq!(
+            advice(&"a\"".into(), &names(&["x", "a\",b"]), Some(2)),
+            "; did you mean \"a\\\",b\"? Ask for it by its number, 2"
         );
         assert_eq!(advice(&"z".into(), &names(&["x", "y"]), Some(2)), "");
     }

@@ -208,9 +208,12 @@ impl<T: Cells<C>, C: Placed + Sync> Part<'_, T, C> {
     fn error(&self, column: &C, bad: BadNumber) -> InputError {
         let ColumnPlace { position, name } = column.place().clone();
         let line = self.lines.get(bad.index).copied();
+        // Several records may stand on one line.
+        let neighbours = [bad.index.checked_sub(1), bad.index.checked_add(1)];
+        let is_shared = neighbours.into_iter().flatten().any(|other| self.lines.get(other).copied() == line);
         let place = Place {
             line,
-            row: Some(self.before + bad.index + 1).filter(|_| line.is_none()),
+            row: Some(self.before + bad.index + 1).filter(|_| line.is_none() || is_shared),
             column: Some((position, name)),
             text: Some(bad.text.into()),
             ..Place::default()

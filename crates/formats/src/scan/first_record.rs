@@ -83,7 +83,14 @@ impl<'a> FirstRecord<'a> {
                     let line = preamble.line_feeds + line_feeds(reader.pending());
                     InputError::of_line(file, line, problem)
                 }
-                None => InputError::of_file(file, InputErrorKind::Empty),
+                // A sheet without cells has an error of its own.
+                None => InputError::of_file(
+                    file,
+                    match options.table.dialect.skip_lines {
+                        lines @ 1.. if reader.total() > 0 => InputErrorKind::NothingBehind(lines),
+                        _ => InputErrorKind::Empty,
+                    },
+                ),
             });
         };
         // Whatever is wrong with it is so because it has swallowed the rows behind it.

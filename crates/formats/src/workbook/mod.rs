@@ -3,7 +3,8 @@
 //! A sheet is written as tab-separated text, one line per row, and read by the rules of text. Headers,
 //! missing cells and everything else are the same as in a table of text. A number is a double. Its text is
 //! the shortest that reads back as that double, so 0.1 is 1/10 under the decimal reading and the double
-//! itself under binary64. Numbers have the decimal mark that is asked for, so that it is about texts alone.
+//! itself under binary64. Numbers have the decimal mark that is asked for, or that of the
+//! texts, so that it is about texts alone.
 
 mod archive;
 mod formats;
@@ -70,7 +71,7 @@ pub(crate) fn scan_workbook(
     let sha256 = options.hash.then(|| hexadecimal(&Sha256::new_with_prefix(&content)));
     let total = content.len() as u64;
     let wanted = options.table.sheet.as_deref();
-    let decimal = options.table.dialect.given_mark().unwrap_or_default();
+    let decimal = options.table.dialect.given_mark();
     let sizes = &options.table.sizes;
     let most = limit.min(most_unpacked(total, sizes.ratio));
     let sheet = sheet_text(content, wanted, decimal, most, memory).map_err(|problem| match problem {
@@ -122,16 +123,24 @@ fn whole(mut bytes: Box<dyn Read>, limit: u64, memory: &HeldMemory) -> Result<Ve
 fn sheet_text(
     content: Vec<u8>,
     wanted: Option<&str>,
-    decimal: DecimalMark,
+    decimal: Option<DecimalMark>,
     limit: u64,
     memory: HeldMemory,
 ) -> Result<Sheet, InputErrorKind> {
-    let mut lines = Lines::new(decimal, limit, memory.budget().nothing());
+    let budget = memory.budget().clone();
+    let mut lines = Lines::new(decimal.unwrap_or_default(), limit, budget.nothing());
     let mut archive = Archive::open(content, limit, memory)?;
-    let choice = match archive.kind()? {
-        Kind::Xlsx => xlsx::read_sheet(&mut archive, wanted, &mut lines)?,
-        Kind::Ods => ods::read_sheet(&mut archive, wanted, &mut lines)?,
+    let read_sheet = match archive.kind()? {
+        Kind::Xlsx => xlsx::read_sheet,
+        Kind::Ods => ods::read_sheet,
     };
+    let mut choice = read_sheet(&mut archive, wanted, &mut lines)?;
+    // Stored numbers have no mark of their own: they take that of the texts.
+    if decimal.is_none() && lines.has_commas() {
+        drop(lines);
+        lines = Lines::new(DecimalMark::Comma, limit, budget.nothing());
+        choice = read_sheet(&mut archive, wanted, &mut lines)?;
+    }
     drop(archive);
     let looks = lines.looks();
     let (text, memory) = lines.finish()?;

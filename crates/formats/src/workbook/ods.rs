@@ -172,7 +172,12 @@ fn read_table(part: &mut Part<'_>, limit: u64, lines: &mut Lines) -> Result<(), 
                     let cell = Cell::begin(element, lines.decimal)?;
                     lines.merged += u64::from(spans(element)?);
                     drop(event);
-                    row.push(repeats, cell.text(part, limit)?)?;
+                    let is_text = cell.is_text;
+                    let text = cell.text(part, limit)?;
+                    if is_text {
+                        lines.notice_text(&text);
+                    }
+                    row.push(repeats, text)?;
                 }
                 // A table in a cell, or beside the cells.
                 "table:table" | "table:shapes" => {

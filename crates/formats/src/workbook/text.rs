@@ -26,6 +26,8 @@ pub(super) struct Lines {
     pub(super) decimal: DecimalMark,
     /// The first and the last of each run of columns that are hidden, from 0.
     hidden_columns: Vec<[u32; 2]>,
+    /// True if a text cell is a number with a decimal comma, and if one has a decimal point.
+    has_marks: [bool; 2],
     pub(super) hidden_rows: u64,
     pub(super) merged: u64,
     limit: u64,
@@ -41,11 +43,32 @@ impl Lines {
             width: 0,
             decimal,
             hidden_columns: Vec::new(),
+            has_marks: [false; 2],
             hidden_rows: 0,
             merged: 0,
             limit,
             memory,
         }
+    }
+
+    /// Notices the decimal mark of a text cell, if it is a number whose comma groups no digits.
+    pub(super) fn notice_text(&mut self, text: &str) {
+        let number = text.trim().trim_start_matches(['+', '-', '\u{2212}']);
+        let Some((whole, rest)) = number.split_once([',', '.']) else { return };
+        let fraction = rest.split(['e', 'E']).next().unwrap_or_default();
+        let are_digits = whole.bytes().chain(fraction.bytes()).all(|byte| byte.is_ascii_digit());
+        let is_group = fraction.len() == 3 && (1..=3).contains(&whole.len()) && !whole.starts_with('0');
+        if are_digits && !fraction.is_empty() {
+            let is_comma = number.as_bytes().get(whole.len()) == Some(&b',');
+            let [comma, point] = &mut self.has_marks;
+            *comma |= is_comma && !is_group;
+            *point |= !is_comma;
+        }
+    }
+
+    /// Returns whether the text cells that are numbers have decimal commas.
+    pub(super) fn has_commas(&self) -> bool {
+        self.has_marks == [true, false]
     }
 
     /// Notices a run of columns that are hidden, by its first and its last one, from 0.

@@ -113,9 +113,12 @@ fn length_of_text(json: &str) -> usize {
 }
 
 fn status_of(words: &str) -> SolverStatus {
-    match words {
-        "infeasible-or-unbounded" => SolverStatus::InfeasibleOrUnbounded,
-        other => SolverStatus::of_words(other),
+    match words.trim().to_ascii_lowercase().as_str() {
+        "optimal" => SolverStatus::Optimal,
+        "infeasible" => SolverStatus::Infeasible,
+        "unbounded" => SolverStatus::Unbounded,
+        "infeasible-or-unbounded" | "infeasible or unbounded" => SolverStatus::InfeasibleOrUnbounded,
+        _ => SolverStatus::Other(words.trim().to_owned()),
     }
 }
 

@@ -42,16 +42,23 @@ impl SolverStatus {
     pub fn of_words(words: &str) -> Self {
         let lower = words.trim().to_ascii_lowercase();
         let is_infeasible = lower.contains("infeasible");
+        // "optimality not proven" is no optimum, and an optimum of relaxed rows is one of another program.
+        let begins = |word| lower.strip_prefix(word).is_some_and(|rest: &str| !rest.starts_with(is_of_word));
         match lower.as_str() {
             // GLPK calls a point of its way there so.
             "infeasible (intermediate)" => SolverStatus::Other(words.trim().to_owned()),
             _ if is_infeasible && lower.contains("unbounded") => SolverStatus::InfeasibleOrUnbounded,
-            _ if lower.starts_with("optimal") => SolverStatus::Optimal,
-            _ if lower.starts_with("unbounded") => SolverStatus::Unbounded,
-            _ if lower.starts_with("infeasible") || lower == "integer infeasible" => SolverStatus::Infeasible,
+            _ if begins("optimal") && !lower.contains("relaxed") => SolverStatus::Optimal,
+            _ if begins("unbounded") => SolverStatus::Unbounded,
+            _ if begins("infeasible") || lower == "integer infeasible" => SolverStatus::Infeasible,
             _ => SolverStatus::Other(words.trim().to_owned()),
         }
     }
+}
+
+/// Returns whether a word goes on with a character.
+fn is_of_word(character: char) -> bool {
+    character.is_alphanumeric() || "_-?".contains(character)
 }
 
 /// The reference of a file to a column or a row.

@@ -231,6 +231,12 @@ pub enum ModelErrorKind {
         /// The first line.
         first: u64,
     },
+    /// A name that may be a term of another variable, such as `x/3` beside `x`.
+    #[error("the name may be a term of the variable {of:?}")]
+    MayBeTerm {
+        /// The other variable.
+        of: Foreign,
+    },
     /// The text stops before its end.
     #[error("the file stops without its end")]
     NoEnd(ExchangeFormat),
@@ -304,6 +310,7 @@ impl ModelErrorKind {
             ModelErrorKind::NoEnd(ExchangeFormat::Lp) => "end as the last word; was the file cut off?",
             ModelErrorKind::Quadratic => "terms such as 3 x",
             ModelErrorKind::Unexpected(expected) => expected,
+            ModelErrorKind::MayBeTerm { .. } => "terms such as 1/3 x and 2 x, or another name",
             ModelErrorKind::TermTwice { .. } => "one term of each variable",
             _ => return None,
         })

@@ -48,13 +48,20 @@ fn not_judged(model: &Model, judged: &JudgedSolution) -> Option<String> {
         let [found, rows] = [found, model.rows.len()].map(|count| counted(count, "row", "rows"));
         format!("the duals are not looked at: the file lists {found}, the model has {rows}")
     });
+    let solution = &judged.solution;
+    let is_alone =
+        solution.reduced_costs.is_some() && solution.duals.is_none() && solution.other_rows.is_none();
+    let reduced_costs = is_alone.then(|| REDUCED_COSTS.to_owned());
     let activities = judged.solution.has_activities.then(|| ACTIVITIES.to_owned());
-    let parts: Vec<String> = duals.into_iter().chain(activities).collect();
+    let parts: Vec<String> = duals.into_iter().chain(reduced_costs).chain(activities).collect();
     (!parts.is_empty()).then(|| parts.join("; "))
 }
 
 /// The note on the values of rows, which the point decides.
 const ACTIVITIES: &str = "the row activities are not looked at: the point decides";
+
+/// The note on reduced costs, which duals decide.
+const REDUCED_COSTS: &str = "the reduced costs are not looked at: there are no duals";
 
 /// The source of the tolerances.
 const NAMED: &str = "Tolerances: absolute as HiGHS (primal_feasibility_tolerance, dual_feasibility_tolerance), Gurobi (FeasibilityTol, OptimalityTol) and SoPlex (feastol, opttol) test rows and bounds; relative as SCIP tests them (numerics/feastol); scaled as solvers test them once each row is divided by its largest coefficient.";

@@ -12,7 +12,7 @@ pub(crate) use estimates::bounded_rows;
 pub use next::{NextStep, next_document, next_steps};
 
 use boundfit_estimation::{
-    ErrorBound, Fit, FractionCells, Inverse, Measurement, Model, MultipleOfLeast, NoLeastSquares,
+    ErrorBound, Fit, FractionCells, Inverse, Law, Measurement, Model, MultipleOfLeast, NoLeastSquares,
     ParameterBound, ParameterInterval, Problem, Ties,
 };
 use boundfit_exact::english::counted;
@@ -142,7 +142,11 @@ pub(crate) fn assumption(MultipleOfLeast { factor, least }: &MultipleOfLeast, st
             Text::from("that no error is larger than ").then(style.given(factor)).words(" times eps_min, ")
         }
     };
-    let text = text.number(style.upper(least)).words(
+    let text = text.number(style.upper(least));
+    if *factor < Rational::one() && !least.is_zero() {
+        return text.words(", the least bound under which any theta fits. Under a smaller one none does.");
+    }
+    let text = text.words(
         ", the least bound under which any theta fits. It was found from these very readings, which cannot show that \
          errors are no larger; if one is, the set may miss the true theta.",
     );
@@ -205,11 +209,15 @@ impl<'a> Report<'a> {
     fn facts(&self, &Origin { file, reading, is_stored }: &Origin) -> Vec<(Text, Text)> {
         let measurements = &self.problem.measurements;
         let bounded = bounded_error(measurements);
+        let in_names = |law: &Law| {
+            let [_, words] = measurements.law_in_names(law);
+            words
+        };
         let bound = match measurements.error_bound() {
             ErrorBound::Uniform(epsilon) => {
                 let law = measurements.law();
-                let bounded =
-                    law.map_or(bounded.clone(), |law| bounded.given(law.text()).operator(Operator::Equals));
+                let bounded = law
+                    .map_or(bounded.clone(), |law| bounded.given(in_names(law)).operator(Operator::Equals));
                 // Nobody wrote a multiple of eps_min down: its digits are those of a result.
                 match measurements.multiple_of_least() {
                     Some(_) => bounded.number(self.style.upper(epsilon)),
@@ -218,9 +226,10 @@ impl<'a> Report<'a> {
             }
             ErrorBound::Column(column) => bounded.given(column).words(", one bound per row"),
             ErrorBound::Law(law) if law.is_asymmetric() => {
-                Text::from("y ").given(law.text()).words(" of each row")
+                let [y, law] = measurements.law_in_names(law);
+                Text::new().given(&y).words(" ").given(&law).words(" of each row")
             }
-            ErrorBound::Law(law) => bounded.given(law.text()).words(" of each row"),
+            ErrorBound::Law(law) => bounded.given(in_names(law)).words(" of each row"),
             ErrorBound::Interval { .. } => self.intervals(),
         };
         let (used, total) = (measurements.fitted(), measurements.rows_total());

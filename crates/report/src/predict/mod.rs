@@ -136,8 +136,13 @@ fn further(prediction: &Prediction, style: &Style) -> Text {
         (Err(reason), _) => return Text::from(format!("not predicted: {reason}")),
         (Ok(error), law) => match (error.uniform(), law) {
             (Some(epsilon), _) => known_error(epsilon, prediction.problem, prediction.given.is_some(), style),
-            (None, Some(law)) if law.is_asymmetric() => Text::from("y ").given(law.text()),
-            (None, Some(law)) => bounded_error(&prediction.problem.measurements).given(law.text()),
+            (None, Some(law)) => {
+                let [y, words] = prediction.problem.measurements.law_in_names(law);
+                match law.is_asymmetric() {
+                    true => Text::new().given(&y).words(" ").given(&words),
+                    false => bounded_error(&prediction.problem.measurements).given(&words),
+                }
+            }
             (None, None) => Text::new(),
         },
     };

@@ -98,3 +98,17 @@ fn options_that_make_no_sense() {
     assert_eq!(run.stderr.lines().next(), Some(message.as_str()));
     assert!(names.starts_with("microlp, clarabel") && names.ends_with("exact-simplex"), "{names}");
 }
+
+/// A list has no names that say what its numbers are.
+#[test]
+fn a_claim_is_no_list() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("claim.json");
+    let form = r#"(expected {"source": "...", "status": "optimal|infeasible|unbounded", "pui": [[LO, HI], [LO, HI]]})"#;
+    for text in ["[]", r#"["me", "optimal", [[0, 1], [2, 3]], null, null]"#] {
+        std::fs::write(&file, text).unwrap();
+        let run = boundfit(&format!("{NEAR_PARALLEL} --claim {}", file.display()));
+        let message = format!("error: {}: a list {form}\n", file.display());
+        assert_eq!((run.status, run.stderr), (1, message), "{text}");
+    }
+}

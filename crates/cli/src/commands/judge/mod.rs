@@ -119,6 +119,10 @@ impl NamedFormat for JudgeFormat {
 /// Reads the model, solves it and writes the report.
 pub(super) fn run(arguments: &JudgeArguments) -> CommandResult {
     check_usage_of_files(arguments)?;
+    let inputs = arguments.solutions.solutions.iter().chain([&arguments.model]);
+    if inputs.filter(|input| *input == "-").count() > 1 {
+        return Err(Failure::Usage("the model and its solutions cannot share standard input".to_owned()));
+    }
     let proof = arguments.proof.as_deref();
     let theory = proof_file::only_theory(proof, arguments.proof_library, "a linear program")?;
     arguments.picture.check("--plot", arguments.plot.is_some())?;

@@ -6,7 +6,7 @@ use boundfit_lp::Model;
 use clap::Args;
 
 use crate::exit::Failure;
-use crate::input::read_text;
+use crate::input::{named, read_text};
 use crate::options::{LimitArguments, Switch, ToleranceArguments};
 use crate::work::refuse_long_text;
 
@@ -38,12 +38,12 @@ pub(super) fn judged(
     let ground = Ground::new(model, answer);
     let one = |file: &String| {
         let text = read_text(file, limits.statement())?;
-        let fail = |error| Failure::refused_of(Foreign::of(file), error);
-        refuse_long_text(Foreign::of(file), &text, limits)?;
+        let fail = |error| Failure::refused_of(Foreign::of(named(file)), error);
+        refuse_long_text(Foreign::of(named(file)), &text, limits)?;
         let solution = Solution::new(&read_solution(&text, &limits.number()).map_err(fail)?, model);
         let solution = solution.map_err(fail)?;
         let findings = ground.judge(&solution, &tolerances);
-        Ok(JudgedSolution { file: file.into(), solution, findings })
+        Ok(JudgedSolution { file: named(file).into(), solution, findings })
     };
     arguments.solutions.iter().map(one).collect()
 }

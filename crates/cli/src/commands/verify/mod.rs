@@ -11,8 +11,8 @@ use boundfit_exact::{Foreign, Limit, Reading, Work};
 use boundfit_formats::{DELIMITERS, Header, SizeLimits};
 use boundfit_report::{Verdict, verify_json, verify_text};
 use boundfit_verify::{DataLimits, Failure as Unverified, Proof};
-use clap::Args;
 use clap::builder::PossibleValuesParser;
+use clap::{Arg, Args};
 
 use crate::exit::{CommandResult, Exit, Failure, raises};
 use crate::input::{named, read_text};
@@ -64,7 +64,8 @@ pub(super) const NOTES: Notes = Notes {
 /// PROOF may also be a theorem for Coq. boundfit then compares its rows and conditions with the data, number by number; coqc checks
 /// what follows from them.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string(), mut_group("EpsilonArguments", |group| group.required(false)))]
+#[command(after_help = NOTES.to_string(), mut_group("EpsilonArguments", |group| group.required(false)),
+    mut_args(comparable))]
 pub(crate) struct VerifyArguments {
     /// The proof, or - for standard input
     proof: String,
@@ -104,6 +105,20 @@ pub(crate) struct VerifyArguments {
     /// Separator of columns
     #[arg(long, default_value = "auto", value_parser = words_or_auto(DELIMITERS.map(|(name, _)| name)))]
     delimiter: String,
+}
+
+/// The help of the error bound, without multiples of `min` and `range(y)`, which depend on the readings.
+const EPS: &str = "Error bound of every reading: a number such as 0.5e-3, or a law such as '0.05%*|y| + 2e-3'. 'written' is half a unit \
+                   of the last digit written. '+0.2/-0.1' says that the truth lies in [y - 0.1, y + 0.2]. For 'min' and \
+                   range(y) give the number that the report of 'fit' names";
+
+/// Leaves out of the help what depends on the readings, so that it cannot be compared.
+fn comparable(argument: Arg) -> Arg {
+    match argument.get_id().as_str() {
+        "eps" => argument.help(EPS).long_help(EPS),
+        "where_row" => argument.hide(true),
+        _ => argument,
+    }
 }
 
 impl VerifyArguments {

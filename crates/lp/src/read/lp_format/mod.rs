@@ -42,7 +42,7 @@ fn read_as_cplex(text: &str, limits: &ModelLimits) -> Result<Model, ModelError> 
             Section::Integers => reader.nothing_in(ModelErrorKind::Integer)?,
             Section::SemiContinuous => reader.nothing_in(ModelErrorKind::SemiContinuous)?,
             Section::Sets => reader.nothing_in(ModelErrorKind::NotLinear)?,
-            Section::End => return Ok(reader.program.finish()),
+            Section::End => return reader.program.finish(),
         }
     }
 }

@@ -16,7 +16,7 @@ pub(super) struct Program<'a> {
     pub(super) objective_name: &'a str,
     constant: Rational,
     column_names: Names<'a>,
-    columns: Vec<Column>,
+    columns: Vec<Column<'a>>,
     row_names: Names<'a>,
     /// The lines of rows that have a name, in the order of the names.
     row_lines: Vec<u64>,
@@ -26,7 +26,9 @@ pub(super) struct Program<'a> {
     limits: &'a ModelLimits,
 }
 
-struct Column {
+struct Column<'a> {
+    /// The first place of its name.
+    named: Field<'a>,
     cost: Rational,
     bounds: StatedBounds,
     /// The last expression with a term of it, and its line: 0 for the objective, then the rows.
@@ -155,7 +157,7 @@ impl<'a> Program<'a> {
                 // The name is new, as was just seen.
                 let (Ok(place) | Err(place)) = self.column_names.add(name.text);
                 let bounds = StatedBounds::default();
-                self.columns.push(Column { cost: Rational::zero(), bounds, last: here });
+                self.columns.push(Column { named: name, cost: Rational::zero(), bounds, last: here });
                 Ok(place)
             }
             Some(place) => {
@@ -171,10 +173,30 @@ impl<'a> Program<'a> {
         }
     }
 
+    /// Returns the variable that a name may be a term of: `x/3` and `(x)` are names, and x is a variable, too.
+    fn taken_for_term(&self, name: &str) -> Option<&'a str> {
+        let is_column = |text: &str| self.column_names.find(text).is_some();
+        let is_number =
+            |text: &str| !text.is_empty() && text.bytes().all(|byte| b"0123456789.".contains(&byte));
+        let in_brackets = || name.strip_prefix('(')?.strip_suffix(')');
+        let divided = || name.split_once('/').filter(|(_, by)| is_number(by) || is_column(by));
+        let variable = divided().map(|(variable, _)| variable).or_else(in_brackets)?;
+        let place = self.column_names.find(variable)?;
+        self.columns.get(place).map(|column| column.named.text)
+    }
+
     /// The program that all expressions make. Rows without a name are called after their place, as CPLEX does.
-    pub(super) fn finish(self) -> Model {
+    ///
+    /// # Errors
+    /// With a name that may be a term of another variable.
+    pub(super) fn finish(self) -> Result<Model, ModelError> {
+        for Column { named, .. } in &self.columns {
+            if let Some(of) = self.taken_for_term(named.text) {
+                return Err(named.error(ModelErrorKind::MayBeTerm { of: of.into() }));
+            }
+        }
         let named = self.row_names;
-        let column = |(name, column): (&str, Column)| ModelColumn {
+        let column = |(name, column): (&str, Column<'_>)| ModelColumn {
             name: name.into(),
             cost: column.cost,
             bounds: column.bounds.meant(),
@@ -188,13 +210,13 @@ impl<'a> Program<'a> {
             coefficients.sort_by_key(|(column, _)| *column);
             ModelRow { name: name.into(), coefficients, bounds: row.bounds }
         };
-        Model {
+        Ok(Model {
             name: Foreign::default(),
             sense: self.sense,
             objective_name: self.objective_name.into(),
             constant: self.constant,
             columns: self.column_names.into_order().zip(self.columns).map(column).collect(),
             rows: (1..).zip(self.rows).map(row).collect(),
-        }
+        })
     }
 }
