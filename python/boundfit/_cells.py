@@ -160,7 +160,7 @@ def _of_pyarrow(values: Any, name: str, reading: str) -> Any:
     if types.is_run_end_encoded(values.type):
         import pyarrow.compute
 
-        values = pyarrow.compute.run_end_decode(values)
+        values = pyarrow.compute.call_function("run_end_decode", [values])
     if types.is_dictionary(values.type):
         values = values.cast(values.type.value_type)
     if types.is_temporal(values.type):

@@ -304,7 +304,7 @@ def _comparable(column: Any) -> Any:
     if types.is_timestamp(column.type) or types.is_duration(column.type) or types.is_time64(column.type):
         return column.cast(pyarrow.int64())
     if types.is_floating(column.type):
-        return pyarrow.compute.add(column.cast(pyarrow.float64()), 0.0)
+        return pyarrow.compute.call_function("add", [column.cast(pyarrow.float64()), 0.0])
     return column
 
 
