@@ -436,3 +436,15 @@ test("a file that is no text is refused with the page's way out", async () => {
   assert.match(await page.locator("#edit-notice").textContent(), /\.xlsx: This file is no table of text\. Save its table as CSV, or copy its cells and paste them here\.$/);
   await close();
 });
+
+test("names that are keys of JSON and underscores between digits are told as they are", async () => {
+  const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
+  await WAYS.box(page, '[{"x":0,"y":1},{"x":1,"y":2.1}]');
+  await page.waitForFunction(() => document.body.innerText.includes("Read as: "));
+  assert.match(await page.locator("body").innerText(), /Read as: names from the keys\./);
+  await settled(page);
+  await filled(page, '[data-cell="0 1"]', "1_000");
+  assert.match(await page.locator("#sheet-problem").textContent(), /“1_000”: digits are not grouped with _ here/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
