@@ -149,8 +149,18 @@ test("bounds and conditions are typed with the decimal mark that the page shows"
   // Three numbers in a row are none.
   await filled(page, "#eps", "1,2,3");
   assert.match(await page.locator("#eps-hint").textContent(), /^„1,2,3“: /);
+  // 1.234 may mean thousands: it is asked back, as in a cell.
+  for (const text of ["1.234", "1.234,5"]) {
+    await filled(page, "#eps", text);
+    assert.match(await page.locator("#eps-hint").textContent(), new RegExp(`^„${text}“: ein Punkt, aber das Dezimalzeichen ist hier das Komma`));
+    assert.equal(await page.locator("#eps").inputValue(), text);
+  }
   await filled(page, "#eps", "1,234");
   assert.equal((await request(page)).eps, "1.234");
+  const conditions = await page.locator("#where").inputValue();
+  await filled(page, "#where", "theta1 >= 1.234");
+  assert.match(await page.locator("#where-hint").textContent(), /ein Punkt, aber das Dezimalzeichen ist hier das Komma/);
+  await filled(page, "#where", conditions);
   await page.locator("#language").selectOption("en");
   await page.waitForFunction(() => document.querySelector("#eps").value === "1,234", null, { timeout: 2000 });
   assert.match(await page.locator("#eps-hint").textContent(), /0,5e-3/, "the cells have commas");
@@ -424,5 +434,17 @@ test("a file that is no text is refused with the page's way out", async () => {
   await page.locator("#open-file").setInputFiles(file);
   await page.locator("#edit-notice:not([hidden])").waitFor();
   assert.match(await page.locator("#edit-notice").textContent(), /\.xlsx: This file is no table of text\. Save its table as CSV, or copy its cells and paste them here\.$/);
+  await close();
+});
+
+test("names that are keys of JSON and underscores between digits are told as they are", async () => {
+  const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
+  await WAYS.box(page, '[{"x":0,"y":1},{"x":1,"y":2.1}]');
+  await page.waitForFunction(() => document.body.innerText.includes("Read as: "));
+  assert.match(await page.locator("body").innerText(), /Read as: names from the keys\./);
+  await settled(page);
+  await filled(page, '[data-cell="0 1"]', "1_000");
+  assert.match(await page.locator("#sheet-problem").textContent(), /“1_000”: digits are not grouped with _ here/);
+  assert.deepEqual(complaints, []);
   await close();
 });

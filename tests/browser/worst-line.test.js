@@ -262,3 +262,20 @@ test("what worst lines withhold in the pictures of the readings is there among t
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test("where all lines fall, the steepest one has the least slope", async () => {
+  const file = join(tmpdir(), `boundfit-falling-${process.pid}.csv`);
+  writeFileSync(file, "x,y\n-3,5\n-2,3.1\n-1,0.9\n0,-1.2\n");
+  const options = [file, "--x", "x", "--y", "y", "--eps", "0.3"];
+  const { page, complaints, close } = await openLesson(browser, options);
+  const { en } = await told(page);
+  const { pui } = fitReport(options);
+  const slopes = await page.locator("#worst-lines-table [data-exact]").evaluateAll((rows) =>
+    rows.map((row) => [row.dataset.exact, row.querySelector("td.number").title]));
+  assert.deepEqual(slopes, [["steepest", pui[0].lower.exact], ["shallowest", pui[0].upper.exact]]);
+  const [steep, shallow] = (await byHand(page)).map(({ theta1 }) => Rational.parse(theta1));
+  assert.ok(steep.compare(shallow) < 0);
+  assert.doesNotMatch(en[1], /The steep line is the shallower one|± [-−]/);
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -42,6 +42,8 @@ pub(crate) struct Panel {
     pub(crate) labelled: [bool; 2],
     /// The text above the panel.
     pub(crate) heading: String,
+    /// What stands behind the heading, however far the heading is cut.
+    pub(crate) finding: &'static str,
     /// `true` if the first coordinate runs along the vertical axis.
     flipped: bool,
     pub(crate) items: Vec<Item>,
@@ -172,7 +174,15 @@ impl Panel {
     /// An empty panel of the first and the second coordinate; flipped, the first runs upwards.
     pub(crate) fn new(frame: Frame, [first, second]: [Axis; 2], flipped: bool) -> Self {
         let axes = if flipped { [second, first] } else { [first, second] };
-        Panel { frame, axes, labelled: [true, true], heading: String::new(), flipped, items: Vec::new() }
+        Panel {
+            frame,
+            axes,
+            labelled: [true, true],
+            heading: String::new(),
+            finding: "",
+            flipped,
+            items: Vec::new(),
+        }
     }
 
     /// Returns the place of a point. Rounded once per coordinate.

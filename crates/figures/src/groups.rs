@@ -68,7 +68,8 @@ pub(crate) fn drawing(
             format!("Drawn are the first {} of {all} groups, in the order of rows.", groups.len()),
         );
     }
-    let names: Vec<String> = panels.iter().map(|panel| panel.heading.clone()).collect();
+    let names: Vec<String> =
+        panels.iter().map(|panel| format!("{}{}", panel.heading, panel.finding)).collect();
     let bottom = frames.iter().map(|frame| frame.top + frame.height).fold(0.0, f64::max);
     Drawing {
         description: format!(

@@ -8,7 +8,7 @@ use crate::labels;
 use crate::palette::{
     BLUE, Colour, DARK_PURPLE, Dash, Fill, GREEN, Mark, ORANGE, SKY, Shape, Stroke, VERMILLION,
 };
-use crate::text::one_line;
+use crate::text::one_line_of_ends;
 
 /// One of several fits.
 #[derive(Debug, Clone)]
@@ -68,7 +68,7 @@ impl SeriesLook {
 impl Series<'_> {
     /// The name, fit for a legend.
     pub(crate) fn name(&self) -> String {
-        let name = one_line(&self.name, 60);
+        let name = one_line_of_ends(&self.name, 60);
         let name = if name.is_empty() { "\"\"".to_owned() } else { name };
         // The number is not known where it is asked for.
         let multiple = self.problem.measurements.multiple_of_least();

@@ -1,125 +1,6 @@
 //! Words and numbers of figures as LaTeX sets them, in text and in formulas.
 
-use boundfit_exact::latex::escape_in_name;
-
-/// The replacements of characters in a formula.
-const IN_FORMULAS: &[(char, &str)] = &[
-    ('<', "<"),
-    ('>', ">"),
-    ('|', "|"),
-    ('−', "-"),
-    ('±', r"\pm "),
-    ('×', r"\times "),
-    ('·', r"\cdot "),
-    ('÷', r"\div "),
-    ('≤', r"\le "),
-    ('≥', r"\ge "),
-    ('≈', r"\approx "),
-    ('≠', r"\ne "),
-    ('∞', r"\infty "),
-    ('√', r"\surd "),
-    ('∂', r"\partial "),
-    ('∆', r"\Delta "),
-    ('∑', r"\Sigma "),
-    ('¬', r"\neg "),
-    ('′', "'"),
-    ('″', "''"),
-    ('←', r"\leftarrow "),
-    ('↑', r"\uparrow "),
-    ('→', r"\rightarrow "),
-    ('↓', r"\downarrow "),
-    ('•', r"\bullet "),
-    ('◊', r"\diamond "),
-    ('°', r"^\circ "),
-    ('µ', r"\mu "),
-    ('Ω', r"\Omega "),
-    ('Ω', r"\Omega "),
-    ('Γ', r"\Gamma "),
-    ('Δ', r"\Delta "),
-    ('Θ', r"\Theta "),
-    ('Λ', r"\Lambda "),
-    ('Ξ', r"\Xi "),
-    ('Π', r"\Pi "),
-    ('Σ', r"\Sigma "),
-    ('Υ', r"\Upsilon "),
-    ('Φ', r"\Phi "),
-    ('Ψ', r"\Psi "),
-    ('α', r"\alpha "),
-    ('β', r"\beta "),
-    ('γ', r"\gamma "),
-    ('δ', r"\delta "),
-    ('ε', r"\varepsilon "),
-    ('ζ', r"\zeta "),
-    ('η', r"\eta "),
-    ('θ', r"\theta "),
-    ('ι', r"\iota "),
-    ('κ', r"\kappa "),
-    ('λ', r"\lambda "),
-    ('μ', r"\mu "),
-    ('ν', r"\nu "),
-    ('ξ', r"\xi "),
-    ('ο', "o"),
-    ('π', r"\pi "),
-    ('ρ', r"\rho "),
-    ('ς', r"\varsigma "),
-    ('σ', r"\sigma "),
-    ('τ', r"\tau "),
-    ('υ', r"\upsilon "),
-    ('φ', r"\varphi "),
-    ('χ', r"\chi "),
-    ('ψ', r"\psi "),
-    ('ω', r"\omega "),
-    ('ϑ', r"\vartheta "),
-    ('ϕ', r"\phi "),
-    ('ϵ', r"\epsilon "),
-];
-
-/// The replacements of characters that are no letters in a text.
-const IN_TEXTS: &[(char, &str)] = &[
-    ('\u{a0}', "~"),
-    ('\u{ad}', r"\-"),
-    ('¡', "!`"),
-    ('¿', "?`"),
-    ('§', r"\S{}"),
-    ('¶', r"\P{}"),
-    ('©', r"\copyright{}"),
-    ('£', r"\pounds{}"),
-    ('€', r"\texteuro{}"),
-    ('‰', r"\textperthousand{}"),
-    ('…', r"\ldots{}"),
-    ('⁄', "/"),
-    ('‐', "{-}"),
-    ('‑', "{-}"),
-    ('‒', "--"),
-    ('–', "--"),
-    ('—', "---"),
-    ('―', "---"),
-    ('‘', "`"),
-    ('’', "'"),
-    ('‚', ","),
-    ('“', "``"),
-    ('”', "''"),
-    ('„', ",,"),
-    ('†', r"\dag{}"),
-    ('‡', r"\ddag{}"),
-    ('℃', r"\ensuremath{^\circ}C"),
-    ('℉', r"\ensuremath{^\circ}F"),
-    ('¼', "1/4"),
-    ('½', "1/2"),
-    ('¾', "3/4"),
-];
-
-/// A raised or a lowered character in plain.
-fn plain(character: char) -> Option<(char, char)> {
-    const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ⁿⁱ";
-    const LOWERED: &str = "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎";
-    const PLAIN: &str = "0123456789+-=()ni";
-    let found = |all: &str, sign: char| {
-        let place = all.chars().position(|own| own == character)?;
-        Some((sign, PLAIN.chars().nth(place)?))
-    };
-    found(RAISED, '^').or_else(|| found(LOWERED, '_'))
-}
+use boundfit_exact::latex::{self, escape_in_name, in_text};
 
 /// A text of one line as LaTeX shows it with any encoding of its fonts. Letters of other scripts stay as they are, for documents
 /// that have them; any other character without a command is a lozenge.
@@ -130,12 +11,12 @@ pub(crate) fn text(text: &str) -> String {
     // A second raised or lowered group of one nucleus is an error of TeX: it gets an empty nucleus.
     let mut nucleus = Nucleus::default();
     for character in text.chars() {
-        let moved = plain(character);
+        let moved = latex::moved(character);
         if group.is_some() && group != moved.map(|(sign, _)| sign) {
             result.push('}');
             group = None;
         }
-        let formula = IN_FORMULAS.iter().find(|(own, _)| *own == character).map(|(_, formula)| *formula);
+        let formula = latex::in_formula(character);
         if (moved.is_some() || formula.is_some()) != in_formula {
             result.push('$');
             in_formula = !in_formula;
@@ -192,9 +73,8 @@ impl Nucleus {
 }
 
 fn in_words(character: char, result: &mut String) {
-    let known = IN_TEXTS.iter().find(|(own, _)| *own == character);
-    match known {
-        Some((_, text)) => result.push_str(text),
+    match in_text(character) {
+        Some(text) => result.push_str(text),
         None if character.is_ascii() => escape_in_name(character, result),
         None if character.is_alphabetic() => result.push(character),
         None => result.push_str(r"\ensuremath{\diamond}"),

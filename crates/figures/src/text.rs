@@ -30,6 +30,19 @@ pub(crate) fn one_line(text: &Foreign, most: usize) -> String {
     words.chars().take(most.saturating_sub(1)).chain(['…']).collect()
 }
 
+/// Returns the text on one line like [`one_line`], but cut in its middle: paths of one folder differ at their ends.
+pub(crate) fn one_line_of_ends(text: &Foreign, most: usize) -> String {
+    let words = text.label();
+    let letters: Vec<char> = words.chars().collect();
+    if letters.len() <= most {
+        return words;
+    }
+    let last = most / 2;
+    let first = most.saturating_sub(last + 1);
+    let (start, end) = (letters.iter().take(first), letters.iter().skip(letters.len() - last));
+    start.chain(&['…']).chain(end).collect()
+}
+
 /// The characters that [`FONT`] has.
 const IN_FONT: [(char, char); 33] = [
     (' ', '~'),
@@ -107,6 +120,8 @@ mod tests {
         assert_eq!(one_line(&"a\nb \t c".into(), 9), "a b c");
         assert_eq!(one_line(&"a\u{1}\u{ffff}\u{202e}b".into(), 99), r"a\u{1}\u{ffff}\u{202e}b");
         assert_eq!(one_line(&"abcdef".into(), 4), "abc…");
+        assert_eq!(one_line_of_ends(&"abcdef".into(), 4), "a…ef");
+        assert_eq!(one_line_of_ends(&"abcd".into(), 4), "abcd");
         assert_eq!(escaped("a<b & c"), "a&lt;b &amp; c");
     }
 

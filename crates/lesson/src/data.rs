@@ -66,11 +66,6 @@ impl LessonJson {
         &self.title
     }
 
-    /// Returns whether a column has the error bounds.
-    pub(crate) fn has_column_of_bounds(&self) -> bool {
-        self.epsilon.has_column()
-    }
-
     /// The unit of a parameter.
     pub(crate) fn unit_of_parameter(&self, axis: usize) -> Option<&str> {
         [&self.units.theta1, &self.units.theta2].get(axis)?.as_deref()

@@ -25,13 +25,6 @@ pub(crate) struct EpsilonJson {
     column: Option<String>,
 }
 
-impl EpsilonJson {
-    /// Returns whether a column has the bounds.
-    pub(crate) fn has_column(&self) -> bool {
-        self.column.is_some()
-    }
-}
-
 #[derive(Debug, Serialize)]
 pub(crate) struct ReadingJson {
     row: usize,

@@ -147,7 +147,7 @@ fn with_texts(template: &str, language: Language, values: &[(&str, Value)]) -> S
 
 /// The template with the columns of the data in its formulas, and without what belongs to the other model.
 fn with_names(template: &str, facts: &Facts<'_>) -> String {
-    let names = facts.names();
+    let names = facts.names_in_formulas();
     let named = each(template, "data-name=\"", |key, rest| {
         let name = names.iter().find(|(name, _)| *name == key).map_or("", |(_, column)| column);
         (format!("{key}\">{}", escaped(name)), rest.strip_prefix("\">").unwrap_or(rest))

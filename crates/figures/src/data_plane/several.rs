@@ -100,10 +100,8 @@ pub(crate) fn panels(
         look_outside(&mut beyond, &panel, own.problem);
         draw_readings(&mut panel, own.problem, step, &style);
         draw_line(&mut panel, own, style.line);
-        panel.heading = match own.fit.is_empty() {
-            true => format!("{}: no line", own.name()),
-            false => own.name(),
-        };
+        panel.heading = own.name();
+        panel.finding = if own.fit.is_empty() { ": no line" } else { "" };
         panel
     });
     let panels: Vec<Panel> = panels.collect();

@@ -168,10 +168,8 @@ pub(crate) fn panels(
                 panel.mark(region::at(&panel, theta), mark);
             }
         }
-        panel.heading = match polyhedron.region().is_empty() {
-            true => format!("{}: empty", own.name()),
-            false => own.name(),
-        };
+        panel.heading = own.name();
+        panel.finding = if polyhedron.region().is_empty() { ": empty" } else { "" };
         panel
     });
     let legend = vec![

@@ -57,7 +57,8 @@ pub(super) fn texts(brush: &Brush, panel: &Panel, frame: Frame) -> CanvasResult<
         let at = [left, top - ABOVE];
         texts.push(written(at, text, (LABEL_SIZE, FAINT_INK), Align::Start));
     }
-    let text = brush.fitted(&panel.heading, NAME_SIZE, width)?;
+    let room = width - brush.text_width(panel.finding, NAME_SIZE)?;
+    let text = brush.fitted(&panel.heading, NAME_SIZE, room)? + panel.finding;
     let heading_width = brush.text_width(&text, NAME_SIZE)?;
     let free = (width - heading_width) / 2.0;
     let raised = if scale_width > 0.0 && free < scale_width + APART { 15.0 } else { 0.0 };

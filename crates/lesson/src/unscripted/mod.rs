@@ -56,10 +56,29 @@ impl Facts<'_> {
         names
     }
 
+    /// The names within formulas, in which a shifted x is a difference in parentheses.
+    pub(crate) fn names_in_formulas(&self) -> Vec<(&'static str, String)> {
+        let is_shifted = !self.problem.measurements.line_form().x_origin.is_zero();
+        let named = self.names().into_iter().map(|(name, column)| match name {
+            "x" if is_shifted => (name, format!("({column})")),
+            _ => (name, column),
+        });
+        named.chain([("middle", self.middle_name())]).collect()
+    }
+
     /// The kind of the feasible set.
     fn kind(&self) -> Message {
         let region = self.fit.fps.polyhedron().region();
         text!(&format!("kind.{}", region.kind().name()), vertices: region.vertices().len())
+    }
+
+    /// The name of the middle of a reading's bounds: that of y, unless they differ.
+    fn middle_name(&self) -> String {
+        let measurements = &self.problem.measurements;
+        match measurements.error_bound().has_middles() {
+            true => "m".to_owned(),
+            false => measurements.response().label(),
+        }
     }
 
     /// The text in the places of the introduction.
@@ -67,7 +86,9 @@ impl Facts<'_> {
         let mut values: Vec<(&str, Value)> =
             self.names().into_iter().map(|(name, column)| (name, column.into())).collect();
         let phi = if self.is_line() { "introduction.phi-line" } else { "introduction.phi-two" };
-        let phi = values.iter().fold(Message::new(phi), |phi, (name, value)| phi.with(name, value.clone()));
+        let in_formulas = self.names_in_formulas();
+        let phi = in_formulas.into_iter().fold(Message::new(phi), |phi, (name, own)| phi.with(name, own));
+        let phi = phi.with("shift", Value::from(""));
         let conditions = &self.problem.conditions;
         let within =
             Value::listed(conditions.iter().map(|condition| Value::formula(condition.text().to_string())));
@@ -85,8 +106,8 @@ impl Facts<'_> {
     fn stated_bound(&self) -> Value {
         let measurements = &self.problem.measurements;
         let Some(epsilon) = measurements.error_bound().uniform() else {
-            let has_column = self.document.has_column_of_bounds();
-            return text!(if has_column { "epsilon.stated-each" } else { "epsilon.stated-own" }).into();
+            let has_middles = measurements.error_bound().has_middles();
+            return text!(if has_middles { "epsilon.stated-own" } else { "epsilon.stated-each" }).into();
         };
         let unit = self.options.y_unit.as_ref().map(|unit| format!(" {unit}")).unwrap_or_default();
         Value::joined([Value::from(" = "), number(epsilon), unit.into()], "list.nothing")

@@ -125,6 +125,19 @@ fn groups_stand_in_panels_with_the_same_axes_in_the_order_of_rows() {
 }
 
 #[test]
+fn a_long_name_is_cut_before_what_is_found() {
+    let folder = tempfile::tempdir().unwrap();
+    let name = "a long name of a group ".repeat(9);
+    let rows: String = (0..12).map(|x| format!("{}{},{x},{}\n", name, x % 4, x * x)).collect();
+    fs::write(folder.path().join("long.csv"), format!("g,x,y\n{rows}")).unwrap();
+    for (figure, found) in [("sets", "…: empty\n"), ("data", "…: no line\n")] {
+        let words = format!("long.csv --x x --y y --eps 1e-7 --by g --figure {figure} --real-text");
+        let text = svg(&line(&folder, &words.replace("--figure sets ", "")), 3);
+        assert_eq!(text.matches(found).count(), 4, "{words}: {text}");
+    }
+}
+
+#[test]
 fn an_empty_group_is_told() {
     let folder = tables();
     let text = svg(&line(&folder, "cells.csv --x t --y U --eps 0.1 --by cell --rows 1..10 --real-text"), 3);

@@ -80,7 +80,7 @@ fn written(drawing: &Drawing, look: &Look) -> CanvasResult<(String, Styles, [f64
     words.above().for_each(|line| writer.text(&line));
     for (number, own) in (1..).zip(&drawing.panels) {
         let frame = panel::frame_below(own, top);
-        writer.paths.remark(&format!("panel {number}: {}", own.heading));
+        writer.paths.remark(&format!("panel {number}: {}{}", own.heading, own.finding));
         writer.grid(own, frame);
         writer.panel(own, frame);
         with_scratch(look.page, |brush| {

@@ -94,9 +94,22 @@ export function cellIn(sheet, value, before = "") {
 export const showsComma = (sheet) => hasDecimalComma() || markOf(sheet) === "comma";
 
 /**
- * A formula that is typed, such as `theta1 <= 5,5`, as the engine reads it: 1,5 is a number, 1,2,3 is none.
+ * A formula that is typed, such as `theta1 <= 5,5`, as the engine reads it: 1,5 is a number, 1,2,3 is none. Where decimals have
+ * commas, each mark stands for the other one, but 0.5 is a number, too. In a sheet without decimal points 1.234 may mean thousands:
+ * the engine reads it as 1,234 and refuses it.
  * @param {string} text
- * @param {boolean} comma
+ * @param {Sheet} sheet
  */
-export const typedFormula = (text, comma) =>
-  comma ? text.replace(/[\d.,]+/g, (number) => (/^\d*,\d+$/.test(number) ? number.replace(",", ".") : number)) : text;
+export function typedFormula(text, sheet) {
+  if (!showsComma(sheet)) return text;
+  const hasPoint = cellsIn(sheet).some((cell) => markIn(cell) === ".");
+  /** @param {string} number */
+  const isPlain = (number) => !number.includes(",") && markIn(number) === "." && (hasPoint || !THOUSANDS.test(number));
+  return text.replace(/[\d.,]+/g, (number) => (isPlain(number) ? number : swapped(number)));
+}
+
+/**
+ * A text with points for commas and commas for points.
+ * @param {string} text
+ */
+export const swapped = (text) => text.replace(/[.,]/g, (mark) => (mark === "," ? "." : ","));

@@ -3,7 +3,7 @@
 
 import { element } from "../dom.js";
 import { problemNote } from "./grid.js";
-import { cellIn, showsComma, typedFormula } from "./marks.js";
+import { cellIn, showsComma, swapped, typedFormula } from "./marks.js";
 import { textOf, withBounds, withRequest } from "./sheet.js";
 import { boundAt } from "../model/lesson.js";
 import { ONE } from "../model/rational.js";
@@ -15,6 +15,19 @@ const KINDS_OF_BOUNDS = ["eps", "column", "interval"];
 /** What the hints show. */
 const NUMBER_IN_HINT = "0.5e-3";
 const CONDITION_IN_HINT = "theta1 >= 0.5";
+
+/** @type {Record<string, string>} */
+const OTHER_MARK = { "number-comma": "number-point", "number-point": "number-comma" };
+
+/**
+ * What is wrong with a formula whose marks were exchanged for the engine, in the marks that were typed.
+ * @param {Problem} problem
+ * @returns {Problem}
+ */
+function withTypedMarks({ refusal, ...place }) {
+  const { kind, text } = refusal;
+  return { ...place, refusal: { ...refusal, kind: OTHER_MARK[kind] ?? kind, text: text === undefined ? text : swapped(text) } };
+}
 
 /** @param {Sheet} sheet */
 function kindOfBounds({ request: { eps_column, lower, upper } }) {
@@ -46,11 +59,11 @@ export function questionForm(sheet, problem, typing) {
         size: width,
         autocomplete: "off",
         spellcheck: "false",
-        value: typing?.place === id ? typing.text : formulaText(text, comma),
+        value: typing?.place === id ? typing.text : comma && isWrong ? swapped(text) : formulaText(text, comma),
         "aria-invalid": isWrong ? "true" : null,
         "aria-describedby": `${id}-hint`,
       }),
-      element("small", { id: `${id}-hint` }, isWrong && problem !== null ? problemNote(problem) : t(`edit.${id}-hint`, { number, condition })),
+      element("small", { id: `${id}-hint` }, isWrong && problem !== null ? problemNote(comma ? withTypedMarks(problem) : problem) : t(`edit.${id}-hint`, { number, condition })),
     );
   };
   return element(
@@ -79,7 +92,7 @@ export function questionForm(sheet, problem, typing) {
  */
 export function askedBy(input, sheet, lesson) {
   const { id, value, checked } = input;
-  const words = typedFormula(value.trim(), showsComma(sheet));
+  const words = typedFormula(value.trim(), sheet);
   if (id === "eps") return words === sheet.request.eps ? null : withRequest(sheet, { eps: words });
   if (id === "where") {
     const conditions = words.split(";").map((own) => own.trim()).filter((own) => own !== "");

@@ -40,7 +40,8 @@ export const sentenceOf = (refusal) => capital(refusedWords(refusal));
  * @param {Refusal} refusal
  */
 export function refusedWords({ kind, words, text, position, values = {} }) {
-  const said = isText(`problem.${kind}`) ? t(`problem.${kind}`, values) : words;
+  const own = kind === "number-groups" && text?.includes("_") ? "number-underscore" : kind;
+  const said = isText(`problem.${own}`) ? t(`problem.${own}`, values) : words;
   const placed = position === undefined ? said : t("problem-at.character", { problem: said, position });
   return text === undefined || text === "" ? placed : t("problem-at.text", { problem: placed, text: withBlanks(text) });
 }

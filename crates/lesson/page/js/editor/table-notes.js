@@ -14,10 +14,12 @@ export function notesOf({ header, delimiter, decimal, thousands, encoding, block
   /** @param {string} what @param {number} count */
   const counted = (what, count) => (count > 0 ? t(`table.${what}`, { count }) : "");
   const named = comment ? "table.names-in-comment" : open ? "table.header-open" : "table.header";
+  // JSON has no columns to separate, and keys in the place of a line with names.
+  const isJson = delimiter === null && encoding !== null;
   const parts = [
-    line === null ? t("table.no-header") : t(named, { line }),
+    isJson ? t("table.keys") : line === null ? t("table.no-header") : t(named, { line }),
     delimiter === null ? "" : DELIMITERS.includes(delimiter) ? t(`table.delimiter.${delimiter}`) : t("table.delimiter", { mark: delimiter }),
-    t(`table.decimal.${decimal}`),
+    isJson ? "" : t(`table.decimal.${decimal}`),
     thousands === null ? "" : t("table.thousands", { mark: thousands }),
     encoding === null || encoding === "UTF-8" ? "" : t("table.encoding", { encoding }),
     blockWords(blocks),

@@ -3,7 +3,7 @@
 // A line by hand is known by its heights at the least and the greatest x of the readings.
 
 import { boundAt, rightHandSide, violations } from "./lesson.js";
-import { ONE, dot, extremes } from "./rational.js";
+import { ONE, ZERO, dot, extremes } from "./rational.js";
 
 /** @type {WorstName[]} */
 export const WORST = ["steepest", "shallowest"];
@@ -34,8 +34,34 @@ export function cornerToCorner(lesson) {
   });
   const [first, last] = ends;
   if (first === undefined) return { steepest: [], shallowest: [] };
-  return { steepest: [first.lower, last.upper], shallowest: [first.upper, last.lower] };
+  const [greatest, least] = [[first.lower, last.upper], [first.upper, last.lower]];
+  return isGreatest(lesson, "steepest") ? { steepest: greatest, shallowest: least } : { steepest: least, shallowest: greatest };
 }
+
+/**
+ * Whether all lines fall: the feasible ones, or from the middle of the first bar to that of the last one where there are none.
+ * @param {Lesson} lesson
+ */
+function fall({ fps, readings }) {
+  if (fps.kind === "empty") {
+    const [first, ...others] = [...readings].sort((p, q) => p.phi[0].compare(q.phi[0]));
+    const last = others.at(-1);
+    return last !== undefined && last.middle.compare(first.middle) < 0;
+  }
+  const slopes = fps.vertices.map(({ theta }) => theta[0]);
+  if (slopes.length === 0 || directionsOf(fps).some((direction) => direction[0].sign() > 0)) return false;
+  return extremes(slopes)[1].compare(ZERO) <= 0;
+}
+
+/** @param {Lesson["fps"]} fps */
+const directionsOf = ({ rays, lines }) => [...rays, ...lines, ...lines.map((line) => line.map((part) => part.negated()))];
+
+/**
+ * Whether the line has the greatest slope of all, not the least: the steepest one, unless all lines fall.
+ * @param {Lesson} lesson
+ * @param {WorstName} name
+ */
+export const isGreatest = (lesson, name) => (name === "steepest") !== fall(lesson);
 
 /**
  * Slope and intercept of a line by hand.
@@ -62,15 +88,16 @@ export function faultsOf(lesson, theta) {
 }
 
 /**
- * The vertex of the feasible parameter set with the greatest or the least slope; null where there is none.
+ * The vertex of the feasible parameter set with the steepest or the shallowest slope; null where there is none.
  * @param {Lesson} lesson
  * @param {WorstName} name
  */
-export function worstVertex({ fps }, name) {
-  const sign = name === "steepest" ? 1 : -1;
-  const endless = [...fps.rays, ...fps.lines, ...fps.lines.map((line) => line.map((part) => part.negated()))];
-  if (fps.vertices.length === 0 || endless.some((direction) => direction[0].sign() === sign)) return null;
+export function worstVertex(lesson, name) {
+  const { fps } = lesson;
+  const isUpper = isGreatest(lesson, name);
+  const sign = isUpper ? 1 : -1;
+  if (fps.vertices.length === 0 || directionsOf(fps).some((direction) => direction[0].sign() === sign)) return null;
   const slopes = fps.vertices.map(({ theta }) => theta[0]);
-  const best = extremes(slopes)[name === "steepest" ? 1 : 0];
+  const best = extremes(slopes)[isUpper ? 1 : 0];
   return slopes.findIndex((slope) => slope.equals(best));
 }

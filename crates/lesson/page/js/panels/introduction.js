@@ -4,7 +4,7 @@
 import { all, byId, element, patch } from "../dom.js";
 import { kindText, plain, shortList } from "../model/format.js";
 import { Rational } from "../model/rational.js";
-import { fillTexts, formulaText, rich, t } from "../texts.js";
+import { fillTexts, formulaText, numberText, rich, t } from "../texts.js";
 import { teacherValues } from "./teacher.js";
 
 const LONGEST_IN_FORMULA = 14;
@@ -24,9 +24,11 @@ export function fillIntroduction(lesson) {
     model.kind === "line"
       ? { x: model.x, y: model.y }
       : { u: model.regressors[0], v: model.regressors[1], y: model.y };
+  const { name: x, sign, size } = countedFrom(lesson, names.x ?? "");
+  const shift = size === "" ? "" : ` ${sign} ${size}`;
   fillTexts({
     ...names,
-    phi: rich(lesson.isLine ? "introduction.phi-line" : "introduction.phi-two", names),
+    phi: rich(lesson.isLine ? "introduction.phi-line" : "introduction.phi-two", { ...names, x, shift }),
     epsilon: statedBound(lesson),
     conditions:
       data.conditions.length === 0 ? "" : t("conditions.within", { list: { list: data.conditions.map(({ text }) => formulaText(text)) } }),
@@ -37,7 +39,12 @@ export function fillIntroduction(lesson) {
   byId("provenance").textContent = provenance(lesson);
   byId("epsilon-label").textContent = t(lesson.epsilon === null ? "epsilon.label-factor" : "epsilon.label");
   // A formula has no place to break a line.
-  for (const place of all("mi[data-name]")) place.textContent = shortName(names[place.dataset.name ?? ""] ?? "");
+  const inFormulas = { ...names, x, middle: hasOwnBounds(lesson) ? "m" : names.y };
+  for (const place of all("mi[data-name]")) place.textContent = shortName(inFormulas[place.dataset.name ?? ""] ?? "");
+  byId("origin-sign").textContent = sign;
+  byId("origin-size").textContent = size;
+  for (const place of all("[data-origin]")) place.toggleAttribute("data-off", size === "");
+  for (const place of all("[data-around]")) place.toggleAttribute("data-off", hasOwnBounds(lesson));
   for (const place of all("[data-model]"))
     place.toggleAttribute("data-off", place.dataset.model !== model.kind);
   patch(byId("readings-note"), whichMatter(lesson));
@@ -63,6 +70,24 @@ function titleOf({ data }) {
   const key = data.file === STANDARD_INPUT ? "page.title-of-input" : "page.title";
   return t(key, { file: data.file, y: model.y, x: { list } });
 }
+
+/**
+ * The column of x, and from where it is counted: `year - 1980` is the name of a difference.
+ * @param {Lesson} lesson
+ * @param {string} name
+ */
+function countedFrom({ data }, name) {
+  const parts = /^(.*) ([-+]) (\S+)$/s.exec(name);
+  if (data.asked.x_origin === undefined || parts === null) return { name, sign: "", size: "" };
+  return { name: parts[1], sign: parts[2] === "-" ? "\u2212" : "+", size: numberText(parts[3]) };
+}
+
+/**
+ * Whether readings have bounds about middles of their own, which need not be what was read.
+ * @param {Lesson} lesson
+ */
+const hasOwnBounds = ({ data, readings }) =>
+  data.epsilon.uniform === null && (data.epsilon.column === null || readings.some(({ middle, y }) => !middle.equals(y)));
 
 /** @param {Lesson} lesson */
 function uniformBound({ readings }) {
@@ -101,7 +126,7 @@ function provenance(lesson) {
  */
 function statedBound(lesson) {
   const { epsilon, fit } = lesson.data;
-  const own = t(epsilon.column === null ? "epsilon.stated-own" : "epsilon.stated-each");
+  const own = t(hasOwnBounds(lesson) ? "epsilon.stated-own" : "epsilon.stated-each");
   const stated = epsilon.uniform === null ? own : ` = ${uniformBound(lesson)}${unitOf(lesson)}`;
   const multiple = fit.input.epsilon_from_least;
   if (multiple === undefined) return stated;
@@ -110,10 +135,10 @@ function statedBound(lesson) {
 }
 
 /** @param {Lesson} lesson */
-function dataLegend({ data, fps, isLine, leastSquares }) {
-  const isOwn = data.epsilon.uniform === null && data.epsilon.column === null;
+function dataLegend(lesson) {
+  const { data, fps, isLine, leastSquares } = lesson;
   const words = [
-    t(isOwn ? "legend.bars-own" : "legend.bars"),
+    t(hasOwnBounds(lesson) ? "legend.bars-own" : "legend.bars"),
     t(isLine ? "legend.lines" : "legend.predictions", { empty: fps.kind === "empty" ? 2 : 1 }),
   ];
   if (leastSquares !== null) words.push(t("legend.squares"));

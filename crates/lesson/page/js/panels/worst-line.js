@@ -5,7 +5,7 @@ import { byId, element, patch } from "../dom.js";
 import { activeAt, conflict } from "../model/lesson.js";
 import { boundMark, conditionNumber, decimal, endText, thetaName } from "../model/format.js";
 import { HALF, Rational } from "../model/rational.js";
-import { WORST, cornerToCorner, faultsOf, gripsOf, lineByHand, worstVertex } from "../model/worst-line.js";
+import { WORST, cornerToCorner, faultsOf, gripsOf, isGreatest, lineByHand, worstVertex } from "../model/worst-line.js";
 import { numberText, t } from "../texts.js";
 
 const MOST_MISSED = 12;
@@ -66,9 +66,10 @@ function verdict(line) {
 function distance(lesson, line) {
   const { name, theta, passes } = line;
   const index = worstVertex(lesson, name);
-  if (index === null) return lesson.fps.kind === "empty" ? "" : t(`worst.endless.${name}`);
+  const isUpper = isGreatest(lesson, name);
+  if (index === null) return lesson.fps.kind === "empty" ? "" : t(name === "steepest" && !isUpper ? "worst.endless.falling" : `worst.endless.${name}`);
   const exact = lesson.fps.vertices[index].theta[0];
-  const short = name === "steepest" ? exact.minus(theta[0]) : theta[0].minus(exact);
+  const short = isUpper ? exact.minus(theta[0]) : theta[0].minus(exact);
   const values = { conditions: conditionsOf(lesson), by: { number: decimal(short.absolute(), 3) } };
   if (short.isZero()) return passes ? t(`worst.reached.${name}`, values) : t(`worst.equal.${name}`, { verdict: verdict(line) });
   return t(`worst.${short.sign() > 0 ? "short" : "beyond"}.${name}`, values);
@@ -81,15 +82,16 @@ function distance(lesson, line) {
  * @param {boolean} isShown
  */
 function result(lesson, lines, isShown) {
-  const [steepest, shallowest] = lines.map(({ theta }) => theta[0]);
-  const middle = steepest.plus(shallowest).times(HALF);
-  const half = steepest.minus(shallowest).times(HALF);
+  const inOrder = isGreatest(lesson, "steepest") ? WORST : [...WORST].reverse();
+  const [greatest, least] = inOrder.map((name) => lines[WORST.indexOf(name)].theta[0]);
+  const middle = greatest.plus(least).times(HALF);
+  const half = greatest.minus(least).times(HALF);
   const words = [t("worst.result", { middle: { number: decimal(middle) }, half: { number: decimal(half, 3) } })];
   const broken = [...new Set(lines.flatMap(brokenBy))].sort((p, q) => p - q);
   if (lines.some(({ missed }) => missed.length > 0)) words.push(t("worst.none-counts"));
   else if (broken.length > 0) words.push(t("worst.broken-counts", { broken: { list: broken } }));
   else if (half.sign() < 0) words.push(t("worst.swapped"));
-  const ends = WORST.map((name) => worstVertex(lesson, name));
+  const ends = inOrder.map((name) => worstVertex(lesson, name));
   if (isShown && ends.every((index) => index !== null)) {
     const [upper, lower] = ends.map((index) => lesson.fps.vertices[/** @type {number} */ (index)].theta[0]);
     words.push(t("worst.exact-result", { lower: { number: endText(lower, { lower, upper }, "lower") }, upper: { number: endText(upper, { lower, upper }, "upper") } }));
