@@ -119,7 +119,8 @@ fn a_group_without_a_reading_is_named() {
     let named = format!("31 groups without a reading: \"b\", {} and 21 more\n", names.join(", "));
     for threads in ["1", "2"] {
         let text = printed(directory.path(), &format!("{fit} --threads {threads}"));
-        assert!(text.ends_with(&named), "{text}");
+        assert!(text.lines().all(|line| line.len() <= 80), "{text}");
+        assert!(text.replace(",\n\"", ", \"").ends_with(&named), "{text}");
     }
 }
 

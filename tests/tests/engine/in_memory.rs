@@ -237,7 +237,7 @@ fn what_is_wrong_is_told_with_row_and_column() {
         (
             doubles(&[("x", &[1.0]), ("y", &[1.0, 2.0])]),
             x.clone(),
-            "memory: the column \"x\" has 1 numbers, but \"y\" has 2 (expected columns of one length)",
+            "memory: the column \"x\" has 1 number, but \"y\" has 2 (expected columns of one length)",
         ),
         (doubles(&[("x", &[])]), x.clone(), "memory: the file has a header but no data rows"),
         (doubles(&[("z", &[1.0])]), x.clone(), "memory: there is no column \"x\""),

@@ -61,7 +61,7 @@ impl Halves {
     }
 }
 
-/// What each pair of numbers gives; `None` where one gives nothing.
+/// Returns one number for each pair; `None` where there is none for a pair.
 fn of_pairs<N: Copy>(lower: &[N], upper: &[N], of: impl Fn(N, N) -> Option<N>) -> Option<Vec<N>> {
     lower.iter().zip(upper).map(|(&lower, &upper)| of(lower, upper)).collect()
 }
