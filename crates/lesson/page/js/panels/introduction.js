@@ -39,6 +39,7 @@ export function fillIntroduction(lesson) {
   byId("provenance").textContent = provenance(lesson);
   byId("epsilon-label").textContent = t(lesson.epsilon === null ? "epsilon.label-factor" : "epsilon.label");
   // A formula has no place to break a line.
+  /** @type {Record<string, string>} */
   const inFormulas = { ...names, x, middle: hasOwnBounds(lesson) ? "m" : names.y };
   for (const place of all("mi[data-name]")) place.textContent = shortName(inFormulas[place.dataset.name ?? ""] ?? "");
   byId("origin-sign").textContent = sign;
