@@ -38,9 +38,14 @@ class _Bound(Fraction):
 
     _rounding: ClassVar[str]
 
+    @property
+    def is_floor(self) -> bool:
+        """Whether it is rounded down."""
+        return self._rounding == ROUND_FLOOR
+
     def __float__(self) -> float:
         double = _nearest(self)
-        if self._rounding == ROUND_FLOOR:
+        if self.is_floor:
             if math.isinf(double):
                 return min(double, sys.float_info.max)
             return math.nextafter(double, -math.inf) if Fraction(double) > self else double
@@ -79,14 +84,14 @@ class _Bound(Fraction):
     def _to_places(self, places: int) -> Decimal:
         """The nearest decimal with so many digits behind the point on the outer side."""
         scaled = self.numerator * 10**places
-        count = scaled // self.denominator if self._rounding == ROUND_FLOOR else -(-scaled // self.denominator)
+        count = scaled // self.denominator if self.is_floor else -(-scaled // self.denominator)
         return Decimal(count).scaleb(-places, Context(prec=MAX_PREC, Emax=MAX_EMAX, Emin=MIN_EMIN))
 
     def __round__(self, ndigits: int | None = None) -> Any:
         """The nearest integer on the outer side, or the bound with so many digits behind the point."""
         power = Fraction(10) ** (ndigits or 0)
         scaled = Fraction(self) * power
-        count = math.floor(scaled) if self._rounding == ROUND_FLOOR else math.ceil(scaled)
+        count = math.floor(scaled) if self.is_floor else math.ceil(scaled)
         if ndigits is None:
             return count
         end = count / power
@@ -137,8 +142,60 @@ def upper_bound(value: Fraction | None) -> UpperBound | None:
     return None if value is None else UpperBound(value.numerator, value.denominator)
 
 
+Lower = TypeVar("Lower", bound=_Bound)
+Upper = TypeVar("Upper", bound=_Bound)
+
+
+class Ends(Generic[Lower, Upper]):
+    """What intervals say of their ends, each of which is rounded to its own side; ``None`` where there is no end."""
+
+    __slots__ = ()
+
+    lower: Lower | None
+    upper: Upper | None
+    _side: ClassVar[str]
+
+    def __iter__(self) -> Iterator[Lower | Upper | None]:
+        """Both ends: ``lower, upper = interval``."""
+        return iter((self.lower, self.upper))
+
+    @property
+    def width(self) -> Fraction | None:
+        """The distance of the ends; ``None`` where one is missing."""
+        return None if self.lower is None or self.upper is None else self.upper - self.lower
+
+    def __array__(self, dtype: object = None, copy: bool | None = None) -> object:
+        import numpy
+
+        kind = numpy.dtype(float if dtype is None else dtype)  # type: ignore[call-overload]
+        if kind.kind not in "fO":
+            raise ValueError(f"dtype={kind}: expected a type of floats, to which the ends are rounded {self._side}, or object")
+        doubles = self.to_floats()
+        with numpy.errstate(over="ignore"):
+            ends = numpy.array(doubles, dtype=kind)
+        # A short float is rounded to nearest.
+        for place, end in enumerate((self.lower, self.upper)):
+            if end is not None and (short := float(ends[place])) != doubles[place] and (short > doubles[place]) == end.is_floor:
+                ends[place] = numpy.nextafter(ends[place], kind.type(-math.inf if end.is_floor else math.inf))
+        return ends
+
+    def to_floats(self) -> tuple[float, float]:
+        """Both ends as doubles, each rounded to its side; infinite where there is none."""
+        lower = -math.inf if self.lower is None else float(self.lower)
+        return lower, math.inf if self.upper is None else float(self.upper)
+
+    def _decimals(self, spec: str) -> str:
+        """Both ends as decimals of so many digits."""
+        digits = re.fullmatch(r"\.([1-9]\d{0,3})g?", spec)
+        if digits is None:
+            raise ValueError(f"format {spec!r} of an interval: expected how many digits, such as .5")
+        lower = "-inf" if self.lower is None else decimal(self.lower, int(digits[1]), self.lower.is_floor)
+        upper = "inf" if self.upper is None else decimal(self.upper, int(digits[1]), self.upper.is_floor)
+        return f"{lower}, {upper}"
+
+
 @dataclass(frozen=True, slots=True)
-class Interval:
+class Interval(Ends[LowerBound, UpperBound]):
     """The values between two ends, which belong to it unless they are said to be excluded; ``None`` where there is no end.
 
     >>> Interval(LowerBound(1, 2), None)
@@ -155,39 +212,16 @@ class Interval:
     """Whether the lower end belongs to the interval: not always where :attr:`boundfit.PossibleX.x` has it."""
     upper_included: bool = field(default=True, kw_only=True, repr=False)
 
+    _side = "outward"
+
     def __repr__(self) -> str:
         excluded = "".join(f", {end}_included=False" for end in ("lower", "upper") if not getattr(self, f"{end}_included"))
         return f"{type(self).__name__}(lower={self.lower!r}, upper={self.upper!r}{excluded})"
-
-    def __iter__(self) -> Iterator[LowerBound | UpperBound | None]:
-        """Both ends: ``lower, upper = interval``."""
-        return iter((self.lower, self.upper))
-
-    @property
-    def width(self) -> Fraction | None:
-        """The distance of the ends; ``None`` where one is missing."""
-        return None if self.lower is None or self.upper is None else self.upper - self.lower
 
     def __contains__(self, value: Number) -> bool:
         value = fraction(value, "value", self.reading)
         from_below = self.lower is None or self.lower < value or (self.lower_included and self.lower == value)
         return from_below and (self.upper is None or value < self.upper or (self.upper_included and self.upper == value))
-
-    def __array__(self, dtype: object = None, copy: bool | None = None) -> object:
-        import numpy
-
-        kind = numpy.dtype(float if dtype is None else dtype)  # type: ignore[call-overload]
-        if kind.kind not in "fO":
-            raise ValueError(f"dtype={kind}: expected a type of floats, to which the ends are rounded outward, or object")
-        doubles = self.to_floats()
-        with numpy.errstate(over="ignore"):
-            ends = numpy.array(doubles, dtype=kind)
-        # A short float is rounded to nearest.
-        if float(ends[0]) > doubles[0]:
-            ends[0] = numpy.nextafter(ends[0], kind.type(-math.inf))
-        if float(ends[1]) < doubles[1]:
-            ends[1] = numpy.nextafter(ends[1], kind.type(math.inf))
-        return ends
 
     def __format__(self, spec: str) -> str:
         """Both ends as decimals of so many digits, rounded outward, with a round bracket where an end is excluded.
@@ -197,23 +231,12 @@ class Interval:
         """
         if not spec:
             return str(self)
-        digits = re.fullmatch(r"\.([1-9]\d{0,3})g?", spec)
-        if digits is None:
-            raise ValueError(f"format {spec!r} of an interval: expected how many digits, such as .5")
-        opening, closing = "[" if self.lower_included else "(", "]" if self.upper_included else ")"
-        return f"{opening}{decimal(self.lower, int(digits[1]), True)}, {decimal(self.upper, int(digits[1]), False)}{closing}"
-
-    def to_floats(self) -> tuple[float, float]:
-        """Both ends as doubles, rounded outward; infinite where there is none."""
-        lower = -math.inf if self.lower is None else float(self.lower)
-        return lower, math.inf if self.upper is None else float(self.upper)
+        return f"{'[' if self.lower_included else '('}{self._decimals(spec)}{']' if self.upper_included else ')'}"
 
 
-def decimal(value: Fraction | None, digits: int, is_lower: bool) -> str:
-    """An end as a decimal of so many digits, down for a lower one and up for any other."""
-    if value is None:
-        return "-inf" if is_lower else "inf"
-    context = Context(prec=digits, rounding=ROUND_FLOOR if is_lower else ROUND_CEILING)
+def decimal(value: Fraction, digits: int, is_floor: bool) -> str:
+    """A fraction as a decimal of so many digits, rounded down or up."""
+    context = Context(prec=digits, rounding=ROUND_FLOOR if is_floor else ROUND_CEILING)
     return format(context.divide(Decimal(value.numerator), Decimal(value.denominator)), "g")
 
 
