@@ -42,7 +42,7 @@ pub(crate) struct Panel {
     pub(crate) labelled: [bool; 2],
     /// The text above the panel.
     pub(crate) heading: String,
-    /// What stands behind the heading, however far the heading is cut.
+    /// Words behind the heading. They stay whole where a long heading is cut.
     pub(crate) finding: &'static str,
     /// `true` if the first coordinate runs along the vertical axis.
     flipped: bool,

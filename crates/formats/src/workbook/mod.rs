@@ -136,7 +136,7 @@ fn sheet_text(
     };
     let mut choice = read_sheet(&mut archive, wanted, &mut lines)?;
     // Stored numbers have no mark of their own: they take that of the texts.
-    if decimal.is_none() && lines.has_commas() {
+    if decimal.is_none() && lines.needs_commas() {
         drop(lines);
         lines = Lines::new(DecimalMark::Comma, limit, budget.nothing());
         choice = read_sheet(&mut archive, wanted, &mut lines)?;

@@ -174,9 +174,7 @@ fn read_table(part: &mut Part<'_>, limit: u64, lines: &mut Lines) -> Result<(), 
                     drop(event);
                     let is_text = cell.is_text;
                     let text = cell.text(part, limit)?;
-                    if is_text {
-                        lines.notice_text(&text);
-                    }
+                    lines.notice(is_text, &text);
                     row.push(repeats, text)?;
                 }
                 // A table in a cell, or beside the cells.

@@ -28,6 +28,8 @@ pub(super) struct Lines {
     hidden_columns: Vec<[u32; 2]>,
     /// True if a text cell is a number with a decimal comma, and if one has a decimal point.
     has_marks: [bool; 2],
+    /// True if a cell stores a number.
+    has_numbers: bool,
     pub(super) hidden_rows: u64,
     pub(super) merged: u64,
     limit: u64,
@@ -44,6 +46,7 @@ impl Lines {
             decimal,
             hidden_columns: Vec::new(),
             has_marks: [false; 2],
+            has_numbers: false,
             hidden_rows: 0,
             merged: 0,
             limit,
@@ -51,8 +54,12 @@ impl Lines {
         }
     }
 
-    /// Notices the decimal mark of a text cell, if it is a number whose comma groups no digits.
-    pub(super) fn notice_text(&mut self, text: &str) {
+    /// Notices a cell that stores a number, and the decimal mark of a text that is a number whose comma groups no digits.
+    pub(super) fn notice(&mut self, is_text: bool, text: &str) {
+        if !is_text {
+            self.has_numbers |= !text.is_empty();
+            return;
+        }
         let number = text.trim().trim_start_matches(['+', '-', '\u{2212}']);
         let Some((whole, rest)) = number.split_once([',', '.']) else { return };
         let fraction = rest.split(['e', 'E']).next().unwrap_or_default();
@@ -66,9 +73,9 @@ impl Lines {
         }
     }
 
-    /// Returns whether the text cells that are numbers have decimal commas.
-    pub(super) fn has_commas(&self) -> bool {
-        self.has_marks == [true, false]
+    /// Returns whether stored numbers stand beside texts with decimal commas.
+    pub(super) fn needs_commas(&self) -> bool {
+        self.has_numbers && self.has_marks == [true, false]
     }
 
     /// Notices a run of columns that are hidden, by its first and its last one, from 0.

@@ -91,9 +91,7 @@ pub(super) fn read_cells(part: &mut Part<'_>, book: &Book, lines: &mut Lines) ->
         if let Some(cell) = cell {
             if let Some(text) = book.text(&cell, Content::read(part)?, lines.decimal)? {
                 lines.push(cell.row, cell.column, &text)?;
-                if cell.stored != Stored::Number {
-                    lines.notice_text(&text);
-                }
+                lines.notice(cell.stored != Stored::Number, &text);
                 // Once for each row.
                 lines.hidden_rows += u64::from(std::mem::take(&mut is_hidden));
             }

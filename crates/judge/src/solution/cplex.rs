@@ -87,8 +87,6 @@ fn line<'a>(text: &'a str, node: Node<'_, '_>) -> Line<'a> {
 fn status(words: &str, is_feasible: bool) -> SolverStatus {
     match words {
         "integer optimal solution" | "integer optimal, tolerance" => SolverStatus::Optimal,
-        // "optimal with unscaled infeasibilities" is an optimum too, and as good as its numbers.
-        "optimal with unscaled infeasibilities" => SolverStatus::Optimal,
         other => match SolverStatus::of_words(other.trim_start_matches("integer ")) {
             SolverStatus::Unbounded if !is_feasible => SolverStatus::InfeasibleOrUnbounded,
             status => status,
