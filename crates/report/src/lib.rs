@@ -69,8 +69,6 @@ mod script;
 mod slope_lines;
 #[cfg(feature = "files")]
 mod statements;
-#[cfg(feature = "files")]
-mod statements_json;
 mod status;
 mod style;
 mod sweep;
@@ -134,9 +132,7 @@ pub use range::range_proof;
 pub use range::{RangeReport, range_csv, range_document, range_json};
 pub use script::region_script;
 #[cfg(feature = "files")]
-pub use statements::{Claim, ErrorScale, FormEnd, Multiple, Scope, Statement};
-#[cfg(feature = "files")]
-pub use statements_json::statements_json;
+pub use statements::{Scope, Statement, multiples, statements_json};
 #[cfg(feature = "files")]
 pub use status::status_proof;
 pub use status::{NewReadings, StatusCsv, StatusJson, StatusReport, status_document};

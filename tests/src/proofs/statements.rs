@@ -6,7 +6,9 @@ use boundfit_estimation::{BoundName, Measurement, Minimax, Problem, conditions_b
 use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, Polyhedron, System};
 use boundfit_questions::{BoxBound, Corner, Side};
-use boundfit_report::{Claim, ErrorScale, Multiple, ProofQuestion, Scope, Statement, statements_json};
+use boundfit_report::answer::StatedJson;
+use boundfit_report::{ProofQuestion, Scope, Statement, multiples, statements_json};
+use boundfit_verify::ErrorScale;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
@@ -151,7 +153,7 @@ fn stated(problem: &Problem, scope: Scope, x_error: &Rational, rng: &mut ChaCha8
     if let Some(witness) = polyhedron.region().witness() {
         let form = [small(rng), small(rng)];
         all.extend(Statement::form(scope.clone(), &polyhedron, &name, &form));
-        all.push(Statement { scope: scope.clone(), claim: Claim::Point(witness.coordinates()) });
+        all.push(Statement::point(scope.clone(), &witness.coordinates()));
     } else if scope.side.is_none() || rng.random_bool(0.5) {
         all.extend(left_out(problem, &scope, x_error));
     }
@@ -161,14 +163,18 @@ fn stated(problem: &Problem, scope: Scope, x_error: &Rational, rng: &mut ChaCha8
         && scope.side.is_none()
         && let Some(minimax) = Minimax::new(&problem.measurements, &problem.conditions)
     {
-        all.push(Statement::least(scope, &minimax, problem.measurements.error_bound().is_uniform()));
+        let least = minimax.least.clone();
+        let is_uniform = problem.measurements.error_bound().is_uniform();
+        let errors = if is_uniform { ErrorScale::Within(least) } else { ErrorScale::Times(least) };
+        let scope = Scope { errors, ..scope };
+        all.push(Statement::least(scope, &minimax.theta, &minimax.proof.multipliers));
     }
     all
 }
 
 /// The least number of rows to leave out, up to 3, with all sets of so many, and what is left without each.
 fn left_out(problem: &Problem, scope: &Scope, x_error: &Rational) -> Vec<Statement> {
-    let mut contradictions: BTreeMap<BTreeSet<usize>, Vec<Multiple>> = BTreeMap::new();
+    let mut contradictions: BTreeMap<BTreeSet<usize>, Vec<(String, String)>> = BTreeMap::new();
     let mut level: BTreeSet<BTreeSet<usize>> = [BTreeSet::new()].into();
     for least in 0..=3 {
         let (mut sets, mut left): (Vec<Vec<usize>>, Vec<Statement>) = Default::default();
@@ -182,15 +188,15 @@ fn left_out(problem: &Problem, scope: &Scope, x_error: &Rational) -> Vec<Stateme
                 sets.push(rows.iter().copied().collect());
                 continue;
             };
-            let multiples = Multiple::named(certificate.multipliers(), &|index| names[index]);
-            let own = multiples.iter().filter_map(|own| own.name.row());
+            let own = certificate.multipliers().iter().filter_map(|own| names[own.index].row());
             next.extend(own.map(|row| rows.iter().copied().chain([row]).collect::<BTreeSet<_>>()));
+            let multiples = multiples(certificate.multipliers(), &|index| names[index]);
             contradictions.insert(rows.clone(), multiples);
         }
         if !sets.is_empty() || next.is_empty() || least == 3 || next.len() > 12 {
             let contradictions =
                 contradictions.into_iter().map(|(rows, own)| (rows.into_iter().collect(), own)).collect();
-            let claim = Claim::LeftOut { least, sets: Some(sets), contradictions };
+            let claim = StatedJson::LeftOut { least, sets: Some(sets), contradictions };
             return [Statement { scope: scope.clone(), claim }].into_iter().chain(left).collect();
         }
         level = next;

@@ -44,13 +44,13 @@ pub struct StatementsJson<'a> {
     #[serde(flatten)]
     pub question: &'a ProofQuestion,
     /// The statements.
-    pub statements: Vec<StatementJson>,
+    pub statements: Vec<StatementJson<'a>>,
 }
 
 /// A statement about the set of its scope.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct StatementJson {
+pub struct StatementJson<'a> {
     /// The kind of the statement.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = ["form", "point", "empty", "least", "set", "left out"])))]
     pub kind: &'static str,
@@ -59,7 +59,7 @@ pub struct StatementJson {
     pub scope: ScopeJson,
     /// The claim.
     #[serde(flatten)]
-    pub claim: StatedJson,
+    pub claim: &'a StatedJson,
 }
 
 /// The rows, conditions and errors that a statement is about; what is absent is as asked.
@@ -88,7 +88,7 @@ pub struct ScopeJson {
 }
 
 /// The claim of a statement.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(untagged)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum StatedJson {
@@ -137,4 +137,18 @@ pub enum StatedJson {
         /// Sets of rows that are left out, each with terms that prove that the rest contradicts itself.
         contradictions: Vec<(Vec<usize>, Vec<MultipleJson>)>,
     },
+}
+
+impl StatedJson {
+    /// The kind of the statement.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            StatedJson::Form { .. } => "form",
+            StatedJson::Least { .. } => "least",
+            StatedJson::Set { .. } => "set",
+            StatedJson::Point { .. } => "point",
+            StatedJson::Empty { .. } => "empty",
+            StatedJson::LeftOut { .. } => "left out",
+        }
+    }
 }

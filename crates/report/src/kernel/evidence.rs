@@ -7,7 +7,7 @@ use boundfit_geometry::{
 };
 
 use super::numbers::{column, pieces};
-use crate::proof_json::corners;
+use crate::statements::corners;
 
 /// A set that is not empty.
 pub(super) struct Evidence {

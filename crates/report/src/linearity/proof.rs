@@ -4,10 +4,10 @@ use boundfit_estimation::{BoundName, Columns, EpsilonColumn, LineForm, Measureme
 use boundfit_exact::{Rational, Reading};
 use boundfit_formats::{ColumnSelector, InputError, InputErrorKind, Source, TableOptions};
 use boundfit_questions::{CalibrationColumns, CalibrationResponse, Linearity};
+use boundfit_verify::ErrorScale;
 
 use crate::proof_question::ProofQuestion;
-use crate::statements::{Claim, ErrorScale, Multiple, Scope, Statement};
-use crate::statements_json::statements_json;
+use crate::statements::{Scope, Statement, statements_json};
 
 /// The question that a proof of linearity is about, from data that are read once more, twice where there are two columns, of
 /// which the mean is the characteristic. `None` where they are no delimited text of which each row is a point.
@@ -68,15 +68,14 @@ pub fn linearity_proof(linearity: &Linearity, question: &ProofQuestion) -> Optio
     if average.points.iter().any(|point| point.rows.count() != 1) {
         return None;
     }
-    let multiples = average.proof.iter().map(|point| {
+    let proof = average.proof.iter().map(|point| {
         let row = average.points.get(point.position)?.rows.first() as usize;
         // A reading below the line keeps it from being lower only by its upper bound.
         let name = if point.deviation.is_negative() { BoundName::Upper(row) } else { BoundName::Lower(row) };
-        Some(Multiple { name: name.into(), times: point.weight.clone() })
+        Some((name, point.weight.clone()))
     });
-    let multiples = multiples.collect::<Option<Vec<Multiple>>>()?;
+    let proof = proof.collect::<Option<Vec<_>>>()?;
     let line = &average.independent;
     let scope = Scope { errors: ErrorScale::Within(line.deviation.clone()), ..Scope::default() };
-    let claim = Claim::Least { point: line.theta.clone(), multiples };
-    Some(statements_json(question, &[Statement { scope, claim }]))
+    Some(statements_json(question, &[Statement::least(scope, &line.theta, &proof)]))
 }

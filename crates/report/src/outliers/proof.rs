@@ -6,9 +6,9 @@ use boundfit_estimation::{BoundName, Fps, Measurements, Problem};
 use boundfit_exact::{Rational, Reading};
 
 use super::OutliersReport;
+use crate::answer::proof::StatedJson;
 use crate::proof_question::ProofQuestion;
-use crate::statements::{Claim, Multiple, Scope, Statement};
-use crate::statements_json::statements_json;
+use crate::statements::{Scope, Statement, of_bounds, sorted, statements_json};
 
 /// Sets of readings left out of which a proof has a contradiction each.
 const MOST_CONTRADICTIONS: usize = 1_000;
@@ -38,13 +38,11 @@ pub fn outliers_proof(report: &OutliersReport, reading: Reading) -> Result<Strin
     let Ok(outliers) = report.outliers else {
         return Ok(statements_json(&question, &[of(&report.fit.fps, Scope::default())]));
     };
-    let sets: Vec<Vec<usize>> = outliers.pieces.iter().map(|piece| piece.rows.clone()).collect();
+    let sets: Vec<Vec<usize>> = outliers.pieces.iter().map(|piece| sorted(&piece.rows)).collect();
     let sets = outliers.is_complete.then_some(sets);
     let contradictions = contradictions(report.problem, outliers.least, sets.as_deref())?;
-    let multiples =
-        |(rows, own): (Vec<usize>, NamedMultiples)| (rows, own.iter().map(Multiple::of_bound).collect());
-    let contradictions = contradictions.into_iter().map(multiples).collect();
-    let claim = Claim::LeftOut { least: outliers.least, sets, contradictions };
+    let contradictions = contradictions.into_iter().map(|(rows, own)| (rows, of_bounds(&own))).collect();
+    let claim = StatedJson::LeftOut { least: outliers.least, sets, contradictions };
     let least = Statement { scope: Scope::default(), claim };
     let pieces = outliers.pieces.iter().map(|piece| of(&piece.left, Scope::without(&piece.rows)));
     let statements: Vec<Statement> = [least].into_iter().chain(pieces).collect();

@@ -7,8 +7,7 @@ use boundfit_questions::Predictor;
 
 use super::Prediction;
 use crate::proof_question::ProofQuestion;
-use crate::statements::{Scope, Statement};
-use crate::statements_json::statements_json;
+use crate::statements::{Scope, Statement, statements_json};
 
 /// Returns the proof of predictions, schema `boundfit/proof/2`. It has the range of the model at each value asked
 /// for, and at each x where readings end. An empty set has the proof of its emptiness. `None` where the readings are

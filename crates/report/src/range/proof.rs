@@ -6,8 +6,7 @@ use boundfit_questions::{Contradiction, Run};
 
 use super::RangeReport;
 use crate::proof_question::ProofQuestion;
-use crate::statements::{Claim, Multiple, Scope, Statement};
-use crate::statements_json::statements_json;
+use crate::statements::{Scope, Statement, of_bounds, statements_json};
 
 /// Returns the proof of a linear range, schema `boundfit/proof/2`. Each run has parameters that agree with all of its
 /// readings, and the reasons why it goes on neither way. Each reading that no parameters agree with has the reason.
@@ -20,7 +19,7 @@ pub fn range_proof(report: &RangeReport, reading: Reading) -> Option<String> {
         let Problem { measurements, conditions } = report.range.problem_of(run, report.problem, false);
         let fps = Fps::new(&measurements, &conditions);
         let point = fps.polyhedron().region().witness()?.coordinates();
-        statements.push(Statement { scope: Scope::of_rows(rows), claim: Claim::Point(point) });
+        statements.push(Statement::point(Scope::of_rows(rows), &point));
         statements.extend([&run.before, &run.after].into_iter().flatten().map(empty));
     }
     statements.extend(report.range.alone.iter().map(|(_, contradiction)| empty(contradiction)));
@@ -38,6 +37,5 @@ fn rows(report: &RangeReport, run: &Run) -> Vec<usize> {
 fn empty(contradiction: &Contradiction) -> Statement {
     let rows = contradiction.rows();
     let scope = if rows.is_empty() { Scope::default() } else { Scope::of_rows(rows) };
-    let multiples = contradiction.terms.iter().map(Multiple::of_bound).collect();
-    Statement { scope, claim: Claim::Empty(multiples) }
+    Statement::empty(scope, of_bounds(&contradiction.terms))
 }

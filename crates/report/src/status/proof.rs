@@ -5,8 +5,7 @@ use boundfit_exact::Reading;
 use boundfit_questions::Statuses;
 
 use crate::proof_question::ProofQuestion;
-use crate::statements::{Scope, Statement};
-use crate::statements_json::statements_json;
+use crate::statements::{Scope, Statement, statements_json};
 
 /// Returns the proof of statuses, schema `boundfit/proof/2`. The set of all readings proves the status of every
 /// reading that does not decide. Each reading that decides has the values of the model at it over the set of the

@@ -4,8 +4,7 @@ use boundfit_exact::{Rational, Reading};
 use boundfit_questions::{Agreement, BoxBound, Corner, Side, SideSet, XBounds, XErrorFit, XErrorProblem};
 
 use crate::proof_question::ProofQuestion;
-use crate::statements::{Claim, Multiple, Scope, Statement};
-use crate::statements_json::statements_json;
+use crate::statements::{Scope, Statement, multiples, statements_json};
 
 /// Returns, for each side, the walk around its set with the ends of both parameters, or the proof of its emptiness.
 /// `None` when the readings do not come from delimited text that the checkers read.
@@ -35,8 +34,7 @@ fn of_side(side: &SideSet, is_strong: bool) -> Vec<Statement> {
         side => side,
     };
     if let Some(multipliers) = side.farkas() {
-        let claim = Claim::Empty(Multiple::named(&multipliers, &name));
-        return vec![Statement { scope: scope(), claim }];
+        return vec![Statement::empty(scope(), multiples(&multipliers, &name))];
     }
     let forms = [[1, 0], [0, 1]].map(|form| form.map(Rational::from));
     let forms = forms.iter().filter_map(|form| Statement::form(scope(), &side.polyhedron, &name, form));
