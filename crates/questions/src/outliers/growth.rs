@@ -52,19 +52,16 @@ pub(super) fn of(
         return Err(NoOutliers::GrowthSteps { needed: lines.steps() });
     }
     let within = (from - never) as u64..=(to - never) as u64;
-    let growth = |(most, set): (usize, Set)| {
-        let Set { pieces, holes, pui, area } = set;
-        Growth { most, pieces, holes, pui, area }
-    };
+    let with_all = |set: Growth| Growth { most: set.most + never, ..set };
     if lines.are_parallel() {
-        return Ok((from..).zip(within.map(|q| along_parallels(&lines, q))).map(growth).collect());
+        return Ok(within.map(|q| with_all(along_parallels(&lines, q))).collect());
     }
     let mut near = Near { most: most as u64, places: HashMap::new(), missed: Vec::new(), edges: Vec::new() };
     lines.walk(&mut near);
     if near.missed.len() > MOST_KEPT {
         return Err(NoOutliers::Corners);
     }
-    Ok((from..).zip(near.grown(&lines, within)).map(growth).collect())
+    Ok(near.grown(&lines, within).into_iter().map(with_all).collect())
 }
 
 /// The crossings and edges on which at most so many are missed.
@@ -73,17 +70,8 @@ struct Near {
     places: HashMap<Place, u32>,
     /// The number of readings that are missed at each crossing.
     missed: Vec<u64>,
-    edges: Vec<NearEdge>,
-}
-
-/// An edge between numbered crossings.
-struct NearEdge {
-    line: u32,
-    ends: [Option<u32>; 2],
-    on: u64,
-    left: u64,
-    right: u64,
-    is_first_of_cell: bool,
+    /// Edges between numbered crossings.
+    edges: Vec<Edge<u32>>,
 }
 
 impl Near {
@@ -111,7 +99,7 @@ impl Near {
 
     /// The sets from one q to another, in which so many of the rows may be missed that can be met. Each crossing and edge comes
     /// in once.
-    fn grown(&mut self, lines: &Lines, within: RangeInclusive<u64>) -> Vec<Set> {
+    fn grown(&mut self, lines: &Lines, within: RangeInclusive<u64>) -> Vec<Growth> {
         self.edges.sort_by_key(|edge| edge.on);
         let points = self.points(lines);
         let mut crossings: Vec<usize> = (0..self.missed.len()).collect();
@@ -143,7 +131,7 @@ impl Near {
             // cells.
             let bounded_cells = cells.partition_point(|&missed| missed <= q);
             let holes = (pieces + edges - rays) - (corners + bounded_cells);
-            sets.push(Set { pieces, holes, pui: reach.intervals(), area });
+            sets.push(Growth { most: q as usize, pieces, holes, pui: reach.intervals(), area });
         }
         sets
     }
@@ -152,7 +140,7 @@ impl Near {
     fn cells(&self, lines: &Lines) -> Vec<u64> {
         // A cell without end that has a first corner lies to the left of one of the ways to the right, but for the last.
         let last = lines.last_to_the_right();
-        let is_endless = |edge: &&NearEdge| edge.ends[1].is_none() && Some(edge.line) != last;
+        let is_endless = |edge: &&Edge<u32>| edge.ends[1].is_none() && Some(edge.line) != last;
         let mut endless: HashMap<u64, usize> = HashMap::new();
         self.edges.iter().filter(is_endless).for_each(|edge| *endless.entry(edge.left).or_default() += 1);
         let first = self.edges.iter().filter(|edge| edge.is_first_of_cell).map(|edge| edge.left);
@@ -188,14 +176,6 @@ impl Near {
     }
 }
 
-/// A set but for its q.
-struct Set {
-    pieces: usize,
-    holes: usize,
-    pui: Option<[Interval; 2]>,
-    area: Option<LongSum>,
-}
-
 impl Visitor for Near {
     fn crossing(&mut self, place: Place, missed: u64) {
         if missed <= self.most
@@ -214,7 +194,7 @@ impl Visitor for Near {
         let has_room = numbers.iter().flatten().all(Option::is_some);
         if has_room {
             let ends = numbers.map(Option::flatten);
-            self.edges.push(NearEdge { line, ends, on, left, right, is_first_of_cell });
+            self.edges.push(Edge { line, ends, on, left, right, is_first_of_cell });
         }
     }
     fn has_room(&self) -> bool {
@@ -320,13 +300,14 @@ impl Joined {
 }
 
 /// Returns the set where no two boundaries cross: strips between them.
-fn along_parallels(lines: &Lines, within: u64) -> Set {
+fn along_parallels(lines: &Lines, within: u64) -> Growth {
+    let most = within as usize;
     let mut sorted: Vec<&Line> = lines.0.iter().collect();
     sorted.sort_by(|one, other| by_tightness(&one.below, &other.below));
     let Some(first) = sorted.first() else {
         let everything = || Interval::new(Endpoint::Unbounded, Endpoint::Unbounded);
         let pui = everything().zip(everything()).map(|(first, second)| [first, second]);
-        return Set { pieces: 1, holes: 0, pui, area: None };
+        return Growth { most, pieces: 1, holes: 0, pui, area: None };
     };
     // Missed below the first, then on each and above it.
     let mut missed: u64 = sorted.iter().map(|line| line.missed()[1]).sum();
@@ -362,5 +343,5 @@ fn along_parallels(lines: &Lines, within: u64) -> Set {
         reach.is_endless[axis][1] = true;
     }
     let area = (!is_infinite).then(LongSum::default);
-    Set { pieces, holes: 0, pui: reach.intervals(), area }
+    Growth { most, pieces, holes: 0, pui: reach.intervals(), area }
 }

@@ -23,13 +23,13 @@ pub(super) struct Line {
 /// The different boundaries of rows and conditions.
 pub(super) struct Lines(pub(super) Vec<Line>);
 
-/// A part of a boundary between two crossings, or from one without end. It goes from small to large θ1 or, where that is the
+/// A part of a boundary between two crossings, by their places or otherwise, or from one without end. It goes from small to large θ1 or, where that is the
 /// same, θ2.
-pub(super) struct Edge {
+pub(super) struct Edge<P = Place> {
     /// The boundary that it is a part of.
     pub(super) line: u32,
     /// The places where the stretch begins and ends.
-    pub(super) ends: [Option<Place>; 2],
+    pub(super) ends: [Option<P>; 2],
     /// The number of readings missed on the stretch.
     pub(super) on: u64,
     /// The number of readings missed to the left of the stretch.
