@@ -8,7 +8,7 @@ use boundfit_lp::NumberFormat;
 
 use super::error::SolutionError;
 use super::line::Line;
-use super::{Entry, Reference, SolutionFile, SolverStatus};
+use super::{SolutionFile, SolverStatus};
 
 const CBC: &str = "CBC";
 const CLP: &str = "CLP";
@@ -77,13 +77,11 @@ fn entries<'a>(
                     file.has_duals = true;
                 }
                 last = index;
-                file.columns.push(Entry {
-                    of: Reference::Name((*name).to_owned()),
-                    line: line.number,
-                    value: Some(line.figure(value, DIGITS, limits)?),
-                    price: Some(line.figure(price, DIGITS, limits)?),
-                    price_line: line.number,
-                });
+                file.columns.push(line.entry(
+                    *name,
+                    Some(line.figure(value, DIGITS, limits)?),
+                    Some(line.figure(price, DIGITS, limits)?),
+                ));
             }
             _ => return Err(line.expected("\"INDEX NAME VALUE DUAL\"")),
         }

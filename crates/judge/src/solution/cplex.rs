@@ -49,9 +49,8 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
         let line = line(text, node);
         let price = node.attribute("dual").map(|dual| line.figure(dual, DIGITS, limits)).transpose()?;
         file.has_slacks |= node.has_attribute("slack");
-        let of =
-            node.attribute("name").map_or(Reference::Place(place), |name| Reference::Name(name.to_owned()));
-        file.rows.push(Entry { of, line: line.number, value: None, price, price_line: line.number });
+        let of = node.attribute("name").map_or(Reference::Place(place), Reference::from);
+        file.rows.push(line.entry(of, None, price));
     }
     // Integer programs have none.
     file.has_duals = file.rows.iter().all(|row| row.price.is_some());
@@ -63,13 +62,8 @@ fn variable(text: &str, node: Node<'_, '_>, limits: &Limits) -> Result<Entry, So
     let expected = || line.expected("<variable name=... value=.../>");
     let name = node.attribute("name").ok_or_else(expected)?;
     let value = node.attribute("value").ok_or_else(expected)?;
-    Ok(Entry {
-        of: Reference::Name(name.to_owned()),
-        line: line.number,
-        value: Some(line.figure(value, DIGITS, limits)?),
-        price: node.attribute("reducedCost").map(|cost| line.figure(cost, DIGITS, limits)).transpose()?,
-        price_line: line.number,
-    })
+    let price = node.attribute("reducedCost").map(|cost| line.figure(cost, DIGITS, limits)).transpose()?;
+    Ok(line.entry(name, Some(line.figure(value, DIGITS, limits)?), price))
 }
 
 fn child<'a, 'input>(parent: Node<'a, 'input>, name: &'static str) -> Option<Node<'a, 'input>> {

@@ -214,13 +214,7 @@ impl<'a> Kind<'a> {
         let value = line.figure(words.get(place).ok_or_else(expected)?, PLAIN, limits)?;
         let price = words.get(place + 1).filter(|_| self.has_duals);
         let price = price.map(|word| line.figure(word, PLAIN, limits)).transpose()?;
-        Ok(Entry {
-            of: Reference::Place(number.saturating_sub(1)),
-            line: line.number,
-            value: Some(value),
-            price,
-            price_line: line.number,
-        })
+        Ok(line.entry(Reference::Place(number.saturating_sub(1)), Some(value), price))
     }
 }
 

@@ -7,7 +7,7 @@ use boundfit_exact::{Limits, Rational};
 
 use super::error::SolutionError;
 use super::line::Line;
-use super::{Entry, Reference, SolutionFile, SolverStatus};
+use super::{SolutionFile, SolverStatus};
 
 const GUROBI: &str = "Gurobi";
 const MIPLIB: &str = "MIPLIB";
@@ -37,13 +37,7 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
             ["=infeas="] => (file.status, file.status_line) = (SolverStatus::Infeasible, line.number),
             ["=unbd="] => (file.status, file.status_line) = (SolverStatus::Unbounded, line.number),
             [first, ..] if first.starts_with('#') => comment(&mut file, line, limits)?,
-            [name, value] => file.columns.push(Entry {
-                of: Reference::Name((*name).to_owned()),
-                line: line.number,
-                value: Some(line.typed(value, limits)?),
-                price: None,
-                price_line: line.number,
-            }),
+            [name, value] => file.columns.push(line.entry(*name, Some(line.typed(value, limits)?), None)),
             _ => return Err(line.expected("\"NAME VALUE\"")),
         }
     }

@@ -160,7 +160,7 @@ impl<'a> Raw<'a> {
             {
                 let value = Some(line.figure(value, RAW, limits)?);
                 self.count();
-                self.side().push(entry(name, line, value, None));
+                self.side().push(line.entry(*name, value, None));
             }
             (Section::Dual, [name, value]) => {
                 let price = line.figure(value, RAW, limits)?;
@@ -202,13 +202,9 @@ impl<'a> Raw<'a> {
         let is_name = |entry: &&mut Entry| matches!(&entry.of, Reference::Name(own) if own == name);
         match self.side().get_mut(next).filter(is_name) {
             Some(entry) => (entry.price, entry.price_line) = (Some(price), line.number),
-            None => self.side().push(entry(name, line, None, Some(price))),
+            None => self.side().push(line.entry(name, None, Some(price))),
         }
     }
-}
-
-fn entry(name: &str, line: Line<'_>, value: Option<Figure>, price: Option<Figure>) -> Entry {
-    Entry { of: Reference::Name(name.to_owned()), line: line.number, value, price, price_line: line.number }
 }
 
 fn raw_status(words: &str) -> SolverStatus {
@@ -249,7 +245,7 @@ pub(super) fn parse_table(text: &str, limits: &Limits) -> Result<SolutionFile, S
                 let value = Some(line.figure(value, TABLE, limits)?);
                 let price = Some(line.figure(dual, TABLE, limits)?);
                 let side = if are_rows { &mut file.rows } else { &mut file.columns };
-                side.push(entry(name, line, value, price));
+                side.push(line.entry(*name, value, price));
             }
             // Without a solution the places of its numbers are blank.
             [index, _, _, _] if index.parse::<usize>().is_ok() => has_values = false,

@@ -7,6 +7,7 @@ use boundfit_lp::{NumberFormat, Printed};
 
 use super::error::{SolutionError, quoted};
 use super::figure::Figure;
+use super::{Entry, Reference};
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Line<'a> {
@@ -53,6 +54,16 @@ impl<'a> Line<'a> {
             other: other.number,
             other_text: quoted(other.text),
         }
+    }
+
+    /// What the line says of a column or a row: a value, a price, or both.
+    pub(super) fn entry(
+        &self,
+        of: impl Into<Reference>,
+        value: Option<Figure>,
+        price: Option<Figure>,
+    ) -> Entry {
+        Entry { of: of.into(), line: self.number, value, price, price_line: self.number }
     }
 
     /// Reads a number, exactly as a program prints it that prints numbers like this.

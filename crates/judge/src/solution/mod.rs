@@ -70,6 +70,12 @@ pub enum Reference {
     Place(usize),
 }
 
+impl From<&str> for Reference {
+    fn from(name: &str) -> Self {
+        Reference::Name(name.to_owned())
+    }
+}
+
 /// The entries of a file about one column or row.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Entry {

@@ -9,7 +9,7 @@ use super::error::SolutionError;
 use super::figure::Figure;
 use super::glpk::{FORMAT, Heading};
 use super::line::{COLUMNS, Line, ROWS};
-use super::{Entry, Reference, SolutionFile, SolverStatus};
+use super::{Entry, SolutionFile, SolverStatus};
 
 const PRINTED: NumberFormat = NumberFormat::SIX;
 
@@ -132,13 +132,12 @@ fn record(line: Line<'_>, words: &[&str], limits: &Limits) -> Result<(Entry, boo
         None if has_dual_place => Some(Figure::Finite(Printed::exact(Rational::zero()))),
         None => None,
     };
-    let of = Reference::Name((*name).to_owned());
     // It prints 0 for a value that is at most 10⁻⁹.
     let value = match line.figure(value, PRINTED, limits)? {
         Figure::Finite(printed) if printed.value.is_zero() => left_out(),
         other => other,
     };
-    Ok((Entry { of, line: line.number, value: Some(value), price, price_line: line.number }, has_dual_place))
+    Ok((line.entry(*name, Some(value), price), has_dual_place))
 }
 
 /// The 0 that stands for what is at most 10⁻⁹.

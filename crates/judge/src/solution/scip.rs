@@ -7,7 +7,7 @@ use boundfit_lp::NumberFormat;
 
 use super::error::SolutionError;
 use super::line::Line;
-use super::{Entry, Reference, SolutionFile, SolverStatus};
+use super::{SolutionFile, SolverStatus};
 
 const SCIP: &str = "SCIP";
 const DIGITS: NumberFormat = NumberFormat::FIFTEEN;
@@ -28,13 +28,9 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
                 let words = line.text.split_once(':').map_or("", |(_, words)| words);
                 (file.status, file.status_line) = (SolverStatus::of_words(words), line.number);
             }
-            [name, value, rest @ ..] if rest.len() <= 1 => file.columns.push(Entry {
-                of: Reference::Name((*name).to_owned()),
-                line: line.number,
-                value: Some(line.figure(value, DIGITS, limits)?),
-                price: None,
-                price_line: line.number,
-            }),
+            [name, value, rest @ ..] if rest.len() <= 1 => {
+                file.columns.push(line.entry(*name, Some(line.figure(value, DIGITS, limits)?), None))
+            }
             _ => return Err(line.expected("\"NAME VALUE (obj:NUMBER)\"")),
         }
     }
