@@ -5,24 +5,11 @@ use boundfit_exact::Column;
 use super::batch::{Batch, Pieces};
 use crate::fractions::Fractions;
 use crate::selection::RowNumbers;
-use crate::table::TableRow;
 
-/// A batch under construction.
-#[derive(Debug)]
-pub(super) struct BatchBuilder {
-    pub(super) columns: Vec<Column>,
-    pub(super) fractions: Vec<Fractions>,
-    pub(super) keys: Option<Pieces<String>>,
-    keys_missing: Vec<String>,
-    lines: Option<Pieces<Vec<u8>>>,
-    rows: RowNumbers,
-    pub(super) cells: Vec<Vec<String>>,
-    pub(super) others: Vec<TableRow>,
-}
-
-impl BatchBuilder {
+impl Batch {
+    /// A batch without rows, to be filled.
     pub(super) fn new(columns: usize, keys: bool, lines: bool) -> Self {
-        BatchBuilder {
+        Batch {
             columns: vec![Column::default(); columns],
             fractions: vec![Fractions::default(); columns],
             keys: keys.then(Pieces::default),
@@ -61,12 +48,10 @@ impl BatchBuilder {
     }
 
     /// The batch, when it has rows, with so much added to their numbers.
-    pub(super) fn finish(self, shift: usize) -> Option<Batch> {
-        let BatchBuilder { columns, fractions, keys, keys_missing, lines, mut rows, cells, mut others } =
-            self;
-        others.iter_mut().for_each(|other| other.row += shift);
-        rows.shift(shift);
-        let is_empty = rows.is_empty() && others.is_empty() && keys_missing.is_empty();
-        (!is_empty).then_some(Batch { rows, columns, fractions, keys, keys_missing, lines, cells, others })
+    pub(super) fn finish(mut self, shift: usize) -> Option<Self> {
+        self.others.iter_mut().for_each(|other| other.row += shift);
+        self.rows.shift(shift);
+        let is_empty = self.rows.is_empty() && self.others.is_empty() && self.keys_missing.is_empty();
+        (!is_empty).then_some(self)
     }
 }

@@ -8,7 +8,7 @@ use boundfit_exact::{
 };
 use memchr::{memchr, memchr_iter, memchr2, memchr3, memrchr};
 
-use super::builder::BatchBuilder;
+use super::batch::Batch;
 use super::layout::Layout;
 use super::rows;
 use super::values::Mark;
@@ -124,7 +124,7 @@ pub(super) struct Lane<'a> {
     is_satisfied: bool,
     /// `true` if it has a number in one of the columns that may lack one, if there are such columns.
     is_bounded: bool,
-    pub(super) batch: BatchBuilder,
+    pub(super) batch: Batch,
 }
 
 impl<'a> Lane<'a> {

@@ -20,8 +20,7 @@ use crate::table::TableRow;
 use crate::times::{is_time, or_time};
 use crate::units::unit_of_cell;
 
-use super::batch::{Pieces, ScanOptions};
-use super::builder::BatchBuilder;
+use super::batch::{Batch, Pieces, ScanOptions};
 use super::notes::Notes;
 use super::preamble::{Preamble, USUAL_MARKS};
 use super::quoting::is_quoted;
@@ -223,8 +222,8 @@ impl<'a> Layout<'a> {
     }
 
     /// An empty batch.
-    pub(super) fn batch(&self) -> BatchBuilder {
-        BatchBuilder::new(self.places.len(), self.key.is_some(), self.options.keep_text)
+    pub(super) fn batch(&self) -> Batch {
+        Batch::new(self.places.len(), self.key.is_some(), self.options.keep_text)
     }
 
     /// Returns whether the rows of all blocks are read as if there were one.

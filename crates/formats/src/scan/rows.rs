@@ -7,7 +7,7 @@ use crate::blocks::Gap;
 use crate::error::{InputError, InputErrorKind};
 use crate::records::Records;
 
-use super::builder::BatchBuilder;
+use super::batch::Batch;
 use super::layout::{Layout, Row};
 use super::notes::Notes;
 use super::values::Mark;
@@ -36,7 +36,7 @@ impl Parsed {
 
 /// The rows of a chunk.
 pub(super) struct Rows {
-    pub(super) batch: BatchBuilder,
+    pub(super) batch: Batch,
     pub(super) notes: Notes,
     /// The number of rows, wanted or not.
     pub(super) total: usize,
@@ -90,7 +90,7 @@ impl<'a> RowReader<'a> {
     }
 
     /// Adds the rows that end in a piece to batches, if they are wanted.
-    pub(super) fn read(&mut self, mut piece: &[u8], batch: &mut BatchBuilder) -> Result<(), InputError> {
+    pub(super) fn read(&mut self, mut piece: &[u8], batch: &mut Batch) -> Result<(), InputError> {
         while self.records.next(&mut piece)? {
             self.add(batch)?;
         }
@@ -98,7 +98,7 @@ impl<'a> RowReader<'a> {
     }
 
     /// Adds the row that no line end ends, if there is one.
-    pub(super) fn finish(&mut self, batch: &mut BatchBuilder) -> Result<(), InputError> {
+    pub(super) fn finish(&mut self, batch: &mut Batch) -> Result<(), InputError> {
         if !self.records.finish() {
             return Ok(());
         }
@@ -111,7 +111,7 @@ impl<'a> RowReader<'a> {
         })
     }
 
-    fn add(&mut self, batch: &mut BatchBuilder) -> Result<(), InputError> {
+    fn add(&mut self, batch: &mut Batch) -> Result<(), InputError> {
         self.gap.add(self.records.take_gap());
         let (layout, record, line) = (self.layout, self.records.record(), self.records.record_line());
         if layout.is_comment(record) {

@@ -6,7 +6,7 @@ use crate::blocks::Gap;
 use crate::chunks::{Chunk, ChunkReader};
 use crate::error::InputError;
 
-use super::builder::BatchBuilder;
+use super::batch::Batch;
 use super::first_record::Position;
 use super::layout::Layout;
 use super::notes::Notes;
@@ -55,7 +55,7 @@ impl Run<'_, '_> {
         Ok(rows.total())
     }
 
-    pub(super) fn hand_out(&mut self, batch: BatchBuilder, bytes: u64) -> Result<(), InputError> {
+    pub(super) fn hand_out(&mut self, batch: Batch, bytes: u64) -> Result<(), InputError> {
         if let Some(batch) = batch.finish(0) {
             self.consumer.consume(batch);
         }
