@@ -1,6 +1,4 @@
-//! Names packings by their first bytes, limits how far packed files may unpack, and says what is wrong with one.
-
-use thiserror::Error;
+//! Names packings by their first bytes, and limits how far packed files may unpack.
 
 /// The compression of an input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,43 +39,3 @@ pub(crate) const ANY_FILE: u64 = 1 << 26;
 /// The number of unpacked bytes that any packed file may hold to repeat them, however small it is. Writers of
 /// Zstandard can rely on as many (RFC 8878, 3.1.1.1.2), and its usual levels take as many.
 pub(crate) const ANY_WINDOW: u64 = 1 << 23;
-
-/// The problem with a compressed input.
-#[cfg_attr(not(feature = "packed"), allow(dead_code, reason = "nothing is unpacked that could have one"))]
-#[derive(Debug, Error)]
-pub(crate) enum UnpackError {
-    /// The file unpacks to more than is allowed.
-    #[error("it unpacks to more than {limit} bytes")]
-    TooLong {
-        /// The most bytes.
-        limit: u64,
-    },
-    /// The file unpacks to more than is allowed for its size.
-    #[error("it unpacks to more than {ratio} times its size")]
-    TooFar {
-        /// The factor of its size up to which it may unpack.
-        ratio: u64,
-    },
-    /// The file holds more unpacked bytes than is allowed for its size.
-    #[error("it holds more than {ratio} times its size")]
-    HoldsTooMuch {
-        /// The factor of its size that it may hold.
-        ratio: u64,
-    },
-    /// Unpacking takes more memory than may be held.
-    #[error("it takes too much memory")]
-    TooMuchMemory {
-        /// The number of bytes that all input held takes at least.
-        needed: u64,
-        /// The most bytes that may be held.
-        limit: u64,
-    },
-    /// The file cannot be unpacked.
-    #[error("{reason}")]
-    Damaged {
-        /// The format, with its article.
-        format: &'static str,
-        /// The library's words.
-        reason: String,
-    },
-}

@@ -16,7 +16,7 @@ use crate::error::InputErrorKind;
 use crate::hash::hexadecimal;
 use crate::limits::SizeLimits;
 use crate::memory_use::MemoryUse;
-use crate::packing::{ANY_WINDOW, Packing, UnpackError, most_unpacked};
+use crate::packing::{ANY_WINDOW, Packing, most_unpacked};
 
 /// A compressed input.
 pub(crate) struct Unpacked {
@@ -83,17 +83,12 @@ impl Packed {
     fn hold(&self, bytes: u64) -> io::Result<()> {
         let state = self.0.borrow();
         if bytes > ANY_WINDOW.max(state.bytes.saturating_mul(state.ratio)) {
-            return Err(io::Error::other(UnpackError::HoldsTooMuch { ratio: state.ratio }));
+            return Err(io::Error::other(InputErrorKind::HoldsTooMuch { ratio: state.ratio }));
         }
         // The library takes some bytes beside them.
         let bytes = bytes + 2 * BLOCK;
         let asked = state.memory.as_ref().map_or(Ok(()), |own| own.ask_for_all(bytes, MemoryUse::Unpacking));
-        match asked {
-            Err(InputErrorKind::TooMuchMemory { needed, limit, .. }) => {
-                Err(io::Error::other(UnpackError::TooMuchMemory { needed, limit }))
-            }
-            _ => Ok(()),
-        }
+        asked.map_err(io::Error::other)
     }
 
     /// SHA-256 of the bytes of the file that were read, in hexadecimal.
@@ -136,7 +131,7 @@ struct Unpacker {
 impl Read for Unpacker {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let count = self.decoder.read(buffer).map_err(|error| {
-            let is_own = error.get_ref().is_some_and(|error| error.is::<UnpackError>());
+            let is_own = error.get_ref().is_some_and(|error| error.is::<InputErrorKind>());
             if is_own || self.packed.0.borrow().has_failed || error.kind() == io::ErrorKind::Interrupted {
                 return error;
             }
@@ -144,15 +139,18 @@ impl Read for Unpacker {
                 io::ErrorKind::UnexpectedEof => "it stops too soon".to_owned(),
                 _ => format!("it is damaged: {error}"),
             };
-            io::Error::other(UnpackError::Damaged { format: self.packing.name(), reason })
+            io::Error::other(InputErrorKind::Unreadable {
+                format: self.packing.name(),
+                reason: reason.into(),
+            })
         })?;
         self.total += count as u64;
         let State { limit, ratio, bytes, .. } = *self.packed.0.borrow();
         if self.total > limit {
-            return Err(io::Error::other(UnpackError::TooLong { limit }));
+            return Err(io::Error::other(InputErrorKind::TooMuchUnpacked { limit }));
         }
         if self.total > most_unpacked(bytes, ratio) {
-            return Err(io::Error::other(UnpackError::TooFar { ratio }));
+            return Err(io::Error::other(InputErrorKind::UnpacksTooFar { ratio }));
         }
         Ok(count)
     }
@@ -337,9 +335,10 @@ impl<R: BufRead> Frames<R> {
                         size_text(requested),
                         size_text(max)
                     );
-                    return Err(io::Error::other(UnpackError::Damaged {
-                        format: "a Zstandard file",
-                        reason,
+                    let format = "a Zstandard file";
+                    return Err(io::Error::other(InputErrorKind::Unreadable {
+                        format,
+                        reason: reason.into(),
                     }));
                 }
                 Err(error) => return Err(io::Error::new(io::ErrorKind::InvalidData, error.to_string())),

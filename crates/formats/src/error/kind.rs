@@ -3,17 +3,16 @@
 use std::io;
 
 use boundfit_exact::english::{counted, size_text};
-use boundfit_exact::{DecimalMark, Foreign, Limit, ParseNumberError, ParseNumberErrorKind, TooMuchWork};
+use boundfit_exact::{DecimalMark, Foreign, Limit, ParseNumberError, TooMuchWork};
 use thiserror::Error;
 
 use crate::block::{AskedBlock, Block, listed};
 use crate::memory_use::MemoryUse;
-use crate::packing::{ANY_FILE, ANY_WINDOW, UnpackError};
+use crate::packing::{ANY_FILE, ANY_WINDOW};
 use crate::reduction::error::ReductionError;
 use crate::row_range::RowRange;
 
-use super::names::{advice, are_no_names};
-use super::ways::{Setting, Way};
+use super::names::advice;
 
 /// The most names that a message lists.
 const MOST_NAMES: usize = 10;
@@ -494,20 +493,10 @@ pub enum InputErrorKind {
 impl From<io::Error> for InputErrorKind {
     fn from(error: io::Error) -> Self {
         // A reduction is shown as a stream of bytes, whose errors are those of a stream.
-        match error.downcast::<ReductionError>() {
-            Ok(error) => InputErrorKind::Reduction(error),
-            Err(error) => match error.downcast::<UnpackError>() {
-                Ok(UnpackError::TooLong { limit }) => InputErrorKind::TooMuchUnpacked { limit },
-                Ok(UnpackError::TooFar { ratio }) => InputErrorKind::UnpacksTooFar { ratio },
-                Ok(UnpackError::HoldsTooMuch { ratio }) => InputErrorKind::HoldsTooMuch { ratio },
-                Ok(UnpackError::TooMuchMemory { needed, limit }) => {
-                    InputErrorKind::TooMuchMemory { what: MemoryUse::Unpacking, needed, limit }
-                }
-                Ok(UnpackError::Damaged { format, reason }) => {
-                    InputErrorKind::Unreadable { format, reason: reason.into() }
-                }
-                Err(error) => InputErrorKind::Io(error),
-            },
+        match error.downcast::<ReductionError>().map(InputErrorKind::Reduction) {
+            Ok(kind) => kind,
+            // What unpacks a file says in these words what is wrong with it.
+            Err(error) => error.downcast::<InputErrorKind>().unwrap_or_else(InputErrorKind::Io),
         }
     }
 }
@@ -539,193 +528,10 @@ impl InputErrorKind {
             _ => None,
         }
     }
-
-    /// Settings with which the file is read, whatever stands in the cell, the most helpful first.
-    pub(super) fn ways(&self) -> Vec<Way> {
-        let way = Way::new;
-        match self {
-            InputErrorKind::NotUtf8 { unit: "cell", .. } => {
-                vec![way(Setting::Encoding, "windows-1252", "reads any byte")]
-            }
-            InputErrorKind::AmbiguousBlock { .. } => vec![way(Setting::Block, "N", "chooses it")],
-            InputErrorKind::EmptySheet { others } if !others.is_empty() => {
-                vec![way(Setting::Sheet, "N|NAME", "chooses one")]
-            }
-            InputErrorKind::SeveralBlocks { .. } | InputErrorKind::UnknownBlock { .. } => vec![
-                way(Setting::Block, "N|NAME", "chooses it"),
-                way(Setting::Block, "all", "takes the rows of all of them together"),
-            ],
-            InputErrorKind::NameOrNumber { fits_header: true, .. } => {
-                vec![way(Setting::Header, "no", "says that the first row is a reading")]
-            }
-            InputErrorKind::CommasTwice { .. } => {
-                vec![way(Setting::Decimal, "comma", "reads those in quotes")]
-            }
-            InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Comma, .. }) => vec![
-                way(Setting::Decimal, "comma", "reads 1,5"),
-                way(Setting::Thousands, "','", "reads 60,323 as 60323"),
-            ],
-            InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Point, .. }) => vec![
-                way(Setting::Decimal, "point", "reads 1.5"),
-                way(Setting::Thousands, "'.'", "reads 60.323 as 60323"),
-            ],
-            InputErrorKind::NoDelimiter { .. } => vec![
-                way(Setting::Delimiter, "comma|semicolon|tab|space|pipe", "says what separates columns"),
-                way(Setting::SkipLines, "N", "passes over lines before the table"),
-            ],
-            InputErrorKind::AnotherDecimalMark { .. } => vec![
-                way(Setting::Decimal, "comma|point", "says which"),
-                way(Setting::Thousands, "CHARACTER", "says what groups digits"),
-            ],
-            InputErrorKind::NoNumberInFirstRow => {
-                vec![
-                    way(Setting::UnitsRow, "", "passes over a row of units"),
-                    way(Setting::SkipLines, "N", "passes over lines before the table"),
-                ]
-            }
-            InputErrorKind::Missing { .. } => vec![way(Setting::Missing, "skip", "leaves such rows out")],
-            _ => self.limit().map(Way::raises).into_iter().collect(),
-        }
-    }
-
-    /// The accepted form, if it can be said.
-    pub(super) fn expected(&self) -> Option<String> {
-        Some(match self {
-            InputErrorKind::IsDirectory => "a file, or - for standard input".to_owned(),
-            InputErrorKind::Empty
-            | InputErrorKind::NothingBehind(_)
-            | InputErrorKind::NoRows
-            | InputErrorKind::EmptySheet { .. } => "at least one row of numbers".to_owned(),
-            InputErrorKind::NotUtf8 { unit: "cell", .. } => {
-                "text in UTF-8, as the characters before it are".to_owned()
-            }
-            InputErrorKind::Utf16 | InputErrorKind::NotUtf8 { .. } => "text in UTF-8".to_owned(),
-            InputErrorKind::UnknownColumn { available, .. } if are_no_names(available) => return None,
-            InputErrorKind::UnknownColumn { available, numbers, .. } => {
-                let names = (!available.is_empty()).then(|| format!("one of {}", first_names(available)));
-                let number = numbers.map(|numbers| format!("a number from 1 to {numbers}"));
-                names.into_iter().chain(number).collect::<Vec<_>>().join(" or ")
-            }
-            InputErrorKind::UnknownSheet { available, .. } if available.is_empty() => {
-                "a workbook with sheets".to_owned()
-            }
-            InputErrorKind::UnknownSheet { available, .. } => {
-                format!("one of {} or a number from 1 to {}", first_names(available), available.len())
-            }
-            InputErrorKind::Time => {
-                "a number: give the cells the format of one, or add a column of seconds or days".to_owned()
-            }
-            InputErrorKind::NoValue => "a value: open the workbook in a spreadsheet and save it".to_owned(),
-            InputErrorKind::AmbiguousBlock { .. } => "the number of a block".to_owned(),
-            InputErrorKind::BlockNameOrNumber { wanted, .. } => format!(
-                "'\"{wanted}\"', with the quotes, for the name; for the number the name of that block"
-            ),
-            InputErrorKind::UnknownBlock { wanted, is_name: true, .. } => {
-                format!(
-                    "'\"{wanted}\"', with the quotes, for the name, or another block by its number or its name"
-                )
-            }
-            InputErrorKind::SeveralBlocks { .. } | InputErrorKind::UnknownBlock { .. } => {
-                "a block by its number or its name".to_owned()
-            }
-            InputErrorKind::SameColumn { .. } => "two columns".to_owned(),
-            InputErrorKind::NameOrNumber { wanted, .. } => format!(
-                "'\"{wanted}\"', with the quotes, for the name; for the number the name of that column"
-            ),
-            InputErrorKind::SheetNameOrNumber { wanted, .. } => format!(
-                "'\"{wanted}\"', with the quotes, for the name; for the number the name of that sheet"
-            ),
-            InputErrorKind::CommasTwice { .. } => {
-                "semicolons or tabs between the columns, or quotes around numbers with commas".to_owned()
-            }
-            InputErrorKind::AmbiguousColumn { .. } => {
-                "a name that occurs once, or the column's number".to_owned()
-            }
-            InputErrorKind::Json { .. } => {
-                "JSON with an object for each row, or a table of text such as CSV".to_owned()
-            }
-            InputErrorKind::JsonEnds { .. } => "a complete file".to_owned(),
-            InputErrorKind::NestedJson => {
-                "JSON with an object for each row; in pandas table.to_json('FILE', orient='records')"
-                    .to_owned()
-            }
-            InputErrorKind::Null => "a value".to_owned(),
-            InputErrorKind::NotFinite => "a finite number".to_owned(),
-            InputErrorKind::NotBinary64 => {
-                "a number that binary64 has: a reduction is text of such".to_owned()
-            }
-            InputErrorKind::NoNumbers { .. } => {
-                "a vector or matrix of real numbers: double, single, integer or logical, full".to_owned()
-            }
-            InputErrorKind::WholeMatrix { variable, columns, .. } => {
-                format!("one of its columns, \"{variable}(:,1)\" to \"{variable}(:,{columns})\"")
-            }
-            InputErrorKind::DifferentLengths { .. } => "columns of one length".to_owned(),
-            InputErrorKind::ColumnType { expected, .. } => (*expected).to_owned(),
-            InputErrorKind::NotANumber(error) if error.kind.is_limit() => return None,
-            InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Comma, .. }) => {
-                "1.5".to_owned()
-            }
-            InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Point, .. }) => {
-                "1,5".to_owned()
-            }
-            InputErrorKind::Comma => {
-                "1.5, or a column of numbers: write the file with one, or as CSV with decimal commas"
-                    .to_owned()
-            }
-            InputErrorKind::NoDelimiter { .. } => "a column's number".to_owned(),
-            InputErrorKind::AnotherDecimalMark { .. } => "one decimal mark".to_owned(),
-            InputErrorKind::NoNumberInFirstRow => "a row of numbers".to_owned(),
-            InputErrorKind::BehindQuotes => "a delimiter behind the quote, or no quotes".to_owned(),
-            InputErrorKind::NumbersAsUnits => {
-                "units such as mm, or readings without a row of units".to_owned()
-            }
-            InputErrorKind::Missing { .. } => "a number in every row".to_owned(),
-            InputErrorKind::AllMissing { .. } => "a row with all its numbers".to_owned(),
-            InputErrorKind::BlanksTwice => {
-                "another character between groups of digits, or another delimiter".to_owned()
-            }
-            InputErrorKind::NotANumber(_) => {
-                "a decimal such as 1.30e-2 or a fraction such as 7/19".to_owned()
-            }
-            InputErrorKind::NegativeErrorBound => "a number that is at least 0".to_owned(),
-            InputErrorKind::NoBound => {
-                "a number in a column of bounds, or the file without this row".to_owned()
-            }
-            InputErrorKind::NoLastDigit => "a decimal such as 1.30e-2".to_owned(),
-            InputErrorKind::NoDigits { .. } => {
-                "a bound as a number, such as 0.005, or a law without 'written'".to_owned()
-            }
-            InputErrorKind::NoBegin => "an H- or V-representation: begin, rows, end".to_owned(),
-            InputErrorKind::BadSizeLine => {
-                "\"ROWS 3 integer\", \"ROWS 3 rational\" or \"ROWS 3 real\"".to_owned()
-            }
-            InputErrorKind::MoreThanThePlane { .. } => {
-                "columns a1, a2 and b: a1*theta1 + a2*theta2 <= b".to_owned()
-            }
-            InputErrorKind::Relation => {
-                "no such column: change all signs of a row with >=, and write a row with = both ways"
-                    .to_owned()
-            }
-            InputErrorKind::BesideHalfPlane => {
-                "3 columns, or a header with the names a1, a2 and b: other columns are then ignored"
-                    .to_owned()
-            }
-            InputErrorKind::NotThePlane(_) => "3 columns: b, -a1, -a2 or 1, x, y".to_owned(),
-            InputErrorKind::OtherSet { instead } => (*instead).to_owned(),
-            InputErrorKind::SecondMatrix => "one representation in a file".to_owned(),
-            InputErrorKind::NegativeWeight => "1 for a point or 0 for a ray".to_owned(),
-            InputErrorKind::LinearPoint => "0 x y for a line".to_owned(),
-            InputErrorKind::BadLinearity => {
-                "\"linearity COUNT ROW...\" before begin, with rows counted from 1".to_owned()
-            }
-            _ => return None,
-        })
-    }
 }
 
 /// Returns the first of some names in quotes, and the number of the rest.
-fn first_names(names: &[Foreign]) -> String {
+pub(super) fn first_names(names: &[Foreign]) -> String {
     let mut first: Vec<String> = names.iter().take(MOST_NAMES).map(Foreign::quoted).collect();
     if names.len() > MOST_NAMES {
         first.push(format!("{} more", names.len() - MOST_NAMES));

@@ -1,5 +1,6 @@
 //! The possible problems of an input file, and where.
 
+mod expected;
 mod kind;
 mod names;
 mod ways;

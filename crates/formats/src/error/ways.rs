@@ -1,6 +1,8 @@
 //! Settings with which a file is read: each surface has a name for it.
 
-use boundfit_exact::Limit;
+use boundfit_exact::{Limit, ParseNumberError, ParseNumberErrorKind};
+
+use super::kind::InputErrorKind;
 
 /// A setting that decides whether a file is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -67,5 +69,55 @@ impl Way {
     /// Raises a limit.
     pub fn raises(limit: Limit) -> Self {
         Way { setting: Setting::Limit(limit), value: "N", effect: "raises it" }
+    }
+}
+
+impl InputErrorKind {
+    /// Settings with which the file is read, whatever stands in the cell, the most helpful first.
+    pub(super) fn ways(&self) -> Vec<Way> {
+        let way = Way::new;
+        match self {
+            InputErrorKind::NotUtf8 { unit: "cell", .. } => {
+                vec![way(Setting::Encoding, "windows-1252", "reads any byte")]
+            }
+            InputErrorKind::AmbiguousBlock { .. } => vec![way(Setting::Block, "N", "chooses it")],
+            InputErrorKind::EmptySheet { others } if !others.is_empty() => {
+                vec![way(Setting::Sheet, "N|NAME", "chooses one")]
+            }
+            InputErrorKind::SeveralBlocks { .. } | InputErrorKind::UnknownBlock { .. } => vec![
+                way(Setting::Block, "N|NAME", "chooses it"),
+                way(Setting::Block, "all", "takes the rows of all of them together"),
+            ],
+            InputErrorKind::NameOrNumber { fits_header: true, .. } => {
+                vec![way(Setting::Header, "no", "says that the first row is a reading")]
+            }
+            InputErrorKind::CommasTwice { .. } => {
+                vec![way(Setting::Decimal, "comma", "reads those in quotes")]
+            }
+            InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Comma, .. }) => vec![
+                way(Setting::Decimal, "comma", "reads 1,5"),
+                way(Setting::Thousands, "','", "reads 60,323 as 60323"),
+            ],
+            InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Point, .. }) => vec![
+                way(Setting::Decimal, "point", "reads 1.5"),
+                way(Setting::Thousands, "'.'", "reads 60.323 as 60323"),
+            ],
+            InputErrorKind::NoDelimiter { .. } => vec![
+                way(Setting::Delimiter, "comma|semicolon|tab|space|pipe", "says what separates columns"),
+                way(Setting::SkipLines, "N", "passes over lines before the table"),
+            ],
+            InputErrorKind::AnotherDecimalMark { .. } => vec![
+                way(Setting::Decimal, "comma|point", "says which"),
+                way(Setting::Thousands, "CHARACTER", "says what groups digits"),
+            ],
+            InputErrorKind::NoNumberInFirstRow => {
+                vec![
+                    way(Setting::UnitsRow, "", "passes over a row of units"),
+                    way(Setting::SkipLines, "N", "passes over lines before the table"),
+                ]
+            }
+            InputErrorKind::Missing { .. } => vec![way(Setting::Missing, "skip", "leaves such rows out")],
+            _ => self.limit().map(Way::raises).into_iter().collect(),
+        }
     }
 }
