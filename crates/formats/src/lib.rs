@@ -88,7 +88,7 @@ pub use limits::{LONGEST_LINE, SizeLimits};
 pub use memory::{MemoryNumbers, MemoryTable};
 pub use memory_use::MemoryUse;
 pub use notes::{BlockNote, HeaderNote, SheetLooks, SheetNote, Skipped, TableNotes};
-pub use open::{HeldRows, read_table, scan};
+pub use open::{HeldRows, Table, read_table, scan};
 pub use reduction::{
     AskedReduction, REDUCTION_MARK, ReducedBounds, ReducedMarks, ReducedModel, ReductionError,
     ReductionRecord, Reductions, open_reduction,
@@ -97,5 +97,5 @@ pub use row_range::RowRange;
 pub use scan::{Batch, Pieces, Progress, ScanOptions, Scanned};
 pub use selection::{ParseRowConditionError, RowCondition, RowNumbers, RowSet};
 pub use source::{Again, Source};
-pub use table::{Table, TableOptions, TableRow, TextLayout};
+pub use table::{TableOptions, TableRow, TextLayout};
 pub use whole::WholeFile;

@@ -19,7 +19,7 @@ use crate::memory::scan_memory;
 use crate::memory_use::MemoryUse;
 use crate::scan::{Batch, Consumer, Progress, ScanOptions, Scanned, scan_text};
 use crate::source::{Content, Source};
-use crate::table::{Table, TableOptions, TableRow};
+use crate::table::{TableOptions, TableRow};
 #[cfg(feature = "spreadsheets")]
 use crate::workbook::scan_workbook;
 
@@ -264,6 +264,17 @@ impl Progress for HeldRows {
     }
 }
 
+/// The columns asked for, as numbers.
+#[derive(Debug, Clone)]
+pub struct Table {
+    /// The known facts about the table.
+    pub scanned: Scanned,
+    /// The rows wanted.
+    pub rows: Vec<TableRow>,
+    /// The rows that are not wanted but hold numbers, with `keep_others`.
+    pub others: Vec<TableRow>,
+}
+
 /// Reads the columns asked for like [`scan`], and keeps all rows.
 ///
 /// Exact as `options.reading` says. Cost: one pass; memory for the wanted cells.
@@ -317,19 +328,5 @@ pub fn read_table(
         return Err(InputError::of_file(&file, InputErrorKind::TooManyWanted { limit: most_wanted }));
     }
     held.check(file.raw())?;
-    let scanned = scanned?;
-    Ok(Table {
-        names: scanned.names,
-        header: scanned.header,
-        fractions: scanned.fractions,
-        rows,
-        others,
-        rows_total: scanned.rows_total,
-        ranges: scanned.ranges,
-        rows_missing: scanned.rows_missing,
-        units: scanned.units,
-        layout: scanned.layout,
-        table: scanned.table,
-        sha256: scanned.sha256.unwrap_or_default(),
-    })
+    Ok(Table { scanned: scanned?, rows, others })
 }

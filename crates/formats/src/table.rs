@@ -1,14 +1,12 @@
 //! Tables of numbers, and how they are to be read.
 
-use boundfit_exact::{Foreign, Limits, Rational, Reading};
+use boundfit_exact::{Limits, Rational, Reading};
 
 use crate::block::AskedBlock;
 use crate::columns::{ColumnPlace, Header};
 use crate::dialect::{AskedDialect, Dialect, Missing, MissingWords};
 use crate::error::{InputError, InputErrorKind};
-use crate::fractions::Fractions;
 use crate::limits::SizeLimits;
-use crate::notes::TableNotes;
 use crate::selection::{RowCondition, RowSet};
 
 /// The place in delimited text of the numbers asked for.
@@ -85,35 +83,6 @@ pub struct TableRow {
     /// The texts of the cells whose numbers are asked for, as written but for grouped digits, and empty where
     /// a value is missing; only with [`TableOptions::keep_cells`].
     pub cells: Vec<String>,
-}
-
-/// The columns asked for, as numbers.
-#[derive(Debug, Clone)]
-pub struct Table {
-    /// The names of the columns asked for; `col1` and so on where there is none.
-    pub names: Vec<Foreign>,
-    /// The number of fractions among the cells of each column asked for; empty where numbers are stored.
-    pub fractions: Vec<Fractions>,
-    /// The names of all columns, asked for or not; none without a header.
-    pub header: Vec<Foreign>,
-    /// The rows wanted.
-    pub rows: Vec<TableRow>,
-    /// The rows that are not wanted but hold numbers, with `keep_others`.
-    pub others: Vec<TableRow>,
-    /// The number of data rows of the file.
-    pub rows_total: usize,
-    /// The number of wanted rows that were left out since they lack a number.
-    pub rows_missing: usize,
-    /// The units of the columns asked for, where the table states them.
-    pub units: Vec<Option<Foreign>>,
-    /// First and last of the rows wanted that follow each other without a gap.
-    pub ranges: Vec<[usize; 2]>,
-    /// The place of the numbers; `None` unless the table is delimited text.
-    pub layout: Option<TextLayout>,
-    /// The detected format of the table; `None` unless it is text or a sheet.
-    pub table: Option<TableNotes>,
-    /// SHA-256 of the file's bytes, in hexadecimal.
-    pub sha256: String,
 }
 
 /// Refuses a table whose first record, on this line, has too many cells.

@@ -51,7 +51,7 @@ fn read(data: &[u8]) -> Result<(usize, usize), String> {
             let table = POOL.install(|| {
                 let source = Source::new("data", Cursor::new(data.to_vec()));
                 read_table(source, &columns, &options)
-                    .map(|table| (table.rows.len(), table.rows_missing))
+                    .map(|table| (table.rows.len(), table.scanned.rows_missing))
                     .map_err(|error| error.to_string())
             });
             found = found.or(table);

@@ -202,6 +202,7 @@ fn chosen_rows_keep_their_numbers() {
     let read = read.unwrap();
     assert_eq!(read.rows.iter().map(|row| row.row).collect::<Vec<_>>(), [3, 5]);
     assert_eq!(read.others.iter().map(|row| row.row).collect::<Vec<_>>(), [1, 4]);
+    let read = read.scanned;
     assert_eq!((read.rows_total, read.rows_missing, read.ranges), (5, 1, vec![[3, 3], [5, 5]]));
 }
 

@@ -353,7 +353,7 @@ fn rows_are_picked_by_lists_and_comparisons() {
             (file, source)
         };
         let (_file, source) = source();
-        let missing = read_table(source, &columns(&["y"]), &skip(conditions)).unwrap().rows_missing;
+        let missing = read_table(source, &columns(&["y"]), &skip(conditions)).unwrap().scanned.rows_missing;
         assert_eq!(missing, if conditions.len() == 2 { 0 } else { 13 });
     }
     let nothing = file(&[doubles("y", 2, 1, &[f64::NAN, f64::NAN])], false, true);

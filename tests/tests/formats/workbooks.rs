@@ -23,7 +23,7 @@ fn read_from(source: Source, columns: &[&str], change: impl FnOnce(&mut TableOpt
     let message = |error: InputError| error.to_string().strip_prefix("b: ").unwrap().to_owned();
     let table = read_table(source, &columns, &options).map_err(message)?;
     let numbers = table.rows.iter().map(|row| row.numbers.iter().map(ToString::to_string).collect());
-    Ok((numbers.collect(), table.table.as_ref().and_then(TableNotes::words)))
+    Ok((numbers.collect(), table.scanned.table.as_ref().and_then(TableNotes::words)))
 }
 
 fn read(bytes: &[u8], columns: &[&str], change: impl FnOnce(&mut TableOptions)) -> Read {

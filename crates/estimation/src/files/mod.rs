@@ -37,7 +37,7 @@ pub use seen::Seen;
 
 use crate::measurement::Measurement;
 use crate::measurements::{Measurements, Origin, Readings};
-use crate::selection::{FractionCells, Selection};
+use crate::selection::Selection;
 use crate::summary::Keep;
 
 impl Measurements {
@@ -80,7 +80,7 @@ impl Measurements {
             numbers.map(Option::unwrap_or_default).collect()
         };
         let further: Vec<Vec<Rational>> = (0..beside.len()).map(further).collect();
-        let mut meaning = columns.meaning(&table.names);
+        let mut meaning = columns.meaning(&table.scanned.names);
         let measured = |rows: Vec<TableRow>| {
             rows.into_iter().map(|row| meaning.measurement(row.row, row.numbers.into_iter())).collect()
         };
@@ -91,19 +91,8 @@ impl Measurements {
         columns.refuse_unbounded(&file, unbounded)?;
         others.retain(is_bounded);
         meaning.settle(&mut rows);
-        let origin = Origin {
-            rows_total: table.rows_total,
-            rows_missing: table.rows_missing,
-            selection: Selection::of(options),
-            fractions: FractionCells::of(&table.names, &table.fractions),
-            ranges: table.ranges,
-            table: table.table,
-            units: table.units,
-            cells,
-            layout: table.layout,
-            sha256: Some(table.sha256),
-            in_columns: None,
-        };
-        Ok((Measurements { meaning, readings: Readings::All(rows), others, origin }, further))
+        let own = scan::measurements(meaning, Selection::of(options), table.scanned, Readings::All(rows));
+        let origin = Origin { cells, ..own.origin };
+        Ok((Measurements { others, origin, ..own }, further))
     }
 }

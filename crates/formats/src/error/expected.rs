@@ -5,8 +5,9 @@ use std::fmt::Display;
 
 use boundfit_exact::{ParseNumberError, ParseNumberErrorKind};
 
-use super::kind::{InputErrorKind, first_names};
+use super::kind::InputErrorKind;
 use super::names::are_no_names;
+use super::words::first_names;
 
 impl InputErrorKind {
     /// The accepted form, if it can be said.

@@ -3,7 +3,7 @@
 use std::io;
 
 use boundfit_exact::english::{counted, size_text};
-use boundfit_exact::{DecimalMark, Foreign, Limit, ParseNumberError, TooMuchWork};
+use boundfit_exact::{DecimalMark, Foreign, ParseNumberError, TooMuchWork};
 use thiserror::Error;
 
 use crate::block::{AskedBlock, Block, listed};
@@ -13,9 +13,7 @@ use crate::reduction::error::ReductionError;
 use crate::row_range::RowRange;
 
 use super::names::advice;
-
-/// The most names that a message lists.
-const MOST_NAMES: usize = 10;
+use super::words::{announced, count, named, other_sheets, others_missing, wanted_by};
 
 /// The problem with an input file.
 #[derive(Debug, Error)]
@@ -499,83 +497,4 @@ impl From<io::Error> for InputErrorKind {
             Err(error) => error.downcast::<InputErrorKind>().unwrap_or_else(InputErrorKind::Io),
         }
     }
-}
-
-/// A number of things in words.
-fn count(count: u64, [one, many]: [&str; 2]) -> String {
-    counted(usize::try_from(count).unwrap_or(usize::MAX), one, many)
-}
-
-impl InputErrorKind {
-    /// The limit that was passed, if that is the problem.
-    pub fn limit(&self) -> Option<Limit> {
-        match self {
-            InputErrorKind::NotANumber(error) => Limit::of_number(&error.kind),
-            // Sums are written without exponents.
-            InputErrorKind::Reduction(ReductionError::BadSum(error)) => {
-                Limit::of_number(&error.kind).filter(|limit| *limit == Limit::Digits)
-            }
-            InputErrorKind::LineTooLong { .. } | InputErrorKind::RowTooLong { .. } => Some(Limit::Line),
-            InputErrorKind::TooManyColumns { .. } => Some(Limit::Columns),
-            InputErrorKind::TooManyRows { .. } => Some(Limit::Rows),
-            InputErrorKind::TooMuchMemory { .. } => Some(Limit::Memory),
-            InputErrorKind::TooManyElements { .. } => Some(Limit::Elements),
-            InputErrorKind::TooMuchUnpacked { .. } => Some(Limit::Unpacked),
-            InputErrorKind::UnpacksTooFar { .. } | InputErrorKind::HoldsTooMuch { .. } => Some(Limit::Ratio),
-            InputErrorKind::TextTooLarge { .. } => Some(Limit::Text),
-            InputErrorKind::WorkbookTooLarge { .. } => Some(Limit::Workbook),
-            InputErrorKind::TooMuchWork(_) => Some(Limit::Work),
-            _ => None,
-        }
-    }
-}
-
-/// Returns the first of some names in quotes, and the number of the rest.
-pub(super) fn first_names(names: &[Foreign]) -> String {
-    let mut first: Vec<String> = names.iter().take(MOST_NAMES).map(Foreign::quoted).collect();
-    if names.len() > MOST_NAMES {
-        first.push(format!("{} more", names.len() - MOST_NAMES));
-    }
-    first.join(", ")
-}
-
-/// Returns words for the other sheets of a workbook.
-fn other_sheets(sheets: &[Foreign]) -> String {
-    match sheets {
-        [] => String::new(),
-        [only] => format!("; the other one is {}", only.quoted()),
-        sheets => format!("; the others are {}", first_names(sheets)),
-    }
-}
-
-/// `row 5 was`, `rows 14..36 were`.
-fn named(rows: RowRange) -> String {
-    let is_one = rows.to_string().bytes().all(|byte| byte.is_ascii_digit());
-    if is_one { format!("row {rows} was") } else { format!("rows {rows} were") }
-}
-
-/// Returns words for the conditions that a wanted row satisfies.
-fn wanted_by(conditions: &[Foreign]) -> String {
-    match conditions {
-        [] => "is left".to_owned(),
-        conditions => {
-            let conditions: Vec<String> = conditions.iter().map(Foreign::to_string).collect();
-            format!("satisfies {}", conditions.join(" and "))
-        }
-    }
-}
-
-/// Returns words for the other rows without a value.
-fn others_missing(rows: usize, is_complete: bool) -> String {
-    let up_to_there = if is_complete { "" } else { " at least" };
-    match rows.saturating_sub(1) {
-        0 if is_complete => ", in this row only".to_owned(),
-        0 => String::new(),
-        others => format!(", and in{up_to_there} {} more", counted(others, "row", "rows")),
-    }
-}
-
-/// `2 rows were announced and `, where a number was.
-fn announced(rows: Option<usize>) -> String {
-    rows.map(|rows| format!("{rows} rows were announced and ")).unwrap_or_default()
 }

@@ -4,6 +4,7 @@ mod expected;
 mod kind;
 mod names;
 mod ways;
+mod words;
 
 use std::fmt;
 

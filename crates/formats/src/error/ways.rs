@@ -3,6 +3,7 @@
 use boundfit_exact::{Limit, ParseNumberError, ParseNumberErrorKind};
 
 use super::kind::InputErrorKind;
+use crate::reduction::error::ReductionError;
 
 /// A setting that decides whether a file is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -73,6 +74,28 @@ impl Way {
 }
 
 impl InputErrorKind {
+    /// The limit that was passed, if that is the problem.
+    pub fn limit(&self) -> Option<Limit> {
+        match self {
+            InputErrorKind::NotANumber(error) => Limit::of_number(&error.kind),
+            // Sums are written without exponents.
+            InputErrorKind::Reduction(ReductionError::BadSum(error)) => {
+                Limit::of_number(&error.kind).filter(|limit| *limit == Limit::Digits)
+            }
+            InputErrorKind::LineTooLong { .. } | InputErrorKind::RowTooLong { .. } => Some(Limit::Line),
+            InputErrorKind::TooManyColumns { .. } => Some(Limit::Columns),
+            InputErrorKind::TooManyRows { .. } => Some(Limit::Rows),
+            InputErrorKind::TooMuchMemory { .. } => Some(Limit::Memory),
+            InputErrorKind::TooManyElements { .. } => Some(Limit::Elements),
+            InputErrorKind::TooMuchUnpacked { .. } => Some(Limit::Unpacked),
+            InputErrorKind::UnpacksTooFar { .. } | InputErrorKind::HoldsTooMuch { .. } => Some(Limit::Ratio),
+            InputErrorKind::TextTooLarge { .. } => Some(Limit::Text),
+            InputErrorKind::WorkbookTooLarge { .. } => Some(Limit::Workbook),
+            InputErrorKind::TooMuchWork(_) => Some(Limit::Work),
+            _ => None,
+        }
+    }
+
     /// Settings with which the file is read, whatever stands in the cell, the most helpful first.
     pub(super) fn ways(&self) -> Vec<Way> {
         let way = Way::new;

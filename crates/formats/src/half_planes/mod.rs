@@ -61,7 +61,9 @@ pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPl
     let row_cost = options.row_cost.max(OF_A_HALF_PLANE);
     let options = TableOptions { row_cost, are_half_planes: true, ..options.clone() };
     let table = read_table(Source::new(name.clone(), Cursor::new(content)), &columns, &options)?;
-    if let Some(column) = table.header.iter().find(|column| is_coefficient_beyond_the_plane(column.raw())) {
+    if let Some(column) =
+        table.scanned.header.iter().find(|column| is_coefficient_beyond_the_plane(column.raw()))
+    {
         let column = column.clone();
         return Err(InputError::of_file(&name, InputErrorKind::MoreThanThePlane { column }));
     }
@@ -73,11 +75,11 @@ pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPl
     Ok(HalfPlaneFile {
         system: inequalities.collect(),
         origins: table.rows.iter().map(|row| RowOrigin { row: row.row, reversed: false }).collect(),
-        rows: table.rows_total,
+        rows: table.scanned.rows_total,
         sha256,
         generators: None,
-        layout: table.layout,
-        table: table.table.map(in_order),
+        layout: table.scanned.layout,
+        table: table.scanned.table.map(in_order),
     })
 }
 
