@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{
-    Central, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, Measurements, Model, ParameterBound,
-    ParameterInterval, Problem, Ties, least_squares_is_feasible, mending_rows,
+    Central, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, Measurements, Model, Problem, Ties,
+    least_squares_is_feasible, mending_rows,
 };
-use boundfit_exact::{Endpoint, Interval, Rational};
-use boundfit_geometry::{Measures, Multiplier};
+use boundfit_exact::{Interval, Rational};
+use boundfit_geometry::Measures;
 use boundfit_questions::Guarantee;
 
 use crate::answer::fit::{
@@ -15,11 +15,11 @@ use crate::answer::fit::{
 };
 use crate::answer::input::InputJson;
 use crate::answer::parts::{
-    ActiveJson, BoundJson, CentralJson, IntervalJson, LeastSquaresJson, ProgramJson, RangeJson, RegionJson,
-    SlopeJson, SlopesJson, TermJson,
+    ActiveJson, CentralJson, CertificateJson, IntervalJson, LeastSquaresJson, ProgramJson, RangeJson,
+    RegionJson, SlopeJson, SlopesJson, TermJson,
 };
 use crate::answer::sweep::SweepJson;
-use crate::json::{centroid_json, long_fractions, to_text};
+use crate::json::{centroid_json, has_bounded_end, long_fractions, to_text};
 use crate::number::Number;
 use crate::origin::Origin;
 use crate::style::Style;
@@ -81,7 +81,7 @@ impl FitJson {
             program: ProgramJson::OWN,
             input: InputJson::new(problem, origin, style),
             least_squares: least_squares(problem, fit, style),
-            eui: fit.eui().map(|eui| eui.each_ref().map(|eui| RangeJson::new(eui, style))),
+            eui: fit.eui().map(|eui| RangeJson::both(eui, style)),
             fps,
             pui: pui(fit, style),
             central: central(fit, style),
@@ -149,33 +149,14 @@ pub(crate) fn least_squares_of(fit: &Fit, theta: &[Rational; 2], style: &Style) 
 
 fn fps(problem: &Problem, fit: &Fit, measures: &Measures, style: &Style) -> RegionJson<ActiveJson> {
     let contradiction = fit.contradiction(problem.measurements.error_bound());
-    let farkas =
-        contradiction.map(|terms| terms.iter().map(|(name, m)| TermJson::new(*name, m, style)).collect());
+    let certificate = contradiction.map(|terms| CertificateJson::new(&terms, style));
     let name = |indices: &[usize]| (&fit.fps.active(indices, Ties::MOST_LISTED)).into();
-    RegionJson::new(fit.fps.polyhedron().region(), measures, style, name, farkas)
-}
-
-fn has_bounded_end(fit: &Fit) -> bool {
-    fit.pui_intervals()
-        .iter()
-        .flatten()
-        .any(|interval| interval.lower() != &Endpoint::Unbounded || interval.upper() != &Endpoint::Unbounded)
+    RegionJson::new(fit.fps.polyhedron().region(), measures, style, name, certificate)
 }
 
 /// The parameter uncertainty intervals with their proofs; `None` when no end is bounded.
 pub(crate) fn pui(fit: &Fit, style: &Style) -> Option<[IntervalJson; 2]> {
-    let bound = |bound: &ParameterBound, number: &dyn Fn(&Rational) -> Number| match bound {
-        ParameterBound::Unbounded(_) => BoundJson::unbounded(style),
-        ParameterBound::Bounded { value, proof } => {
-            let named = |m: &Multiplier| TermJson::new(fit.fps.name(m.index), &m.value, style);
-            BoundJson::proved(number(value), proof.multipliers.iter().map(named).collect())
-        }
-    };
-    let interval = |interval: &ParameterInterval| IntervalJson {
-        lower: bound(&interval.lower, &|value| style.lower_number(value)),
-        upper: bound(&interval.upper, &|value| style.upper_number(value)),
-    };
-    fit.pui.as_ref().filter(|_| has_bounded_end(fit)).map(|pui| pui.each_ref().map(interval))
+    IntervalJson::both(fit.pui.as_ref()?, |index| fit.fps.name(index), style)
 }
 
 pub(crate) fn central(fit: &Fit, style: &Style) -> Option<CentralJson> {
@@ -206,7 +187,7 @@ fn minimax(problem: &Problem, fit: &Fit, style: &Style) -> Option<MinimaxJson> {
     let least = Some(style.upper_number(&minimax.least));
     let (epsilon, epsilon_factor) =
         if uniform_minimum(problem, fit).is_some() { (least, None) } else { (None, least) };
-    let proof = minimax.proof.multipliers.iter().map(|(name, m)| TermJson::new(*name, m, style)).collect();
+    let proof = TermJson::all(&minimax.proof.multipliers, style);
     let theta = style.numbers(&minimax.theta);
     Some(MinimaxJson { theta, unique: minimax.unique, epsilon, epsilon_factor, proof })
 }
@@ -243,7 +224,7 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
     if fit.least_squares.is_ok() && problem.measurements.all().is_none() {
         reasons.insert("binary64", no_binary64(&problem.measurements));
     }
-    if !has_bounded_end(fit) {
+    if !fit.pui.as_ref().is_some_and(has_bounded_end) {
         reasons.insert("pui", if region.is_empty() { without_fps() } else { "no end is bounded".to_owned() });
     }
     if fit.central.is_none() {

@@ -2,16 +2,16 @@
 
 use std::fmt;
 
-use boundfit_estimation::{ActiveBounds, BoundName, ParameterBound};
+use boundfit_estimation::{ActiveBounds, BoundName, Fit, ParameterBound, ParameterInterval, Problem};
 use boundfit_exact::{Interval, Rational};
-use boundfit_geometry::{Direction, Measures, Point, Region, Vertex};
+use boundfit_geometry::{Direction, Measures, Multiplier, Point, Region, Vertex};
 use boundfit_questions::BoxBound;
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
 
 use crate::answer::parts::{
-    ActiveJson, ActiveListJson, BoundJson, CertificateJson, EndJson, ProgramJson, RangeJson, RegionJson,
-    SlopeJson, TermJson, VertexJson,
+    ActiveJson, ActiveListJson, BoundJson, CertificateJson, EndJson, FeasibleSetJson, IntervalJson,
+    ProgramJson, RangeJson, RegionJson, SlopeJson, TermJson, VertexJson,
 };
 use crate::number::{Number, Reader};
 use crate::style::Style;
@@ -23,6 +23,11 @@ impl RangeJson {
             lower: interval.lower().value().map(|value| style.lower_number(value)),
             upper: interval.upper().value().map(|value| style.upper_number(value)),
         }
+    }
+
+    /// The intervals of both parameters.
+    pub(crate) fn both(intervals: &[Interval; 2], style: &Style) -> [Self; 2] {
+        intervals.each_ref().map(|interval| RangeJson::new(interval, style))
     }
 }
 
@@ -75,23 +80,84 @@ impl TermJson {
         let ActiveJson { row, bound } = name.into();
         TermJson { row, bound, multiplier: style.number(multiplier) }
     }
+
+    /// Half-planes with their multipliers.
+    pub(crate) fn all<A: Into<ActiveJson> + Copy>(terms: &[(A, Rational)], style: &Style) -> Vec<Self> {
+        terms.iter().map(|(name, multiplier)| TermJson::new(*name, multiplier, style)).collect()
+    }
+
+    /// Multipliers of half-planes that have these names.
+    pub(crate) fn named<A: Into<ActiveJson>>(
+        multipliers: &[Multiplier],
+        name: impl Fn(usize) -> A,
+        style: &Style,
+    ) -> Vec<Self> {
+        multipliers.iter().map(|own| TermJson::new(name(own.index), &own.value, style)).collect()
+    }
+}
+
+impl CertificateJson {
+    /// The half-planes that contradict each other.
+    pub(crate) fn new<A: Into<ActiveJson> + Copy>(terms: &[(A, Rational)], style: &Style) -> Self {
+        CertificateJson { farkas: TermJson::all(terms, style) }
+    }
+}
+
+impl FeasibleSetJson {
+    /// The kind of the feasible set of a fit; of an empty one why it is.
+    pub(crate) fn new(problem: &Problem, fit: &Fit, style: &Style) -> Self {
+        let contradiction = fit.contradiction(problem.measurements.error_bound());
+        FeasibleSetJson {
+            kind: fit.fps.polyhedron().region().kind().name(),
+            certificate: contradiction.map(|terms| CertificateJson::new(&terms, style)),
+        }
+    }
+}
+
+impl IntervalJson {
+    /// The intervals of both parameters with the proof of each end, rounded outward; `None` when no end is bounded.
+    pub(crate) fn both<A: Into<ActiveJson>>(
+        pui: &[ParameterInterval; 2],
+        name: impl Fn(usize) -> A,
+        style: &Style,
+    ) -> Option<[Self; 2]> {
+        let interval = |own: &ParameterInterval| IntervalJson {
+            lower: BoundJson::new(&own.lower, false, &name, style),
+            upper: BoundJson::new(&own.upper, true, &name, style),
+        };
+        has_bounded_end(pui).then(|| pui.each_ref().map(interval))
+    }
+
+    /// Returns whether one of its ends is bounded.
+    pub(crate) fn is_bounded(&self) -> bool {
+        [&self.lower, &self.upper].iter().any(|own| matches!(own.end, EndJson::Bounded(_)))
+    }
+}
+
+/// Returns whether one of the intervals has an end.
+pub(crate) fn has_bounded_end(pui: &[ParameterInterval; 2]) -> bool {
+    let mut ends = pui.iter().flat_map(|own| [&own.lower, &own.upper]);
+    ends.any(|end| matches!(end, ParameterBound::Bounded { .. }))
 }
 
 impl BoundJson {
-    /// An end with its proof.
-    pub(crate) fn proved(end: Number, active: Vec<TermJson>) -> Self {
-        BoundJson { end: EndJson::Bounded(end), active }
-    }
-
-    /// Nothing bounds.
-    pub(crate) fn unbounded(style: &Style) -> Self {
-        BoundJson { end: EndJson::Unbounded(style.reader), active: Vec::new() }
-    }
-
-    /// Returns whether there is an end.
-    #[cfg(feature = "files")]
-    pub(crate) fn is_bounded(&self) -> bool {
-        matches!(self.end, EndJson::Bounded(_))
+    /// An end with its proof, rounded outward.
+    pub(crate) fn new<A: Into<ActiveJson>>(
+        bound: &ParameterBound,
+        is_upper: bool,
+        name: impl Fn(usize) -> A,
+        style: &Style,
+    ) -> Self {
+        match bound {
+            ParameterBound::Unbounded(_) => {
+                BoundJson { end: EndJson::Unbounded(style.reader), active: Vec::new() }
+            }
+            ParameterBound::Bounded { value, proof } => {
+                let end = if is_upper { style.upper_number(value) } else { style.lower_number(value) };
+                let active = TermJson::named(&proof.multipliers, name, style);
+                BoundJson { end: EndJson::Bounded(end), active }
+            }
+        }
     }
 }
 
@@ -139,14 +205,14 @@ impl SlopeJson {
 }
 
 impl<A> RegionJson<A> {
-    /// A region with its measures; `name` gives the names of the half-planes active at a vertex or boundary, `farkas` the
+    /// A region with its measures; `name` gives the names of the half-planes active at a vertex or boundary, `certificate` the
     /// certificate.
     pub(crate) fn new(
         region: &Region,
         measures: &Measures,
         style: &Style,
         name: impl Fn(&[usize]) -> ActiveListJson<A>,
-        farkas: Option<Vec<TermJson>>,
+        certificate: Option<CertificateJson>,
     ) -> Self {
         let direction = |d: &Direction| [d.dx(), d.dy()].map(|c| style.number(&Rational::from(c)));
         let point = |point: &Point| style.numbers(&point.coordinates());
@@ -160,7 +226,7 @@ impl<A> RegionJson<A> {
             boundaries: boundaries.map(|boundary| name(boundary.active())).collect(),
             witness: region.witness().as_ref().map(point),
             area: measures.area().filter(|_| !region.is_empty()).map(|area| style.measure_number(&area)),
-            certificate: farkas.map(|farkas| CertificateJson { farkas }),
+            certificate,
         }
     }
 }

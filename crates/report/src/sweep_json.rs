@@ -78,7 +78,7 @@ impl<V> BreakpointJson<V> {
                     active: listed(&boundary.active),
                 })
                 .collect(),
-            pui: pui.as_ref().map(|pui| pui.each_ref().map(|interval| RangeJson::new(interval, style))),
+            pui: pui.as_ref().map(|pui| RangeJson::both(pui, style)),
             area: area.map(|area| style.measure_number(&area)),
             entering: names(&breakpoint.entering),
             leaving: names(&breakpoint.leaving),

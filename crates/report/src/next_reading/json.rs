@@ -8,7 +8,7 @@ use boundfit_questions::{Best, NextReading};
 use super::{NextReadingReport, is_short};
 use crate::answer::input::InputJson;
 use crate::answer::next_reading::{GoalJson, NextReadingJson, SearchRangeJson};
-use crate::answer::parts::{CertificateJson, FeasibleSetJson, RangeJson, TermJson};
+use crate::answer::parts::{FeasibleSetJson, RangeJson};
 use crate::answer::predict::NewReadingJson;
 use crate::json::to_text;
 use crate::number::{Number, Outward};
@@ -18,10 +18,6 @@ use crate::style::Style;
 /// Writes the report as indented JSON, with a line end.
 pub fn next_reading_json(report: &NextReadingReport<'_>, origin: &Origin, style: &Style) -> String {
     let NextReadingReport { problem, fit, epsilon, is_epsilon_given, is_range_given, next } = report;
-    let contradiction = fit.contradiction(problem.measurements.error_bound());
-    let certificate = contradiction.map(|terms| CertificateJson {
-        farkas: terms.iter().map(|(name, multiplier)| TermJson::new(*name, multiplier, style)).collect(),
-    });
     // Beyond its ends it is certain: open intervals are rounded inward.
     let range = |[from, to]: [Option<&Rational>; 2]| RangeJson {
         lower: from.map(|from| style.upper_number(from)),
@@ -35,7 +31,7 @@ pub fn next_reading_json(report: &NextReadingReport<'_>, origin: &Origin, style:
     to_text(&NextReadingJson {
         schema: NextReadingJson::SCHEMA,
         input: InputJson::new(problem, origin, style),
-        fps: FeasibleSetJson { kind: fit.fps.polyhedron().region().kind().name(), certificate },
+        fps: FeasibleSetJson::new(problem, fit, style),
         new_reading: NewReadingJson {
             epsilon: Some(style.upper_number(epsilon)),
             law: None,

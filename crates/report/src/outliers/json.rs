@@ -10,7 +10,7 @@ use boundfit_questions::{Growth, NoOutliers, Outliers, Piece};
 use super::OutliersReport;
 use crate::answer::input::InputJson;
 use crate::answer::outliers::{GrowthJson, LeftRegionJson, MissedJson, OutliersJson};
-use crate::answer::parts::{ActiveJson, ActiveListJson, CertificateJson, RangeJson, TermJson, VertexJson};
+use crate::answer::parts::{ActiveJson, ActiveListJson, CertificateJson, RangeJson, VertexJson};
 use crate::json::to_text;
 use crate::number::Number;
 use crate::origin::Origin;
@@ -45,8 +45,7 @@ pub fn outliers_json(report: &OutliersReport, origin: &Origin, style: &Style) ->
     let certificate = match report.outliers {
         Err(NoOutliers::Conditions(terms)) => {
             reasons.insert("least", "the conditions contradict each other, whatever is left out".to_owned());
-            let farkas = terms.iter().map(|(name, m)| TermJson::new(*name, m, style)).collect();
-            Some(CertificateJson { farkas })
+            Some(CertificateJson::new(terms, style))
         }
         _ => None,
     };
@@ -58,7 +57,7 @@ pub fn outliers_json(report: &OutliersReport, origin: &Origin, style: &Style) ->
         complete: outliers.is_none_or(|outliers| outliers.is_complete),
         pieces: pieces.iter().map(|piece| vertices(piece, style)).collect(),
         regions,
-        pui: outliers.and_then(Outliers::pui).map(|pui| pui.each_ref().map(|own| RangeJson::new(own, style))),
+        pui: outliers.and_then(Outliers::pui).map(|pui| RangeJson::both(&pui, style)),
         area: area.map(|area| style.measure_number(&Measure::of(&area))),
         growth,
         certificate,
@@ -97,7 +96,7 @@ fn region(problem: &Problem, piece: &Piece, tells_missed: bool, style: &Style) -
         lines: region.lines().iter().map(direction).collect(),
         boundaries: region.boundaries().iter().map(|own| names(piece, own.active())).collect(),
         witness: region.witness().map(|point| style.numbers(&point.coordinates())),
-        pui: polyhedron.bounding_box().map(|pui| pui.each_ref().map(|own| RangeJson::new(own, style))),
+        pui: polyhedron.bounding_box().map(|pui| RangeJson::both(&pui, style)),
         area: region.measures().area().map(|area| style.measure_number(&area)),
         missed: tells_missed
             .then(|| problem.measurements.readings_of(&piece.rows).into_iter().map(missed).collect()),
@@ -109,7 +108,7 @@ fn growth_json(growth: &Growth, style: &Style) -> GrowthJson {
         most: growth.most,
         pieces: growth.pieces,
         holes: growth.holes,
-        pui: growth.pui.as_ref().map(|pui| pui.each_ref().map(|own| RangeJson::new(own, style))),
+        pui: growth.pui.as_ref().map(|pui| RangeJson::both(pui, style)),
         area: growth
             .area
             .as_ref()

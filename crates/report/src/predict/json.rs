@@ -11,7 +11,7 @@ use serde::{Serialize, Serializer};
 
 use super::{AskedValues, Prediction};
 use crate::answer::input::InputJson;
-use crate::answer::parts::{CertificateJson, FeasibleSetJson, RangeJson, TermJson};
+use crate::answer::parts::{FeasibleSetJson, RangeJson, TermJson};
 use crate::answer::predict::{
     NewReadingJson, PossibleJson, PredictedJson, PredictionJson, ProofEndJson, SourceEndJson, SourceJson,
     ValueJson,
@@ -34,10 +34,6 @@ impl<I: Iterator<Item = T>, T: Serialize> Serialize for Each<I> {
 pub fn write_prediction_json(prediction: &Prediction, style: &Style, to: &mut dyn Write) -> io::Result<()> {
     let Prediction { problem, fit, origin, .. } = prediction;
     let predictor = prediction.predictor();
-    let contradiction = fit.contradiction(problem.measurements.error_bound());
-    let certificate = contradiction.map(|terms| CertificateJson {
-        farkas: terms.iter().map(|(name, m)| TermJson::new(*name, m, style)).collect(),
-    });
     let AskedValues { values: at, .. } = prediction.at;
     let AskedValues { values: from, .. } = prediction.from;
     let at =
@@ -60,7 +56,7 @@ pub fn write_prediction_json(prediction: &Prediction, style: &Style, to: &mut dy
     let written = PredictionJson {
         schema: PredictionJson::SCHEMA,
         input: InputJson::new(problem, origin, style),
-        fps: FeasibleSetJson { kind: fit.fps.polyhedron().region().kind().name(), certificate },
+        fps: FeasibleSetJson::new(problem, fit, style),
         new_reading: prediction.error.as_ref().ok().map(|error| new_reading(prediction, error, style)),
         at: Each(Cell::new(Some(at.into_iter().flatten()))),
         from: Each(Cell::new(Some(from.into_iter().flatten()))),
@@ -103,15 +99,11 @@ fn at_json(
 fn end_json(prediction: &Prediction, support: &Support, style: &Style) -> Option<ProofEndJson> {
     Some(match support {
         Support::Empty(_) => return None,
-        Support::Bounded { proof, .. } => {
-            let named = proof.multipliers.iter();
-            let named = named.map(|m| TermJson::new(prediction.fit.fps.name(m.index), &m.value, style));
-            ProofEndJson {
-                theta: style.numbers(&proof.attained_at.coordinates()),
-                active: named.collect(),
-                ray: None,
-            }
-        }
+        Support::Bounded { proof, .. } => ProofEndJson {
+            theta: style.numbers(&proof.attained_at.coordinates()),
+            active: TermJson::named(&proof.multipliers, |index| prediction.fit.fps.name(index), style),
+            ray: None,
+        },
         Support::Unbounded(proof) => ProofEndJson {
             theta: style.numbers(&proof.point.coordinates()),
             active: Vec::new(),

@@ -16,9 +16,7 @@ use crate::style::Style;
 pub fn range_json(report: &RangeReport<'_>, origin: &Origin, style: &Style) -> String {
     let RangeReport { problem, range, order, longest, .. } = report;
     let ends = |run: &Run| [run.first + 1, run.last + 1];
-    let terms = |why: &Contradiction| -> Vec<TermJson> {
-        why.terms.iter().map(|(name, multiplier)| TermJson::new(*name, multiplier, style)).collect()
-    };
+    let terms = |why: &Contradiction| TermJson::all(&why.terms, style);
     let part = |run: &Run| RunJson {
         first: run.first + 1,
         last: run.last + 1,

@@ -1,7 +1,7 @@
 //! The statuses of readings as JSON, schema `boundfit/status/1`.
 
-use boundfit_estimation::{BoundName, Fit, Problem};
-use boundfit_exact::{Foreign, Rational};
+use boundfit_estimation::{Fit, Problem};
+use boundfit_exact::Foreign;
 use boundfit_questions::{NoRepair, Repair, RowStatus, Standing, Widened};
 use serde::Serialize;
 
@@ -49,13 +49,12 @@ impl StatusJson {
         style: &Style,
     ) -> String {
         let contradiction = fit.contradiction(problem.measurements.error_bound());
-        let term = |(name, multiplier): &(_, _)| TermJson::new(*name, multiplier, style);
         let head = StatusHeadJson {
             schema: StatusesJson::SCHEMA,
             input: InputJson::new(problem, origin, style),
             set: JudgedSetJson {
                 kind: fit.fps.polyhedron().region().kind().name(),
-                contradiction: contradiction.map(|terms| terms.iter().map(term).collect()),
+                contradiction: contradiction.map(|terms| TermJson::all(&terms, style)),
             },
             deciding: deciding.collect(),
         };
@@ -66,9 +65,6 @@ impl StatusJson {
 
     /// The least total widening, or why there is none.
     pub fn repair(repair: &Result<Repair, NoRepair>, style: &Style) -> String {
-        let terms = |terms: &[(BoundName, Rational)]| {
-            terms.iter().map(|(name, multiplier)| TermJson::new(*name, multiplier, style)).collect()
-        };
         let json = match repair {
             Ok(own) => RepairJson {
                 total: Some(style.number(&own.total)),
@@ -80,12 +76,13 @@ impl StatusJson {
                     .iter()
                     .map(|(row, value)| RowMultiplierJson { row: *row, value: style.number(value) })
                     .collect(),
-                held: terms(&own.held),
+                held: TermJson::all(&own.held, style),
                 contradiction: None,
             },
-            Err(NoRepair::Contradiction(contradiction)) => {
-                RepairJson { contradiction: Some(terms(contradiction)), ..RepairJson::default() }
-            }
+            Err(NoRepair::Contradiction(contradiction)) => RepairJson {
+                contradiction: Some(TermJson::all(contradiction, style)),
+                ..RepairJson::default()
+            },
             Err(NoRepair::NotInMemory) => RepairJson::default(),
         };
         format!(",\n  \"repair\": {}", to_text(&json).trim_end().replace('\n', "\n  "))

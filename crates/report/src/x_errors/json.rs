@@ -2,15 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use boundfit_estimation::{Fit, ParameterBound, ParameterInterval, Ties, least_squares_is_feasible};
+use boundfit_estimation::{Fit, Ties, least_squares_is_feasible};
 use boundfit_exact::{Endpoint, Interval};
-use boundfit_geometry::Multiplier;
 use boundfit_questions::{Agreement, LeastFactor, Side, SideSet, XBounds, XErrorFit, XErrorProblem};
 
 use crate::answer::input::InputJson;
 use crate::answer::parts::{
-    ActiveJson, ActiveListJson, BoundJson, IntervalJson, ProgramJson, RangeJson, RegionJson, SlopeJson,
-    SlopesJson, TermJson,
+    ActiveJson, ActiveListJson, BoundJson, CertificateJson, IntervalJson, ProgramJson, RangeJson, RegionJson,
+    SlopeJson, SlopesJson,
 };
 use crate::answer::x_errors::{
     FactorJson, XErrorCentralJson, XErrorJson, XErrorLeastSquaresJson, XErrorSideJson,
@@ -61,7 +60,7 @@ pub fn x_error_json(
             in_fps: answer.contains(&estimate.theta),
             in_fps_without_x_errors: least_squares_is_feasible(plain),
         }),
-        eui: plain.eui().map(|eui| eui.each_ref().map(|eui| RangeJson::new(eui, style))),
+        eui: plain.eui().map(|eui| RangeJson::both(eui, style)),
         reasons: reasons(answer, plain),
     })
 }
@@ -81,34 +80,11 @@ fn side(own: &SideSet, style: &Style) -> XErrorSideJson {
         let (names, more) = own.active(indices, Ties::MOST_LISTED);
         ActiveListJson::of(names.into_iter().map(ActiveJson::from).collect(), more)
     };
-    let farkas = own.contradiction();
-    let farkas =
-        farkas.map(|terms| terms.iter().map(|(name, times)| TermJson::new(*name, times, style)).collect());
-    let interval = |interval: &ParameterInterval| IntervalJson {
-        lower: bound(own, &interval.lower, false, style),
-        upper: bound(own, &interval.upper, true, style),
-    };
+    let certificate = own.contradiction().map(|terms| CertificateJson::new(&terms, style));
     XErrorSideJson {
         side: side_name(own.side),
-        fps: RegionJson::new(region, &measures, style, names, farkas),
-        pui: own.pui.as_ref().filter(|pui| has_bounded_end(pui)).map(|pui| pui.each_ref().map(interval)),
-    }
-}
-
-/// Returns whether anything is bounded, as of a fit.
-fn has_bounded_end(pui: &[ParameterInterval; 2]) -> bool {
-    let ends = pui.iter().flat_map(|own| [&own.lower, &own.upper]);
-    ends.into_iter().any(|end| matches!(end, ParameterBound::Bounded { .. }))
-}
-
-fn bound(side: &SideSet, bound: &ParameterBound, is_upper: bool, style: &Style) -> BoundJson {
-    match bound {
-        ParameterBound::Unbounded(_) => BoundJson::unbounded(style),
-        ParameterBound::Bounded { value, proof } => {
-            let named = |own: &Multiplier| TermJson::new(side.names[own.index], &own.value, style);
-            let value = if is_upper { style.upper_number(value) } else { style.lower_number(value) };
-            BoundJson::proved(value, proof.multipliers.iter().map(named).collect())
-        }
+        fps: RegionJson::new(region, &measures, style, names, certificate),
+        pui: own.pui.as_ref().and_then(|pui| IntervalJson::both(pui, |index| own.names[index], style)),
     }
 }
 
@@ -116,15 +92,10 @@ fn bound(side: &SideSet, bound: &ParameterBound, is_upper: bool, style: &Style) 
 fn pui(answer: &XErrorFit, style: &Style) -> Option<[IntervalJson; 2]> {
     let end = |axis: usize, is_upper: bool| {
         let (side, own) = answer.end(axis, is_upper)?;
-        Some(bound(side, own, is_upper, style))
+        Some(BoundJson::new(own, is_upper, |index| side.names[index], style))
     };
     let interval = |axis: usize| Some(IntervalJson { lower: end(axis, false)?, upper: end(axis, true)? });
-    let is_bounded = |axis: usize| {
-        [false, true]
-            .into_iter()
-            .any(|is_upper| matches!(answer.end(axis, is_upper), Some((_, ParameterBound::Bounded { .. }))))
-    };
-    Some([interval(0)?, interval(1)?]).filter(|_| is_bounded(0) || is_bounded(1))
+    Some([interval(0)?, interval(1)?]).filter(|both| both.iter().any(IntervalJson::is_bounded))
 }
 
 /// The line with the largest or the smallest slope, and the bounds that it touches.
