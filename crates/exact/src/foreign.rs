@@ -200,6 +200,21 @@ impl<'de> Deserialize<'de> for Foreign {
     }
 }
 
+#[cfg(feature = "schema")]
+impl<T> schemars::JsonSchema for Foreign<T> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        String::schema_name()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        String::json_schema(generator)
+    }
+}
+
 /// Appends a character, made visible.
 fn push(character: char, is_first: bool, visible: &mut String) {
     if is_visible(character, is_first) {

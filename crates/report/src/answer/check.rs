@@ -48,7 +48,6 @@ pub struct ReadingsJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CheckInputJson<'a> {
     /// The file as it was named; null for standard input.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub file: Option<Foreign<&'a str>>,
     /// The format of the table as it was read; null for files that are neither text nor a sheet nor JSON.
     pub table: Option<TableJson>,
@@ -76,7 +75,6 @@ pub struct WorstJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ClaimJson {
     /// The name of the solver or file.
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub source: Foreign,
     /// The data that the answers are judged against.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::READINGS)))]

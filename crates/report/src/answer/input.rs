@@ -12,7 +12,6 @@ use crate::number::Number;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct InputJson {
     /// The file as it was named; null for standard input.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub file: Option<Foreign>,
     /// The number of rows that are used.
     pub rows: usize,
@@ -38,10 +37,8 @@ pub struct InputJson {
     #[cfg_attr(feature = "schema", schemars(extend("enum" = ["line", "line-through-origin", "two-regressors"])))]
     pub model: &'static str,
     /// The column of x, or both columns of the regressors.
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<String>"))]
     pub x: Vec<Foreign>,
     /// The column of y; null where readings have only bounds.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub y: Option<Foreign>,
     /// The units of columns and parameters; absent if no name of a column has a unit, as in `U (mV)` or `U [mV]`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -49,11 +46,9 @@ pub struct InputJson {
     /// The error bound ε of all readings, rounded up; null where each reading has its own.
     pub epsilon: Option<Number>,
     /// The column of error bounds; null where there is none.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub epsilon_column: Option<Foreign>,
     /// The law of the error bound as it was typed; absent without a law.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub epsilon_law: Option<Foreign>,
     /// The columns of bounds that take the place of y and ε; absent if there are none.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -65,7 +60,6 @@ pub struct InputJson {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub x_origin: Option<Number>,
     /// The conditions on the parameters as they were typed.
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<String>"))]
     pub r#where: Vec<Foreign>,
 }
 
@@ -74,12 +68,10 @@ pub struct InputJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FractionsJson {
     /// The name of the column.
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub column: Foreign,
     /// The number of cells that are fractions.
     pub cells: usize,
     /// The first such cell.
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub first: Foreign,
 }
 
@@ -92,7 +84,6 @@ pub struct SelectionJson {
     /// The excluded rows by number; null if there are none.
     pub without: Option<String>,
     /// The conditions on cells, such as `V >= -6`.
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<String>"))]
     pub where_row: Vec<Foreign>,
 }
 
@@ -113,10 +104,8 @@ pub struct FromLeastJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct IntervalColumnsJson {
     /// The column of lower bounds; null where there is none.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub lower: Option<Foreign>,
     /// The column of upper bounds; null where there is none.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub upper: Option<Foreign>,
 }
 

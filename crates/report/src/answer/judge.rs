@@ -44,18 +44,15 @@ pub struct JudgeJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ModelJson {
     /// The file as it was named; null for standard input.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub file: Option<Foreign>,
     /// SHA-256 of the bytes of the file.
     pub sha256: String,
     /// The name of the model.
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub name: Foreign,
     /// The sense: the objective is minimised or maximised.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = ["min", "max"])))]
     pub sense: &'static str,
     /// The name of the objective.
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub objective: Foreign,
     /// The constant of the objective.
     pub constant: Number,
@@ -80,7 +77,6 @@ pub struct FaceJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ModelColumnJson {
     /// The name.
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub name: Foreign,
     /// The lower bound; null where there is none.
     pub lower: Option<Number>,
@@ -102,7 +98,6 @@ pub struct ModelColumnJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ModelRowJson {
     /// The name.
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub name: Foreign,
     /// The lower bound; null where there is none.
     pub lower: Option<Number>,
@@ -122,10 +117,8 @@ pub struct ModelRowJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SideJson {
     /// The name of the row; null for a column.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub row: Option<Foreign>,
     /// The name of the column; null for a row.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub column: Option<Foreign>,
     /// The bound: `lower` as it stands, `upper` negated.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::ENDS)))]
@@ -148,7 +141,6 @@ pub struct SideTermJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PlaneJson {
     /// The names of these columns, at most two.
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<String>"))]
     pub columns: Vec<Foreign>,
     /// The set.
     pub region: RegionJson<SideJson>,
@@ -161,7 +153,6 @@ pub struct PlaneJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SolutionJson {
     /// The file as it was named.
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub file: Foreign,
     /// The program whose format the file has.
     pub writer: &'static str,
@@ -193,10 +184,8 @@ pub struct FindingJson {
     /// The error in units of its measure, rounded up.
     pub relative: Option<Number>,
     /// The row with the largest error.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub row: Option<Foreign>,
     /// The column with the largest error.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub column: Option<Foreign>,
     /// The bound with the largest error.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = crate::answer::words::or_null(&crate::answer::words::ENDS))))]

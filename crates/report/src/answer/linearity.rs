@@ -50,7 +50,6 @@ pub struct LinearityJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CalibrationJson {
     /// The file as it was named; null for standard input.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub file: Option<Foreign>,
     /// The number of rows that are used.
     pub rows: usize,
@@ -72,16 +71,12 @@ pub struct CalibrationJson {
     /// SHA-256 of the bytes of the file; null where they were not hashed.
     pub sha256: Option<String>,
     /// The column of x.
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub x: Foreign,
     /// The column of y; null where each direction has a column of its own.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub y: Option<Foreign>,
     /// The column of readings with rising x; null otherwise.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub up: Option<Foreign>,
     /// The column of readings with falling x; null otherwise.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub down: Option<Foreign>,
     /// The column of directions; null without one.
     pub direction: Option<DirectionJson>,
@@ -97,13 +92,10 @@ pub struct CalibrationJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DirectionJson {
     /// The name of the column.
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub column: Foreign,
     /// The words for rising x.
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<String>"))]
     pub up: Vec<Foreign>,
     /// The words for falling x.
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<String>"))]
     pub down: Vec<Foreign>,
 }
 

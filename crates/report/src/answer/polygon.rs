@@ -41,7 +41,6 @@ pub struct PolygonJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HalfPlaneFileJson {
     /// The file as it was named; null for standard input.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub file: Option<Foreign>,
     /// The number of rows.
     pub rows: usize,

@@ -37,7 +37,6 @@ pub struct NewReadingJson {
     /// The bound, rounded up; null under a law.
     pub epsilon: Option<Number>,
     /// The law as it was typed; null without one.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub law: Option<Foreign>,
     /// True if the bound was given for further readings; otherwise it is that of the readings.
     pub given: bool,

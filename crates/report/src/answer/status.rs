@@ -78,7 +78,6 @@ pub struct StatusRowJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct NewStatusesJson {
     /// The file of the further readings; null for standard input.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub file: Option<Foreign>,
     /// The status of each further reading.
     pub rows: Vec<NewStatusRowJson>,

@@ -53,7 +53,6 @@ pub struct HeaderJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SheetJson {
     /// The name of the sheet; null in a workbook of one sheet.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub name: Option<Foreign>,
     /// The number of the sheet, from 1.
     pub number: usize,
@@ -78,7 +77,6 @@ pub struct BlocksJson {
     /// The number of the block that was read, from 1; null where all were.
     pub read: Option<usize>,
     /// The name of that block; null where it has none.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub name: Option<Foreign>,
 }
 

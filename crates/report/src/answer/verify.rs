@@ -80,7 +80,6 @@ pub struct ColumnTimesJson {
     /// The number of the column, from 1; column 0 holds 1 in every row.
     pub column: u64,
     /// The name of the column in the header; null without one.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub name: Option<Foreign>,
     /// The exact number by which the column is multiplied.
     pub times: Number,
@@ -93,7 +92,6 @@ pub struct BoundColumnJson {
     /// The number of the column, from 1.
     pub column: u64,
     /// The name of the column in the header; null without one.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub name: Option<Foreign>,
 }
 

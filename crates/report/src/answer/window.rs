@@ -47,7 +47,6 @@ pub struct GroupJson<'a> {
     /// The input, the same for all lines.
     pub input: LineInputJson<'a>,
     /// The text in the column of groups.
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub group: Foreign<&'a str>,
     /// The number of readings of the group.
     pub rows: usize,

@@ -25,7 +25,6 @@ pub struct XErrorJson {
     /// The bound on the errors of all x, rounded up; null where a column has them.
     pub x_epsilon: Option<Number>,
     /// The column of bounds on the errors of x; null where one bound holds for all.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub x_epsilon_column: Option<Foreign>,
     /// `weak`: a line agrees with a reading for some x that the errors allow; `strong`: for every such x.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = ["weak", "strong"])))]
