@@ -1,6 +1,5 @@
 //! The way from the cells of a row to its half-planes (section 2).
 
-use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::io::Read;
 use std::iter::successors;
@@ -15,6 +14,7 @@ use crate::about::{About, ascending};
 use crate::failure::{DataLimits, Failure, Refusal};
 use crate::falsehood::Falsehood;
 use crate::name::Name;
+use crate::numbers::{Exact, Number, over_one_denominator, words_over_one_denominator};
 use crate::plane::HalfPlane;
 use crate::rows::{Cells, Rows};
 use crate::shape::Quantity;
@@ -64,12 +64,6 @@ pub(crate) struct Row {
     pub(crate) times: Integer,
 }
 
-/// The numbers of a row over one denominator.
-struct Exact {
-    integers: Vec<Integer>,
-    one: Integer,
-}
-
 /// A row in machine words, all of them the numbers of the data times the same positive number.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WordRow {
@@ -109,34 +103,6 @@ enum Bounds {
     Around { y: Form, above: Form, below: Form },
     /// Bounds as they are read, as far as they exist.
     Between { lower: Option<usize>, upper: Option<usize> },
-}
-
-/// The number that a cell spells.
-enum Number {
-    /// mantissa / 10^places.
-    Decimal { mantissa: i64, places: u32 },
-    /// Anything else.
-    Fraction(Rational),
-}
-
-impl Number {
-    /// mantissa · 10^exponent.
-    fn decimal(mantissa: i64, exponent: i64) -> Self {
-        match u32::try_from(-exponent) {
-            Ok(places) => Number::Decimal { mantissa, places },
-            Err(_) => Number::Fraction(Rational::scientific(mantissa, exponent)),
-        }
-    }
-
-    fn abs(self) -> Self {
-        match self {
-            Number::Decimal { mantissa: mantissa @ 0.., places } => Number::Decimal { mantissa, places },
-            Number::Decimal { mantissa, places } => {
-                Number::Fraction(Rational::scientific(mantissa, -i64::from(places)).abs())
-            }
-            Number::Fraction(number) => Number::Fraction(number.abs()),
-        }
-    }
 }
 
 impl Model {
@@ -485,39 +451,3 @@ fn index_of(sources: &mut Vec<Source>, source: Source) -> usize {
     })
 }
 
-/// Multiplies decimals by a power of ten with which they are machine words; `None` where there is none.
-fn words_over_one_denominator(plain: &[(i64, u32)], powers: &[i64], words: &mut Vec<i64>) -> Option<()> {
-    let most = plain.iter().map(|(_, places)| *places).max()?;
-    words.clear();
-    for (mantissa, places) in plain {
-        words.push(mantissa.checked_mul(*powers.get((most - places) as usize)?)?);
-    }
-    Some(())
-}
-
-/// Multiplies numbers, 0 in place of one that is not there, by a common denominator.
-fn over_one_denominator(numbers: &[Option<Number>], powers: &[Integer]) -> Exact {
-    let power = |places: u32| match powers.get(places as usize) {
-        Some(power) => Cow::Borrowed(power),
-        None => Cow::Owned(Integer::power_of_ten(places)),
-    };
-    let (mut places, mut divisor) = (0, Integer::one());
-    for number in numbers.iter().flatten() {
-        match number {
-            Number::Decimal { places: own, .. } => places = places.max(*own),
-            Number::Fraction(number) => divisor = divisor.lcm(&number.denominator()),
-        }
-    }
-    let is_whole = divisor == Integer::one();
-    let integers = numbers.iter().map(|number| match number {
-        None => Integer::zero(),
-        Some(Number::Decimal { mantissa, places: own }) => {
-            let integer = Integer::from(*mantissa) * &*power(places - own);
-            if is_whole { integer } else { integer * &divisor }
-        }
-        Some(Number::Fraction(number)) => {
-            number.numerator() * &*power(places) * divisor.quotient(&number.denominator())
-        }
-    });
-    Exact { integers: integers.collect(), one: &*power(places) * &divisor }
-}

@@ -11,6 +11,7 @@ mod falsehood;
 mod found;
 mod half_planes;
 mod name;
+mod numbers;
 mod plane;
 mod probes;
 mod proof;

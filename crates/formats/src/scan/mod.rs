@@ -19,6 +19,8 @@ mod parallel;
 mod plain;
 mod preamble;
 mod quoting;
+mod route;
+mod row;
 mod rows;
 mod run;
 mod sequential;

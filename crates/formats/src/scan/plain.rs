@@ -5,8 +5,9 @@ use std::borrow::Cow;
 use boundfit_exact::{DecimalMark, Reading};
 use memchr::{memchr, memchr_iter, memchr2};
 
-use super::lane::{Lane, Route};
+use super::lane::Lane;
 use super::layout::Layout;
+use super::route::Route;
 use super::notes::Notes;
 use super::rows::Rows;
 use super::straight::Straight;

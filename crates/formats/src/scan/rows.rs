@@ -8,8 +8,9 @@ use crate::error::{InputError, InputErrorKind};
 use crate::records::Records;
 
 use super::batch::Batch;
-use super::layout::{Layout, Row};
+use super::layout::Layout;
 use super::notes::Notes;
+use super::row::Row;
 use super::values::Mark;
 
 /// The content.

@@ -5,8 +5,9 @@ use std::ops::Range;
 use boundfit_exact::{Column, Scaled};
 
 use super::batch::Pieces;
-use super::lane::{Lane, Plain, Step, What};
-use super::layout::unquoted_key;
+use super::lane::{Lane, Plain};
+use super::route::{Step, What};
+use super::row::unquoted_key;
 use crate::columns::decode;
 
 /// The way through a row to up to four numbers.

@@ -1,5 +1,7 @@
 //! MATLAB files: the numbers that are stored, and errors for what cannot be used, however broken the bytes are.
 
+mod files;
+
 use std::fs;
 use std::io::Write;
 use std::path::Path;
@@ -10,76 +12,9 @@ use boundfit_formats::{
     Source, TableOptions, read_table, scan,
 };
 use boundfit_tests::program::{root, run, run_with_input};
-use flate2::Compression;
-use flate2::write::ZlibEncoder;
 use serde_json::Value;
 
-/// A variable to be written: class and flags, dimensions, and numbers of an element type in little-endian order.
-#[derive(Clone)]
-struct Variable {
-    name: &'static str,
-    class: u32,
-    dimensions: Vec<u32>,
-    kind: u32,
-    numbers: Vec<Vec<u8>>,
-}
-
-fn doubles(name: &'static str, rows: u32, columns: u32, numbers: &[f64]) -> Variable {
-    let numbers = numbers.iter().map(|number| number.to_le_bytes().to_vec()).collect();
-    Variable { name, class: 6, dimensions: vec![rows, columns], kind: 9, numbers }
-}
-
-fn number(value: u32, is_big: bool) -> Vec<u8> {
-    if is_big { value.to_be_bytes().to_vec() } else { value.to_le_bytes().to_vec() }
-}
-
-fn element(kind: u32, content: &[u8], is_big: bool) -> Vec<u8> {
-    let mut bytes = [number(kind, is_big), number(content.len() as u32, is_big), content.to_vec()].concat();
-    bytes.resize(bytes.len().next_multiple_of(8), 0);
-    bytes
-}
-
-fn matrix(variable: &Variable, is_big: bool) -> Vec<u8> {
-    let words = |words: &[u32]| words.iter().flat_map(|&word| number(word, is_big)).collect::<Vec<u8>>();
-    let mut numbers = variable.numbers.clone();
-    if is_big {
-        numbers.iter_mut().for_each(|number| number.reverse());
-    }
-    let parts = [
-        element(6, &words(&[variable.class, 0]), is_big),
-        element(5, &words(&variable.dimensions), is_big),
-        element(1, variable.name.as_bytes(), is_big),
-        element(variable.kind, &numbers.concat(), is_big),
-    ];
-    element(14, &parts.concat(), is_big)
-}
-
-fn deflated(bytes: &[u8]) -> Vec<u8> {
-    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::best());
-    encoder.write_all(bytes).unwrap();
-    encoder.finish().unwrap()
-}
-
-fn header(is_big: bool) -> Vec<u8> {
-    let mut header = b"MATLAB 5.0 MAT-file, written by a test".to_vec();
-    header.resize(124, b' ');
-    header.extend(if is_big { b"\x01\x00MI" } else { b"\x00\x01IM" });
-    header
-}
-
-fn file(variables: &[Variable], is_big: bool, is_compressed: bool) -> Vec<u8> {
-    let mut bytes = header(is_big);
-    for variable in variables {
-        let plain = matrix(variable, is_big);
-        if is_compressed {
-            let content = deflated(&plain);
-            bytes.extend([number(15, is_big), number(content.len() as u32, is_big), content].concat());
-        } else {
-            bytes.extend(plain);
-        }
-    }
-    bytes
-}
+use files::{Variable, deflated, doubles, file, header, matrix, number, structure};
 
 type Rows = Vec<(usize, Vec<Rational>)>;
 
@@ -478,28 +413,6 @@ fn standard_input_is_read_like_a_file() {
     let run = fit("-");
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     assert_eq!(run.stdout.replace("standard input", "fixtures/mat/transducer-v6.mat"), of_file);
-}
-
-/// One struct with these fields; a field without bytes is empty.
-fn structure(name: &str, fields: &[(&str, Vec<u8>)], is_big: bool) -> Vec<u8> {
-    let words = |words: &[u32]| words.iter().flat_map(|&word| number(word, is_big)).collect::<Vec<u8>>();
-    let mut names = Vec::new();
-    for (field, _) in fields {
-        names.extend(field.as_bytes());
-        names.resize(names.len().next_multiple_of(8), 0);
-    }
-    let mut parts = [
-        element(6, &words(&[2, 0]), is_big),
-        element(5, &words(&[1, 1]), is_big),
-        element(1, name.as_bytes(), is_big),
-        element(5, &words(&[8]), is_big),
-        element(1, &names, is_big),
-    ]
-    .concat();
-    for (_, content) in fields {
-        parts.extend(if content.is_empty() { element(14, &[], is_big) } else { content.clone() });
-    }
-    element(14, &parts, is_big)
 }
 
 #[test]
