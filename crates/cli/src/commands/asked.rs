@@ -10,7 +10,7 @@ use crate::exit::{CommandResult, Exit, Failure};
 use crate::input;
 use crate::memory;
 use crate::options::{OutputArguments, ProofArguments, ReplaceArguments, TableFormat, Words};
-use crate::output::{self, Guard, Output, Stop};
+use crate::output::{self, Guard, Output, Stop, files_apart};
 use crate::progress::while_working;
 
 /// The readings that are asked about, and the place where the answer goes.
@@ -68,7 +68,7 @@ impl<'a> Job<'a> {
         if self.theory.is_none() {
             proof_file::refuse_theorem(self.proof)?;
         }
-        proof_file::check_place(self.proof, self.output)?;
+        files_apart(self.output, &[("--proof", self.proof)])?;
         Ok(guard)
     }
 

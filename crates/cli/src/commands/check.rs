@@ -14,15 +14,15 @@ use boundfit_exact::{Foreign, Reading};
 use boundfit_lp::Verdict;
 use boundfit_report::{Theory, check_document, check_json};
 use clap::Args;
-use clap::builder::NonEmptyStringValueParser;
 
 use super::proof_file::{self, SmallFile};
 use crate::exit::{CommandResult, Exit, Failure};
 use crate::input::read_text;
 use crate::options::{
-    BAD_DATA, BAD_USAGE, DataArguments, Format, Notes, OutputArguments, Switch, ToleranceArguments, whole,
+    BAD_DATA, BAD_USAGE, DataArguments, Format, Notes, OutputArguments, ProofArguments, Switch,
+    ToleranceArguments, whole,
 };
-use crate::output;
+use crate::output::{self, files_apart};
 use crate::progress::while_working;
 use crate::work::{refuse_long_problem, refuse_long_text, times};
 
@@ -59,6 +59,8 @@ pub(super) const NOTES: Notes = Notes {
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_arg("tolerance", |arg| arg.help(
     "How far a bound may be off to either side, in widths of the interval, and how far outside a point, in units of eps"
+)), mut_arg("proof", |arg| arg.help(
+    "Write a theorem for the kernel of Coq to this file, which ends in .v: the four ends, and the set that has them"
 )))]
 pub(crate) struct CheckArguments {
     #[command(flatten)]
@@ -86,12 +88,8 @@ pub(crate) struct CheckArguments {
     /// theta1 and theta2
     #[arg(long, requires = "directions")]
     scaled: bool,
-    /// Write a theorem for the kernel of Coq to this file, which ends in .v: the four ends, and the set that has them
-    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
-    proof: Option<String>,
-    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
-    #[arg(long, requires = "proof")]
-    proof_library: bool,
+    #[command(flatten)]
+    proof: ProofArguments,
     #[command(flatten)]
     tolerance: ToleranceArguments,
     /// Seconds that a solver may spend on one program
@@ -107,9 +105,9 @@ pub(super) fn run(arguments: &CheckArguments) -> CommandResult {
     let claims = claim_files(&arguments.claims)?;
     let inputs = claims.iter().map(String::as_str).chain([arguments.data.path()]);
     let mut guard = arguments.output.file.replace.guard(inputs);
-    let (output, proof) = (arguments.output.file.output.as_deref(), arguments.proof.as_deref());
-    let theory = proof_file::only_theory(proof, arguments.proof_library, "the four ends")?;
-    proof_file::check_place(proof, output)?;
+    let (output, proof) = (arguments.output.file.output.as_deref(), arguments.proof.file());
+    let theory = proof_file::only_theory(&arguments.proof, "the four ends")?;
+    files_apart(output, &[("--proof", proof)])?;
     guard.check(output)?;
     guard.check(proof)?;
     let data = arguments.data.words().open()?;

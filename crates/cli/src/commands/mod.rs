@@ -19,6 +19,7 @@ mod predict;
 mod proof_file;
 mod range;
 mod reduce;
+mod set_files;
 mod short;
 mod status;
 mod verify;

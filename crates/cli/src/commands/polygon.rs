@@ -10,18 +10,14 @@ use boundfit_report::{
     region_script, region_wkt, v_representation, vertices_csv,
 };
 use clap::Args;
-use clap::builder::NonEmptyStringValueParser;
 
-use super::judge::files_apart;
-use super::pictures::picture_format;
-use super::proof_file;
+use super::set_files::SetFiles;
 use crate::exit::{CommandResult, Exit, Failure};
 use crate::input;
 use crate::memory;
 use crate::options::{
     BAD_DATA, BAD_USAGE, Notes, OutputArguments, PictureArguments, ReportFormat, TableArguments, limits,
 };
-use crate::output;
 use crate::work::{refuse_long, times};
 
 pub(super) const NOTES: Notes = Notes {
@@ -54,22 +50,15 @@ pub(super) const NOTES: Notes = Notes {
 /// start at the origin, and a set without any row is empty, as in cdd. Options for other output (maximize, verbose,
 /// ...) are ignored; options for another set (nonnegative, project, hull in an H-representation, ...) are refused.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction])))]
+#[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction])), mut_arg("proof", |arg| arg.help(
+    "Also write a theorem that the kernel of Coq checks to this file, which ends in .v: the half-planes describe just the \
+     convex hull of the vertices, together with rays"
+)))]
 pub(crate) struct PolygonArguments {
     /// FILE.ine or FILE.ext (H- or V-representation of cdd and lrs) or FILE.csv (columns a1,a2,b), or - for standard input
     file: String,
-    /// Also draw the set: FILE.svg, .png, .pdf, .tikz or .tex
-    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
-    plot: Option<String>,
-    /// Also write a theorem that the kernel of Coq checks to this file, which ends in .v: the half-planes describe just the
-    /// convex hull of the vertices, together with rays
-    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
-    proof: Option<String>,
-    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
-    #[arg(long, requires = "proof")]
-    proof_library: bool,
     #[command(flatten)]
-    picture: PictureArguments,
+    files: SetFiles,
     #[command(flatten)]
     table: TableArguments,
     #[command(flatten)]
@@ -90,26 +79,16 @@ fn refused(problem: InputError) -> Failure {
 /// Reads the half-planes, or finds those of generators, intersects them and writes the report.
 pub(super) fn run(arguments: &PolygonArguments) -> CommandResult {
     let output = arguments.output.file.output.as_deref();
-    let proof = arguments.proof.as_deref();
-    files_apart(&[
-        ("--output", Some(output.unwrap_or("-"))),
-        ("--plot", arguments.plot.as_deref()),
-        ("--proof", proof),
-    ])?;
-    let theory = proof_file::only_theory(proof, arguments.proof_library, "a set of half-planes")?;
-    arguments.picture.check("--plot", arguments.plot.is_some())?;
-    let plot = arguments.plot.as_deref().map(|file| picture_format("--plot <FILE>", file)).transpose()?;
-    plot.map_or(Ok(()), |format| arguments.picture.check_format(format))?;
+    let (plot, theory) = arguments.files.checked(output, "a set of half-planes")?;
     let format = arguments.output.format()?;
     let mut guard = arguments.output.file.replace.guard([arguments.file.as_str()]);
     guard.check(output)?;
-    guard.check(arguments.plot.as_deref())?;
+    arguments.files.check(&guard)?;
     arguments.output.check_decimals(if format == ReportFormat::Csv {
         Form::Vertices
     } else {
         format.into()
     })?;
-    guard.check(proof)?;
     let words = arguments.table.words();
     let options = words.reading(false).and_then(|reading| words.resolve(reading, &RowWords::default()));
     let options = options.map_err(Failure::misused)?;
@@ -147,13 +126,11 @@ pub(super) fn run(arguments: &PolygonArguments) -> CommandResult {
         ReportFormat::Ine => h_representation(&polyhedron),
         ReportFormat::Ext => v_representation(&polyhedron),
     };
-    let picture = plot.map(|format| picture(&polyhedron, &name, (format, &arguments.picture))).transpose()?;
-    let picture = picture.as_deref().map(|picture| (picture, arguments.plot.as_deref()));
+    let picture =
+        plot.map(|format| picture(&polyhedron, &name, (format, &arguments.files.picture))).transpose()?;
     let theorem =
         theory.map(|theory| theorem(&file, &polyhedron, (reading, theory), name.borrowed())).transpose()?;
-    let theorem = theorem.as_deref().map(|text| (text.as_bytes(), proof));
-    let parts: Vec<_> = theorem.into_iter().chain(picture).chain([(report.as_bytes(), output)]).collect();
-    output::write_together(&parts, &mut guard)?;
+    arguments.files.write((&report, output), picture.as_deref(), theorem.as_deref(), &mut guard)?;
     Ok(if polyhedron.region().is_empty() { Exit::Empty } else { Exit::Answer })
 }
 

@@ -8,7 +8,7 @@ use boundfit_report::{MOST_THEOREM_BYTES, Theory};
 use sha2::{Digest, Sha256};
 
 use crate::exit::Failure;
-use crate::output;
+use crate::options::ProofArguments;
 
 /// Returns whether a proof is a theorem for Coq, as the ending of its file's name tells.
 pub(super) fn is_theorem(proof: Option<&str>) -> bool {
@@ -34,13 +34,9 @@ pub(super) fn theory(proof: Option<&str>, is_installed: bool) -> Result<Option<T
 ///
 /// # Errors
 /// When another kind of proof is asked for.
-pub(super) fn only_theory(
-    proof: Option<&str>,
-    is_installed: bool,
-    proved: &str,
-) -> Result<Option<Theory>, Failure> {
-    match theory(proof, is_installed)? {
-        None if proof.is_some() => Err(Failure::Usage(format!(
+pub(super) fn only_theory(asked: &ProofArguments, proved: &str) -> Result<Option<Theory>, Failure> {
+    match theory(asked.file(), asked.proof_library)? {
+        None if asked.file().is_some() => Err(Failure::Usage(format!(
             "the proof of {proved} is a theorem for Coq: give '--proof' a file that ends in .v"
         ))),
         theory => Ok(theory),
@@ -78,20 +74,6 @@ pub(super) fn refuse_theorem(proof: Option<&str>) -> Result<(), Failure> {
             "'--proof {}': there is no theorem for Coq about this answer; a file that ends in .json gets the proof for 'boundfit verify'",
             Foreign::of(file)
         ))),
-        _ => Ok(()),
-    }
-}
-
-/// Refuses a proof that would have no file of its own.
-pub(super) fn check_place(proof: Option<&str>, output: Option<&str>) -> Result<(), Failure> {
-    let Some(file) = proof else { return Ok(()) };
-    match output.unwrap_or("-") {
-        "-" if file == "-" => Err(Failure::Usage(
-            "'--proof -' and the report would both go to standard output: give one of them a file".to_owned(),
-        )),
-        output if output != "-" && file != "-" && output::is_one_file(output, file) => {
-            Err(Failure::Usage("'--proof' and '--output' name the same file".to_owned()))
-        }
         _ => Ok(()),
     }
 }

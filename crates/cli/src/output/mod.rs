@@ -331,6 +331,33 @@ fn resolved(file: &Path) -> PathBuf {
     target
 }
 
+/// Refuses options that would write to one file, or to standard output like the report without a file of its own.
+pub(crate) fn files_apart(report: Option<&str>, others: &[(&str, Option<&str>)]) -> Result<(), Failure> {
+    let report = ("--output", Some(report.unwrap_or("-")));
+    let all: Vec<_> = [report].into_iter().chain(others.iter().copied()).collect();
+    for (index, (option, file)) in all.iter().enumerate() {
+        for (other, other_file) in all.iter().skip(index + 1) {
+            let (Some(file), Some(other_file)) = (file, other_file) else { continue };
+            match (*file, *other_file) {
+                ("-", "-") => {
+                    let both = if index == 0 {
+                        format!("'{other} -' and the report")
+                    } else {
+                        format!("'{option} -' and '{other} -'")
+                    };
+                    let problem = "would both go to standard output: give one of them a file";
+                    return Err(Failure::Usage(format!("{both} {problem}")));
+                }
+                (file, other_file) if file != "-" && other_file != "-" && is_one_file(file, other_file) => {
+                    return Err(Failure::Usage(format!("'{other}' and '{option}' name the same file")));
+                }
+                _ => {}
+            }
+        }
+    }
+    Ok(())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -12,18 +12,15 @@ use boundfit_report::{
     JudgeJson, Theory, h_representation, judge_document, judge_json, kernel_program, solutions_document,
     solutions_json, solutions_junit, solutions_sarif, v_representation,
 };
-use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ValueEnum};
 
 use self::solutions::SolutionArguments;
-use super::pictures::picture_format;
-use super::proof_file;
+use super::set_files::SetFiles;
 use crate::exit::{CommandResult, Exit, Failure};
 use crate::input;
 use crate::options::{
     BAD_DATA, BAD_USAGE, LimitArguments, NamedFormat, Notes, OutputArguments, PictureArguments,
 };
-use crate::output;
 use crate::progress::while_working;
 use crate::work::{refuse_long, refuse_long_text, times};
 
@@ -55,23 +52,17 @@ pub(super) const NOTES: Notes = Notes {
 /// method, and multiplies it out in the model. Prices prove an optimum, Farkas multipliers prove infeasibility, and a
 /// ray proves that the objective is unbounded. docs/lp-files.md explains the files where readers differ.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string())]
+#[command(after_help = NOTES.to_string(), mut_arg("plot", |arg| arg.help(
+    "Also draw the feasible set, the optimal points and the direction of improvement: FILE.svg, .png, .pdf, .tikz or .tex"
+)), mut_arg("proof", |arg| arg.help(
+    "Write a theorem for the kernel of Coq to this file, which ends in .v: the feasible set, the optimum and all points \
+     that attain it. The program must have two columns"
+)))]
 pub(crate) struct JudgeArguments {
     /// MODEL.mps or MODEL.lp, or - for standard input, whose text decides the format
     model: String,
-    /// Also draw the feasible set, the optimal points and the direction of improvement: FILE.svg, .png, .pdf, .tikz or
-    /// .tex
-    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
-    plot: Option<String>,
-    /// Write a theorem for the kernel of Coq to this file, which ends in .v: the feasible set, the optimum and all points
-    /// that attain it. The program must have two columns
-    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
-    proof: Option<String>,
-    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
-    #[arg(long, requires = "proof")]
-    proof_library: bool,
     #[command(flatten)]
-    picture: PictureArguments,
+    files: SetFiles,
     #[command(flatten)]
     solutions: SolutionArguments,
     #[command(flatten)]
@@ -118,24 +109,18 @@ impl NamedFormat for JudgeFormat {
 
 /// Reads the model, solves it and writes the report.
 pub(super) fn run(arguments: &JudgeArguments) -> CommandResult {
-    check_usage_of_files(arguments)?;
+    let output = arguments.output.file.output.as_deref();
+    let (plot, theory) = arguments.files.checked(output, "a linear program")?;
     let inputs = arguments.solutions.solutions.iter().chain([&arguments.model]);
     if inputs.filter(|input| *input == "-").count() > 1 {
         return Err(Failure::Usage("the model and its solutions cannot share standard input".to_owned()));
     }
-    let proof = arguments.proof.as_deref();
-    let theory = proof_file::only_theory(proof, arguments.proof_library, "a linear program")?;
-    arguments.picture.check("--plot", arguments.plot.is_some())?;
-    let plot = arguments.plot.as_deref().map(|file| picture_format("--plot <FILE>", file)).transpose()?;
-    plot.map_or(Ok(()), |format| arguments.picture.check_format(format))?;
     let format = arguments.output.format()?;
     check_usage_of_format(arguments, format)?;
     let inputs = arguments.solutions.solutions.iter().chain([&arguments.model]).map(String::as_str);
     let mut guard = arguments.output.file.replace.guard(inputs);
-    let output = arguments.output.file.output.as_deref();
     guard.check(output)?;
-    guard.check(arguments.plot.as_deref())?;
-    guard.check(proof)?;
+    arguments.files.check(&guard)?;
     let file = read(arguments)?;
     let model = model_of(&file, &arguments.limits)?;
     theory.map_or(Ok(()), |_| refuse_other_columns(&model, &file))?;
@@ -164,13 +149,11 @@ pub(super) fn run(arguments: &JudgeArguments) -> CommandResult {
         JudgeFormat::Ine => h_representation(plane.polyhedron()),
         JudgeFormat::Ext => v_representation(plane.polyhedron()),
     };
-    let picture =
-        plot.map(|format| picture(&model, &plane, &file.name, (format, &arguments.picture))).transpose()?;
-    let picture = picture.as_deref().map(|picture| (picture, arguments.plot.as_deref()));
+    let picture = plot
+        .map(|format| picture(&model, &plane, &file.name, (format, &arguments.files.picture)))
+        .transpose()?;
     let theorem = theory.map(|theory| theorem(&model, &answer, theory, &file)).transpose()?;
-    let theorem = theorem.as_deref().map(|text| (text.as_bytes(), proof));
-    let parts: Vec<_> = theorem.into_iter().chain(picture).chain([(report.as_bytes(), output)]).collect();
-    output::write_together(&parts, &mut guard)?;
+    arguments.files.write((&report, output), picture.as_deref(), theorem.as_deref(), &mut guard)?;
     Ok(match answer {
         _ if solutions::is_refuted(&judged) => Exit::Refuted,
         // Who asks about solutions is not asked to look at the status twice.
@@ -210,43 +193,6 @@ fn check_usage_of_format(arguments: &JudgeArguments, format: JudgeFormat) -> Res
         ))),
         false => Ok(()),
     }
-}
-
-/// Refuses files that would not be each for itself: of the report, of the picture, of the theorem.
-fn check_usage_of_files(arguments: &JudgeArguments) -> Result<(), Failure> {
-    let report = Some(arguments.output.file.output.as_deref().unwrap_or("-"));
-    let proof = arguments.proof.as_deref();
-    files_apart(&[("--output", report), ("--plot", arguments.plot.as_deref()), ("--proof", proof)])
-}
-
-/// Refuses options that would write to one file, the report first.
-pub(super) fn files_apart(all: &[(&str, Option<&str>)]) -> Result<(), Failure> {
-    for (index, (option, file)) in all.iter().enumerate() {
-        for (other, other_file) in all.iter().skip(index + 1) {
-            let (Some(file), Some(other_file)) = (file, other_file) else { continue };
-            match (*file, *other_file) {
-                ("-", "-") => {
-                    let problem = if index == 0 {
-                        format!(
-                            "'{other} -' and the report would both go to standard output: give one of them a file"
-                        )
-                    } else {
-                        format!(
-                            "'{option} -' and '{other} -' would both go to standard output: give one of them a file"
-                        )
-                    };
-                    return Err(Failure::Usage(problem));
-                }
-                (file, other_file)
-                    if file != "-" && other_file != "-" && output::is_one_file(file, other_file) =>
-                {
-                    return Err(Failure::Usage(format!("'{other}' and '{option}' name the same file")));
-                }
-                _ => {}
-            }
-        }
-    }
-    Ok(())
 }
 
 /// The feasible set with the objective, encoded.

@@ -1,0 +1,62 @@
+//! The files that commands about half-planes write beside the report: a picture of the set and a theorem about it.
+
+use boundfit_figures::PictureFormat;
+use boundfit_report::Theory;
+use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
+
+use super::pictures::picture_format;
+use super::proof_file;
+use crate::exit::Failure;
+use crate::options::{PictureArguments, ProofArguments};
+use crate::output::{self, Guard, files_apart};
+
+/// A picture of a set, and a theorem about it.
+#[derive(Debug, Args)]
+pub(crate) struct SetFiles {
+    /// Also draw the set: FILE.svg, .png, .pdf, .tikz or .tex
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    plot: Option<String>,
+    #[command(flatten)]
+    proof: ProofArguments,
+    #[command(flatten)]
+    pub(super) picture: PictureArguments,
+}
+
+impl SetFiles {
+    /// Refuses files that are not each for itself, and options without an effect. Returns the format of the picture and the
+    /// source of the theory.
+    pub(super) fn checked(
+        &self,
+        report: Option<&str>,
+        proved: &str,
+    ) -> Result<(Option<PictureFormat>, Option<Theory>), Failure> {
+        let plot = self.plot.as_deref();
+        files_apart(report, &[("--plot", plot), ("--proof", self.proof.file())])?;
+        let theory = proof_file::only_theory(&self.proof, proved)?;
+        self.picture.check("--plot", plot.is_some())?;
+        let format = plot.map(|file| picture_format("--plot <FILE>", file)).transpose()?;
+        format.map_or(Ok(()), |format| self.picture.check_format(format))?;
+        Ok((format, theory))
+    }
+
+    /// Refuses to write over what is not ours.
+    pub(super) fn check(&self, guard: &Guard) -> Result<(), Failure> {
+        guard.check(self.plot.as_deref())?;
+        guard.check(self.proof.file())
+    }
+
+    /// Writes the report and what is beside it, all or nothing.
+    pub(super) fn write(
+        &self,
+        (report, output): (&str, Option<&str>),
+        picture: Option<&[u8]>,
+        theorem: Option<&str>,
+        guard: &mut Guard,
+    ) -> Result<(), Failure> {
+        let picture = picture.map(|picture| (picture, self.plot.as_deref()));
+        let theorem = theorem.map(|text| (text.as_bytes(), self.proof.file()));
+        let parts: Vec<_> = theorem.into_iter().chain(picture).chain([(report.as_bytes(), output)]).collect();
+        output::write_together(&parts, guard)
+    }
+}
