@@ -450,4 +450,3 @@ fn index_of(sources: &mut Vec<Source>, source: Source) -> usize {
         sources.len() - 1
     })
 }
-

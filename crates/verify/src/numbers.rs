@@ -39,7 +39,11 @@ impl Number {
 }
 
 /// Multiplies decimals by a power of ten with which they are machine words; `None` where there is none.
-pub(crate) fn words_over_one_denominator(plain: &[(i64, u32)], powers: &[i64], words: &mut Vec<i64>) -> Option<()> {
+pub(crate) fn words_over_one_denominator(
+    plain: &[(i64, u32)],
+    powers: &[i64],
+    words: &mut Vec<i64>,
+) -> Option<()> {
     let most = plain.iter().map(|(_, places)| *places).max()?;
     words.clear();
     for (mantissa, places) in plain {

@@ -1,13 +1,10 @@
 //! The values taken from every row of a table.
 
 use boundfit_exact::english::split_unit;
-use boundfit_exact::{
-    DecimalMark, Foreign, Notation, Thousands, TooMuchWork, WorkMeter, is_missing, trim_number,
-};
+use boundfit_exact::{DecimalMark, Foreign, Notation, Thousands, WorkMeter};
 use memchr::memmem;
 
 use crate::block::AskedBlock;
-use crate::columns::Role;
 use crate::columns::{ColumnPlace, ColumnSelector, decode, refuse_same};
 use crate::dialect::{BLANKS, CommentMark, Dialect, Encoding};
 use crate::error::{InputError, InputErrorKind};
@@ -16,15 +13,12 @@ use crate::notes::{BlockNote, HeaderNote, SheetLooks, Skipped, TableNotes};
 use crate::records::{Record, Records, Syntax};
 use crate::relations::refuse_beside;
 use crate::selection::RowCondition;
-use crate::table::TableRow;
-use crate::times::{is_time, or_time};
 use crate::units::unit_of_cell;
 
-use super::batch::{Batch, Pieces, ScanOptions};
+use super::batch::{Batch, ScanOptions};
 use super::notes::Notes;
 use super::preamble::{Preamble, USUAL_MARKS};
-use super::quoting::is_quoted;
-use super::values::{Mark, Numbers, Value};
+use super::values::{Mark, Numbers};
 
 /// The number of cells of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

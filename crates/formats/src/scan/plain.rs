@@ -7,8 +7,8 @@ use memchr::{memchr, memchr_iter, memchr2};
 
 use super::lane::Lane;
 use super::layout::Layout;
-use super::route::Route;
 use super::notes::Notes;
+use super::route::Route;
 use super::rows::Rows;
 use super::straight::Straight;
 use crate::error::{InputError, InputErrorKind};

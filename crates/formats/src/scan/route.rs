@@ -1,9 +1,6 @@
 //! The way through each row to the cells that are wanted.
 
-use boundfit_exact::Reading;
-
 use super::layout::Layout;
-use super::values::Mark;
 use crate::columns::Role;
 
 /// Separators that are no part of a number.

@@ -7,7 +7,7 @@ use super::{answer, for_each_region};
 use boundfit_tests::cli::half_plane_files::{h_representation, shape};
 use boundfit_tests::cli::numbers::{exact, pair, whole};
 use boundfit_tests::cli::schema::{POLYGON, check_schema};
-use boundfit_tests::cli::{boundfit_with_input, printed, report};
+use boundfit_tests::cli::{boundfit_with_input, printed, printed_with_input, report};
 
 #[test]
 fn a_v_representation_is_the_set_that_its_rows_generate() {
