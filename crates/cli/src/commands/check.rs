@@ -14,12 +14,13 @@ use boundfit_exact::{Foreign, Reading};
 use boundfit_lp::Verdict;
 use boundfit_report::{Theory, check_document, check_json};
 use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
 
 use super::proof_file::{self, SmallFile};
 use crate::exit::{CommandResult, Exit, Failure};
 use crate::input::read_text;
 use crate::options::{
-    BAD_DATA, BAD_USAGE, DataArguments, Format, Notes, OutputArguments, ProofArguments, Switch,
+    BAD_DATA, BAD_USAGE, DataArguments, Format, Notes, OutputArguments, Switch,
     ToleranceArguments, whole,
 };
 use crate::output::{self, files_apart};
@@ -59,8 +60,6 @@ pub(super) const NOTES: Notes = Notes {
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_arg("tolerance", |arg| arg.help(
     "How far a bound may be off to either side, in widths of the interval, and how far outside a point, in units of eps"
-)), mut_arg("proof", |arg| arg.help(
-    "Write a theorem for the kernel of Coq to this file, which ends in .v: the four ends, and the set that has them"
 )))]
 pub(crate) struct CheckArguments {
     #[command(flatten)]
@@ -88,8 +87,12 @@ pub(crate) struct CheckArguments {
     /// theta1 and theta2
     #[arg(long, requires = "directions")]
     scaled: bool,
-    #[command(flatten)]
-    proof: ProofArguments,
+    /// Write a theorem for the kernel of Coq to this file, which ends in .v: the four ends, and the set that has them
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    proof_library: bool,
     #[command(flatten)]
     tolerance: ToleranceArguments,
     /// Seconds that a solver may spend on one program
@@ -105,8 +108,8 @@ pub(super) fn run(arguments: &CheckArguments) -> CommandResult {
     let claims = claim_files(&arguments.claims)?;
     let inputs = claims.iter().map(String::as_str).chain([arguments.data.path()]);
     let mut guard = arguments.output.file.replace.guard(inputs);
-    let (output, proof) = (arguments.output.file.output.as_deref(), arguments.proof.file());
-    let theory = proof_file::only_theory(&arguments.proof, "the four ends")?;
+    let (output, proof) = (arguments.output.file.output.as_deref(), arguments.proof.as_deref());
+    let theory = proof_file::only_theory(proof, arguments.proof_library, "the four ends")?;
     files_apart(output, &[("--proof", proof)])?;
     guard.check(output)?;
     guard.check(proof)?;

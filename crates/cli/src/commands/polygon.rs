@@ -10,6 +10,7 @@ use boundfit_report::{
     region_script, region_wkt, v_representation, vertices_csv,
 };
 use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
 
 use super::set_files::SetFiles;
 use crate::exit::{CommandResult, Exit, Failure};
@@ -50,15 +51,22 @@ pub(super) const NOTES: Notes = Notes {
 /// start at the origin, and a set without any row is empty, as in cdd. Options for other output (maximize, verbose,
 /// ...) are ignored; options for another set (nonnegative, project, hull in an H-representation, ...) are refused.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction])), mut_arg("proof", |arg| arg.help(
-    "Also write a theorem that the kernel of Coq checks to this file, which ends in .v: the half-planes describe just the \
-     convex hull of the vertices, together with rays"
-)))]
+#[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction])))]
 pub(crate) struct PolygonArguments {
     /// FILE.ine or FILE.ext (H- or V-representation of cdd and lrs) or FILE.csv (columns a1,a2,b), or - for standard input
     file: String,
+    /// Also draw the set: FILE.svg, .png, .pdf, .tikz or .tex
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    plot: Option<String>,
+    /// Also write a theorem that the kernel of Coq checks to this file, which ends in .v: the half-planes describe just the
+    /// convex hull of the vertices, together with rays
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    proof_library: bool,
     #[command(flatten)]
-    files: SetFiles,
+    picture: PictureArguments,
     #[command(flatten)]
     table: TableArguments,
     #[command(flatten)]
@@ -79,11 +87,17 @@ fn refused(problem: InputError) -> Failure {
 /// Reads the half-planes, or finds those of generators, intersects them and writes the report.
 pub(super) fn run(arguments: &PolygonArguments) -> CommandResult {
     let output = arguments.output.file.output.as_deref();
-    let (plot, theory) = arguments.files.checked(output, "a set of half-planes")?;
+    let files = SetFiles {
+        plot: arguments.plot.as_deref(),
+        proof: arguments.proof.as_deref(),
+        proof_library: arguments.proof_library,
+        picture: &arguments.picture,
+    };
+    let (plot, theory) = files.checked(output, "a set of half-planes")?;
     let format = arguments.output.format()?;
     let mut guard = arguments.output.file.replace.guard([arguments.file.as_str()]);
     guard.check(output)?;
-    arguments.files.check(&guard)?;
+    files.check(&guard)?;
     arguments.output.check_decimals(if format == ReportFormat::Csv {
         Form::Vertices
     } else {
@@ -127,10 +141,10 @@ pub(super) fn run(arguments: &PolygonArguments) -> CommandResult {
         ReportFormat::Ext => v_representation(&polyhedron),
     };
     let picture =
-        plot.map(|format| picture(&polyhedron, &name, (format, &arguments.files.picture))).transpose()?;
+        plot.map(|format| picture(&polyhedron, &name, (format, &arguments.picture))).transpose()?;
     let theorem =
         theory.map(|theory| theorem(&file, &polyhedron, (reading, theory), name.borrowed())).transpose()?;
-    arguments.files.write((&report, output), picture.as_deref(), theorem.as_deref(), &mut guard)?;
+    files.write((&report, output), picture.as_deref(), theorem.as_deref(), &mut guard)?;
     Ok(if polyhedron.region().is_empty() { Exit::Empty } else { Exit::Answer })
 }
 

@@ -8,7 +8,6 @@ use boundfit_report::{MOST_THEOREM_BYTES, Theory};
 use sha2::{Digest, Sha256};
 
 use crate::exit::Failure;
-use crate::options::ProofArguments;
 
 /// Returns whether a proof is a theorem for Coq, as the ending of its file's name tells.
 pub(super) fn is_theorem(proof: Option<&str>) -> bool {

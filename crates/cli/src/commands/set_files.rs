@@ -2,28 +2,23 @@
 
 use boundfit_figures::PictureFormat;
 use boundfit_report::Theory;
-use clap::Args;
-use clap::builder::NonEmptyStringValueParser;
 
 use super::pictures::picture_format;
 use super::proof_file;
 use crate::exit::Failure;
-use crate::options::{PictureArguments, ProofArguments};
+use crate::options::PictureArguments;
 use crate::output::{self, Guard, files_apart};
 
 /// A picture of a set, and a theorem about it.
-#[derive(Debug, Args)]
-pub(crate) struct SetFiles {
-    /// Also draw the set: FILE.svg, .png, .pdf, .tikz or .tex
-    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
-    plot: Option<String>,
-    #[command(flatten)]
-    proof: ProofArguments,
-    #[command(flatten)]
-    pub(super) picture: PictureArguments,
+#[derive(Clone, Copy)]
+pub(super) struct SetFiles<'a> {
+    pub(super) plot: Option<&'a str>,
+    pub(super) proof: Option<&'a str>,
+    pub(super) proof_library: bool,
+    pub(super) picture: &'a PictureArguments,
 }
 
-impl SetFiles {
+impl SetFiles<'_> {
     /// Refuses files that are not each for itself, and options without an effect. Returns the format of the picture and the
     /// source of the theory.
     pub(super) fn checked(
@@ -31,9 +26,9 @@ impl SetFiles {
         report: Option<&str>,
         proved: &str,
     ) -> Result<(Option<PictureFormat>, Option<Theory>), Failure> {
-        let plot = self.plot.as_deref();
-        files_apart(report, &[("--plot", plot), ("--proof", self.proof.file())])?;
-        let theory = proof_file::only_theory(&self.proof, proved)?;
+        let SetFiles { plot, proof, .. } = *self;
+        files_apart(report, &[("--plot", plot), ("--proof", proof)])?;
+        let theory = proof_file::only_theory(proof, self.proof_library, proved)?;
         self.picture.check("--plot", plot.is_some())?;
         let format = plot.map(|file| picture_format("--plot <FILE>", file)).transpose()?;
         format.map_or(Ok(()), |format| self.picture.check_format(format))?;
@@ -42,8 +37,8 @@ impl SetFiles {
 
     /// Refuses to write over what is not ours.
     pub(super) fn check(&self, guard: &Guard) -> Result<(), Failure> {
-        guard.check(self.plot.as_deref())?;
-        guard.check(self.proof.file())
+        guard.check(self.plot)?;
+        guard.check(self.proof)
     }
 
     /// Writes the report and what is beside it, all or nothing.
@@ -54,8 +49,8 @@ impl SetFiles {
         theorem: Option<&str>,
         guard: &mut Guard,
     ) -> Result<(), Failure> {
-        let picture = picture.map(|picture| (picture, self.plot.as_deref()));
-        let theorem = theorem.map(|text| (text.as_bytes(), self.proof.file()));
+        let picture = picture.map(|picture| (picture, self.plot));
+        let theorem = theorem.map(|text| (text.as_bytes(), self.proof));
         let parts: Vec<_> = theorem.into_iter().chain(picture).chain([(report.as_bytes(), output)]).collect();
         output::write_together(&parts, guard)
     }

@@ -14,10 +14,3 @@ pub(crate) struct ProofArguments {
     #[arg(long, requires = "proof")]
     pub(crate) proof_library: bool,
 }
-
-impl ProofArguments {
-    /// The file of the proof.
-    pub(crate) fn file(&self) -> Option<&str> {
-        self.proof.as_deref()
-    }
-}

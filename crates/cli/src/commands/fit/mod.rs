@@ -12,12 +12,13 @@ use boundfit_estimation::{Measurements, Problem};
 use boundfit_exact::{Limit, Rational, Reading};
 use boundfit_report::{NextStep, verdict_line};
 use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
 
 use super::asked::Job;
 use super::proof_file;
 use crate::exit::{CommandResult, Failure};
 use crate::options::{
-    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, ProofArguments, ReportFormat,
+    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, ReportFormat,
     ThreadArguments, XErrorArguments, column_text, limits, whole,
 };
 use crate::output::files_apart;
@@ -87,11 +88,7 @@ pub(super) const NOTES: Notes = Notes {
 /// every reading. The report lists its vertices, the interval of each parameter (PUI), the central estimate, least
 /// squares with its interval (EUI), and the smallest possible error bound.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction])), mut_arg("proof", |arg| arg.help(
-    "Also write a proof of the answer to this file, whole or not at all. The proof is JSON that 'boundfit verify', or \
-     anybody else, checks against the data by arithmetic alone; in FILE.v it is a theorem for the kernel of Coq instead. \
-     - means standard output if the report goes to a file"
-)))]
+#[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction])))]
 pub(crate) struct FitArguments {
     #[command(flatten)]
     data: DataArguments,
@@ -141,8 +138,14 @@ pub(crate) struct FitArguments {
     /// such as 0.99. It assumes that all readings are independent draws from one source
     #[arg(long, value_name = "NUM", allow_hyphen_values = true, conflicts_with_all = ["by", "brief"])]
     confidence: Option<String>,
-    #[command(flatten)]
-    proof: ProofArguments,
+    /// Also write a proof of the answer to this file, whole or not at all. The proof is JSON that 'boundfit verify', or
+    /// anybody else, checks against the data by arithmetic alone; in FILE.v it is a theorem for the kernel of Coq instead.
+    /// - means standard output if the report goes to a file
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    proof_library: bool,
     #[command(flatten)]
     threads: ThreadArguments,
     #[command(flatten)]
@@ -182,7 +185,7 @@ pub(super) fn run(arguments: &FitArguments) -> CommandResult {
     let output = arguments.output.file.output.as_deref();
     let mut guard = arguments.output.file.replace.guard([arguments.data.path()]);
     guard.check(output)?;
-    guard.check(arguments.proof.file())?;
+    guard.check(arguments.proof.as_deref())?;
     if arguments.x_errors.are_asked() {
         return x_errors::run(arguments, format, &mut guard);
     }
@@ -195,7 +198,7 @@ pub(super) fn run(arguments: &FitArguments) -> CommandResult {
     let form = if arguments.vertices { Form::Vertices } else { format.into() };
     // A solver of linear programs in doubles is a part of this program, and of no other surface.
     let asks_solver = form == Form::Text && arguments.full && !arguments.no_lp;
-    let job = arguments.job(form).with_theory(arguments.proof.proof_library)?;
+    let job = arguments.job(form).with_theory(arguments.proof_library)?;
     job.run_with(&arguments.question(), &mut guard, |asked, answer, origin| {
         if asks_solver {
             answer.verdict = lp_verdict(&asked.problem, origin.reading)?;
@@ -213,7 +216,7 @@ impl FitArguments {
             form,
             style: self.data.table.limits.limited(self.output.style()),
             output: self.output.file.output.as_deref(),
-            proof: self.proof.file(),
+            proof: self.proof.as_deref(),
             theory: None,
         }
     }
@@ -252,12 +255,12 @@ fn check_usage_of_parts(arguments: &FitArguments, format: ReportFormat) -> Resul
 
 /// Refuses a proof that would have no file of its own, or be about many sets.
 fn check_usage_of_proof(arguments: &FitArguments) -> Result<(), Failure> {
-    if arguments.by.is_some() && arguments.proof.file().is_some() {
+    if arguments.by.is_some() && arguments.proof.is_some() {
         let instead = "fit the rows of one group with '--rows', or a file with these rows only";
         return Err(Failure::Usage(format!("'--proof' is about one set and '--by' about many: {instead}")));
     }
-    let proof = arguments.proof.file();
-    proof_file::theory(proof, arguments.proof.proof_library)?;
+    let proof = arguments.proof.as_deref();
+    proof_file::theory(proof, arguments.proof_library)?;
     if arguments.x_errors.are_asked() || arguments.window().is_some() {
         proof_file::refuse_theorem(proof)?;
     }

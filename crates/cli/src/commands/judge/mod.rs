@@ -12,6 +12,7 @@ use boundfit_report::{
     JudgeJson, Theory, h_representation, judge_document, judge_json, kernel_program, solutions_document,
     solutions_json, solutions_junit, solutions_sarif, v_representation,
 };
+use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ValueEnum};
 
 use self::solutions::SolutionArguments;
@@ -52,17 +53,23 @@ pub(super) const NOTES: Notes = Notes {
 /// method, and multiplies it out in the model. Prices prove an optimum, Farkas multipliers prove infeasibility, and a
 /// ray proves that the objective is unbounded. docs/lp-files.md explains the files where readers differ.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string(), mut_arg("plot", |arg| arg.help(
-    "Also draw the feasible set, the optimal points and the direction of improvement: FILE.svg, .png, .pdf, .tikz or .tex"
-)), mut_arg("proof", |arg| arg.help(
-    "Write a theorem for the kernel of Coq to this file, which ends in .v: the feasible set, the optimum and all points \
-     that attain it. The program must have two columns"
-)))]
+#[command(after_help = NOTES.to_string())]
 pub(crate) struct JudgeArguments {
     /// MODEL.mps or MODEL.lp, or - for standard input, whose text decides the format
     model: String,
+    /// Also draw the feasible set, the optimal points and the direction of improvement: FILE.svg, .png, .pdf, .tikz or
+    /// .tex
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    plot: Option<String>,
+    /// Write a theorem for the kernel of Coq to this file, which ends in .v: the feasible set, the optimum and all points
+    /// that attain it. The program must have two columns
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    proof: Option<String>,
+    /// Let the theorem of '--proof FILE.v' require the installed theory 'Boundfit' instead of holding it
+    #[arg(long, requires = "proof")]
+    proof_library: bool,
     #[command(flatten)]
-    files: SetFiles,
+    picture: PictureArguments,
     #[command(flatten)]
     solutions: SolutionArguments,
     #[command(flatten)]
@@ -110,7 +117,13 @@ impl NamedFormat for JudgeFormat {
 /// Reads the model, solves it and writes the report.
 pub(super) fn run(arguments: &JudgeArguments) -> CommandResult {
     let output = arguments.output.file.output.as_deref();
-    let (plot, theory) = arguments.files.checked(output, "a linear program")?;
+    let files = SetFiles {
+        plot: arguments.plot.as_deref(),
+        proof: arguments.proof.as_deref(),
+        proof_library: arguments.proof_library,
+        picture: &arguments.picture,
+    };
+    let (plot, theory) = files.checked(output, "a linear program")?;
     let inputs = arguments.solutions.solutions.iter().chain([&arguments.model]);
     if inputs.filter(|input| *input == "-").count() > 1 {
         return Err(Failure::Usage("the model and its solutions cannot share standard input".to_owned()));
@@ -120,7 +133,7 @@ pub(super) fn run(arguments: &JudgeArguments) -> CommandResult {
     let inputs = arguments.solutions.solutions.iter().chain([&arguments.model]).map(String::as_str);
     let mut guard = arguments.output.file.replace.guard(inputs);
     guard.check(output)?;
-    arguments.files.check(&guard)?;
+    files.check(&guard)?;
     let file = read(arguments)?;
     let model = model_of(&file, &arguments.limits)?;
     theory.map_or(Ok(()), |_| refuse_other_columns(&model, &file))?;
@@ -150,10 +163,10 @@ pub(super) fn run(arguments: &JudgeArguments) -> CommandResult {
         JudgeFormat::Ext => v_representation(plane.polyhedron()),
     };
     let picture = plot
-        .map(|format| picture(&model, &plane, &file.name, (format, &arguments.files.picture)))
+        .map(|format| picture(&model, &plane, &file.name, (format, &arguments.picture)))
         .transpose()?;
     let theorem = theory.map(|theory| theorem(&model, &answer, theory, &file)).transpose()?;
-    arguments.files.write((&report, output), picture.as_deref(), theorem.as_deref(), &mut guard)?;
+    files.write((&report, output), picture.as_deref(), theorem.as_deref(), &mut guard)?;
     Ok(match answer {
         _ if solutions::is_refuted(&judged) => Exit::Refuted,
         // Who asks about solutions is not asked to look at the status twice.
