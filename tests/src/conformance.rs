@@ -7,9 +7,10 @@ use std::time::Duration;
 use boundfit_check::{CheckOptions, check, source_names};
 use boundfit_estimation::Problem;
 use boundfit_exact::{Rational, Reading};
-use boundfit_judge::{Findings, JudgedSolver, Plane, Tolerances, Worth, judge_solvers};
+use boundfit_judge::{Findings, Plane, Tolerances, Worth};
 use boundfit_lp::{ExchangeFormat, Model, ModelLimits, model_text, read_model};
 
+use crate::judged_solvers::{JudgedSolver, judge_solvers};
 use crate::lp_cases::hard_case;
 
 /// The time that a solver may work on one program.

@@ -10,6 +10,7 @@ pub mod definitions;
 pub mod fuzz_targets;
 pub mod generate;
 pub mod hostile;
+pub mod judged_solvers;
 pub mod linearity;
 pub mod lp_cases;
 pub mod models;

@@ -8,7 +8,6 @@
 //! | `certificate` | [`Answer::verify`], which multiplies a proof out in the model itself |
 //! | `solution` | [`read_solution`]: files of CBC, CPLEX, GLPK, Gurobi, HiGHS, SCIP, and JSON |
 //! | `judging` | [`Ground::judge`]: one [`Finding`] for each aspect of a solution, with its worth |
-//! | `solvers` | solvers of this build, asked and judged (feature `float-solvers`) |
 //!
 //! A [`Model`](boundfit_lp::Model) may have any number of columns as long as bounds fix all but two of them.
 
@@ -22,18 +21,14 @@ mod judging;
 mod plane;
 mod solution;
 mod solve;
-#[cfg(feature = "float-solvers")]
-mod solvers;
 
 pub use answer::{Answer, Basis, BasisStatus, Face, Item, Prices, Side, SideMultiplier};
 pub use error::SolveError;
 pub use judging::{
-    Aspect, Excuse, Fault, Finding, Findings, Ground, JudgedSolution, JudgedSolver, Tolerances, Worth,
+    Aspect, Excuse, Fault, Finding, Findings, Ground, JudgedSolution, Tolerances, Worth,
 };
 pub use plane::Plane;
 pub use solution::{
     Announced, Entry, Figure, Given, NotFinite, Part, Reference, Solution, SolutionError, SolutionFile,
     SolverStatus, quoted, read_solution,
 };
-#[cfg(feature = "float-solvers")]
-pub use solvers::judge_solvers;

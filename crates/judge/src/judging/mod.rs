@@ -37,17 +37,6 @@ pub struct JudgedSolution {
     pub findings: Findings,
 }
 
-/// The worth of a solver of this build on a model.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct JudgedSolver {
-    /// The solver with its version; `exact-simplex` for the exact one.
-    pub source: Foreign,
-    /// Judged by the program as it is.
-    pub as_read: Findings,
-    /// Judged by the program whose rows and costs are rounded to binary64, which is what the solver received.
-    pub received: Findings,
-}
-
 impl Findings {
     /// The worst of all; [`Worth::NoAnswer`] where there is none.
     pub fn worst(&self) -> Worth {

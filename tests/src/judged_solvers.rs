@@ -2,17 +2,25 @@
 
 use std::time::Duration;
 
-use boundfit_exact::Rational;
+use boundfit_judge::{
+    Answer, Findings, Given, Ground, Plane, Solution, SolveError, SolverStatus, Tolerances,
+};
+use boundfit_exact::{Foreign, Rational};
 use boundfit_lp::{
     Bounds, ExactOutcome, FloatProgram, Model, ModelColumn, ModelRow, Multiplier, Outcome, Printed, Program,
     Row, exact_simplex, solve_guarded, solvers,
 };
 
-use crate::answer::Answer;
-use crate::error::SolveError;
-use crate::judging::{Ground, JudgedSolver, Tolerances};
-use crate::plane::Plane;
-use crate::solution::{Given, Solution, SolverStatus};
+/// The worth of a solver of this build on a model.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct JudgedSolver {
+    /// The solver with its version; `exact-simplex` for the exact one.
+    pub source: Foreign,
+    /// Judged by the program as it is.
+    pub as_read: Findings,
+    /// Judged by the program whose rows and costs are rounded to binary64, which is what the solver received.
+    pub received: Findings,
+}
 
 /// Asks every float solver of this build, each for at most `limit`, and the exact simplex. All receive the half-planes of the
 /// plane as rows, columns without bounds, and a minimum. Judging is exact; cost: that of the solvers, and of solving the
