@@ -2,10 +2,10 @@
 
 use std::time::Duration;
 
+use boundfit_exact::{Foreign, Rational};
 use boundfit_judge::{
     Answer, Findings, Given, Ground, Plane, Solution, SolveError, SolverStatus, Tolerances,
 };
-use boundfit_exact::{Foreign, Rational};
 use boundfit_lp::{
     Bounds, ExactOutcome, FloatProgram, Model, ModelColumn, ModelRow, Multiplier, Outcome, Printed, Program,
     Row, exact_simplex, solve_guarded, solvers,

@@ -20,8 +20,7 @@ use super::proof_file::{self, SmallFile};
 use crate::exit::{CommandResult, Exit, Failure};
 use crate::input::read_text;
 use crate::options::{
-    BAD_DATA, BAD_USAGE, DataArguments, Format, Notes, OutputArguments, Switch,
-    ToleranceArguments, whole,
+    BAD_DATA, BAD_USAGE, DataArguments, Format, Notes, OutputArguments, Switch, ToleranceArguments, whole,
 };
 use crate::output::{self, files_apart};
 use crate::progress::while_working;

@@ -140,8 +140,7 @@ pub(super) fn run(arguments: &PolygonArguments) -> CommandResult {
         ReportFormat::Ine => h_representation(&polyhedron),
         ReportFormat::Ext => v_representation(&polyhedron),
     };
-    let picture =
-        plot.map(|format| picture(&polyhedron, &name, (format, &arguments.picture))).transpose()?;
+    let picture = plot.map(|format| picture(&polyhedron, &name, (format, &arguments.picture))).transpose()?;
     let theorem =
         theory.map(|theory| theorem(&file, &polyhedron, (reading, theory), name.borrowed())).transpose()?;
     files.write((&report, output), picture.as_deref(), theorem.as_deref(), &mut guard)?;

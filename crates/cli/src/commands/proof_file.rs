@@ -33,9 +33,13 @@ pub(super) fn theory(proof: Option<&str>, is_installed: bool) -> Result<Option<T
 ///
 /// # Errors
 /// When another kind of proof is asked for.
-pub(super) fn only_theory(asked: &ProofArguments, proved: &str) -> Result<Option<Theory>, Failure> {
-    match theory(asked.file(), asked.proof_library)? {
-        None if asked.file().is_some() => Err(Failure::Usage(format!(
+pub(super) fn only_theory(
+    proof: Option<&str>,
+    is_installed: bool,
+    proved: &str,
+) -> Result<Option<Theory>, Failure> {
+    match theory(proof, is_installed)? {
+        None if proof.is_some() => Err(Failure::Usage(format!(
             "the proof of {proved} is a theorem for Coq: give '--proof' a file that ends in .v"
         ))),
         theory => Ok(theory),

@@ -18,8 +18,8 @@ use super::asked::Job;
 use super::proof_file;
 use crate::exit::{CommandResult, Failure};
 use crate::options::{
-    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, ReportFormat,
-    ThreadArguments, XErrorArguments, column_text, limits, whole,
+    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, ReportFormat, ThreadArguments,
+    XErrorArguments, column_text, limits, whole,
 };
 use crate::output::files_apart;
 

@@ -162,9 +162,8 @@ pub(super) fn run(arguments: &JudgeArguments) -> CommandResult {
         JudgeFormat::Ine => h_representation(plane.polyhedron()),
         JudgeFormat::Ext => v_representation(plane.polyhedron()),
     };
-    let picture = plot
-        .map(|format| picture(&model, &plane, &file.name, (format, &arguments.picture)))
-        .transpose()?;
+    let picture =
+        plot.map(|format| picture(&model, &plane, &file.name, (format, &arguments.picture))).transpose()?;
     let theorem = theory.map(|theory| theorem(&model, &answer, theory, &file)).transpose()?;
     files.write((&report, output), picture.as_deref(), theorem.as_deref(), &mut guard)?;
     Ok(match answer {
