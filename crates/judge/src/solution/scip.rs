@@ -29,7 +29,7 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
                 (file.status, file.status_line) = (SolverStatus::of_words(words), line.number);
             }
             [name, value, rest @ ..] if rest.len() <= 1 => {
-                file.columns.push(line.entry(*name, Some(line.figure(value, DIGITS, limits)?), None))
+                file.columns.push(line.entry(*name, Some(line.figure(value, DIGITS, limits)?), None));
             }
             _ => return Err(line.expected("\"NAME VALUE (obj:NUMBER)\"")),
         }

@@ -5,7 +5,7 @@ use rand::RngExt;
 use rand::seq::IndexedRandom;
 use rand_chacha::ChaCha8Rng;
 
-use super::{read, said, auto};
+use super::{auto, read, said};
 
 /// A plain table: its lines, without line ends.
 fn plain(rng: &mut ChaCha8Rng) -> (Vec<String>, String) {

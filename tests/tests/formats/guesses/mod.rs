@@ -2,7 +2,10 @@
 
 mod edits;
 
-use boundfit_formats::{AskedBlock, ColumnSelector, Header, Missing, MissingWords, RowRange, ScanOptions, Source, TableNotes, TableOptions};
+use boundfit_formats::{
+    AskedBlock, ColumnSelector, Header, Missing, MissingWords, RowRange, ScanOptions, Source, TableNotes,
+    TableOptions,
+};
 use boundfit_tests::program::root;
 
 use crate::scan::both::{POOLS, batches, found};

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use boundfit_formats::{TableOptions};
+use boundfit_formats::TableOptions;
 use boundfit_tests::program::root;
 
 use super::files::{deflated, doubles, header, matrix, number, structure};
