@@ -5,7 +5,7 @@ use rand::RngExt;
 use rand::seq::IndexedRandom;
 use rand_chacha::ChaCha8Rng;
 
-use super::{auto, read, said};
+use super::{auto, read};
 
 /// A plain table: its lines, without line ends.
 fn plain(rng: &mut ChaCha8Rng) -> (Vec<String>, String) {

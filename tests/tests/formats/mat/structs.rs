@@ -6,7 +6,7 @@ use boundfit_formats::TableOptions;
 use boundfit_tests::program::root;
 
 use super::files::{deflated, doubles, header, matrix, number, structure};
-use super::{both, exact, message, read};
+use super::{both, exact, message};
 
 #[test]
 fn a_member_of_a_struct_is_a_column() {
