@@ -493,7 +493,7 @@ impl From<io::Error> for InputErrorKind {
         // A reduction is shown as a stream of bytes, whose errors are those of a stream.
         match error.downcast::<ReductionError>().map(InputErrorKind::Reduction) {
             Ok(kind) => kind,
-            // What unpacks a file says in these words what is wrong with it.
+            // Streams that unpack a file carry their problems in the same way.
             Err(error) => error.downcast::<InputErrorKind>().unwrap_or_else(InputErrorKind::Io),
         }
     }

@@ -56,7 +56,7 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// What the line says of a column or a row: a value, a price, or both.
+    /// Returns the entry of this line for a column or a row: a value, a price, or both.
     pub(super) fn entry(
         &self,
         of: impl Into<Reference>,
