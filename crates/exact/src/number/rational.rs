@@ -43,7 +43,7 @@ fn combined(left: &Rational, right: &Rational, combine: impl Fn(&Integer, &Integ
     Rational { numerator: numerator.quotient(&shared), denominator: b_rest * d.quotient(&shared) }
 }
 
-/// Computes the same of words, as most numbers are, in half the time.
+/// Computes the same of words, as most numbers are, without a long number between.
 fn combined_words(left: &Rational, right: &Rational, is_difference: bool) -> Option<Rational> {
     let ((a, b), (c, d)) = (left.to_words()?, right.to_words()?);
     // Products of two words, and the sum of two of them, fit into 128 bits.
