@@ -94,5 +94,6 @@ pub fn central_of([first, second]: &[Interval; 2]) -> Option<Central> {
 /// interval is bounded.
 pub(crate) fn guaranteed_error(estimate: &Rational, interval: &Interval) -> Option<Rational> {
     let (lower, upper) = interval.ends()?;
-    Some((upper - estimate).max(estimate - lower))
+    // Comparing takes no greatest common divisor, a difference takes one or two.
+    Some(if *estimate < interval.midpoint()? { upper - estimate } else { estimate - lower })
 }

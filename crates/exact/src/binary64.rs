@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::{Fraction, Integer, Rational, plain_decimal};
+use crate::{Fraction, Integer, Rational, Wide, plain_decimal};
 
 /// Binary exponent of the smallest positive binary64.
 pub(crate) const LEAST_EXPONENT: i64 = -1074;
@@ -66,6 +66,9 @@ impl Rational {
         let (double, side) = estimate.nearest_f64();
         if side.is_eq() || double.is_infinite() {
             return self.ceil_to_f64();
+        }
+        if let Some(least) = ceil_beside_by_leading_bits(self, estimate, double) {
+            return least;
         }
         let (significand, exponent) = significand_and_exponent(double);
         let power = Integer::power_of_two(exponent.unsigned_abs().into());
@@ -193,26 +196,67 @@ fn nearest_magnitude(numerator: &Integer, denominator: &Integer) -> (f64, Orderi
 /// The leading 126 and 62 bits say that the numerator is from n to n + 1 and the denominator from d to d + 1. Their quotient is then
 /// from n/(d + 1) to (n + 1)/d. Both ends decide if they have one nearest significand on one side of it; a tie is left to others.
 fn nearest_by_leading_bits(numerator: &Integer, denominator: &Integer) -> Option<(f64, Ordering)> {
-    let (above, dropped) = leading_bits(numerator, 126)?;
-    let (below, dropped_below) = leading_bits(denominator, 62)?;
-    let [least, most] = [above / (below + 1), (above + 1) / below + 1];
+    let ([least, most], dropped) =
+        enclosed(leading_bits(numerator, NUMERATOR_BITS)?, leading_bits(denominator, DENOMINATOR_BITS)?);
     let left = (u128::BITS - least.leading_zeros()).checked_sub(SIGNIFICAND_BITS as u32)?;
     let half = 1 << left >> 1;
     let (significand, same) = ((least + half) >> left, (most + half) >> left);
     let rounded = significand << left;
     let is_open =
         significand != same || (least + half) & ((1 << left) - 1) == 0 || (least..=most).contains(&rounded);
-    let exponent = dropped - dropped_below + i64::from(left);
+    let exponent = dropped + i64::from(left);
     // A significand of 54 bits, 2^53, is among those that may be too large.
     (!is_open && (LEAST_EXPONENT..=970).contains(&exponent))
         .then(|| (significand as f64 * power_of_two(exponent), rounded.cmp(&least)))
 }
 
+/// Computes [`Rational::ceil_to_f64_beside`] of an error bound above 0, for an estimate with this nearest double. `None` where leading bits
+/// do not decide, and for long numbers.
+fn ceil_beside_by_leading_bits(error: &Rational, estimate: &Rational, double: f64) -> Option<f64> {
+    const MOST_BITS: u64 = 250;
+    let (significand, exponent) = significand_and_exponent(double);
+    // The double is an integer on this power of two, and the power a word.
+    let shift = u32::try_from(-exponent).ok().filter(|shift| *shift < 127)?;
+    let ((bound, below), (own, weight)) = (error.terms(), estimate.terms());
+    let is_long = own.bits() + u64::from(shift) > MOST_BITS || weight.bits() + 53 > MOST_BITS;
+    if is_long || !error.is_positive() {
+        return None;
+    }
+    let on_double = &Wide::from(i128::from(significand)) * &weight.wide()?;
+    let apart = on_double - &own.wide()? * &Wide::from(1_i128 << shift);
+    let apart = leading_of(apart.bits().into(), |beyond| apart.leading(beyond as u32), NUMERATOR_BITS)?;
+    let ([closest, farthest], place_apart) = enclosed(apart, leading_bits(weight, DENOMINATOR_BITS)?);
+    let bound = leading_bits(bound, NUMERATOR_BITS)?;
+    let ([least, most], place) = enclosed(bound, leading_bits(below, DENOMINATOR_BITS)?);
+    let finer = u32::try_from(place - (place_apart - i64::from(shift))).ok()?;
+    let on_place = |distance: u128| distance.checked_shr(finer).unwrap_or_default();
+    let (least, most) = (least + on_place(closest), most + on_place(farthest) + 1);
+    let left = (u128::BITS - least.leading_zeros()).checked_sub(SIGNIFICAND_BITS as u32)?;
+    let [significand, same] = [least, most].map(|sum| (sum + ((1 << left) - 1)) >> left);
+    let exponent = place + i64::from(left);
+    (significand == same && (LEAST_EXPONENT..=970).contains(&exponent))
+        .then(|| significand as f64 * power_of_two(exponent))
+}
+
+/// Bits of a numerator and of a denominator that decide nearly always, so that a quotient has at least ten more than a double.
+const NUMERATOR_BITS: u32 = 126;
+const DENOMINATOR_BITS: u32 = 62;
+
+/// A quotient of numbers that begin with these bits, from below and from above, and the power of two that both count.
+fn enclosed((above, dropped): (u128, i64), (below, dropped_below): (u128, i64)) -> ([u128; 2], i64) {
+    ([above / (below + 1), (above + 1) / below + 1], dropped - dropped_below)
+}
+
 /// The first bits of a number without its sign, that many, and how many it has after them, which is negative where zeros are added;
 /// `None` for 0.
 fn leading_bits(number: &Integer, bits: u32) -> Option<(u128, i64)> {
-    let dropped = number.bits() as i64 - i64::from(bits);
-    let leading = number.leading(dropped.max(0) as u64).filter(|leading| *leading > 0)?;
+    leading_of(number.bits(), |beyond| number.leading(beyond), bits)
+}
+
+/// The same of a number of this length, from what it is without so many of its lowest bits.
+fn leading_of(length: u64, without: impl FnOnce(u64) -> Option<u128>, bits: u32) -> Option<(u128, i64)> {
+    let dropped = length as i64 - i64::from(bits);
+    let leading = without(dropped.max(0) as u64).filter(|leading| *leading > 0)?;
     Some((leading << dropped.min(0).unsigned_abs(), dropped))
 }
 

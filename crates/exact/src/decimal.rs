@@ -1,5 +1,6 @@
 //! Decimals out: rounded to a number of significant digits, in a stated direction.
 
+mod enclosing;
 mod finite;
 mod plus_minus;
 mod quotient;

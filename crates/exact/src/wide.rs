@@ -36,6 +36,13 @@ impl Wide {
         Wide { high, low }.negated_if((left < 0) != (right < 0))
     }
 
+    /// The number of these words, the lowest first, of which it has 255 bits at most.
+    #[inline]
+    pub(crate) fn of_words([first, second, third, fourth]: [u64; 4]) -> Self {
+        let pair = |low: u64, high: u64| u128::from(high) << u64::BITS | u128::from(low);
+        Wide { high: pair(third, fourth), low: pair(first, second) }
+    }
+
     /// Returns whether the number is less than 0.
     #[inline]
     pub fn is_negative(self) -> bool {

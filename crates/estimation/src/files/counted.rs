@@ -48,6 +48,16 @@ impl CountedBatch {
         key: impl Fn(usize) -> Option<u32>,
         least: usize,
     ) -> Self {
+        CountedBatch::up_to(columns, numbers, key, (least, usize::MAX))
+    }
+
+    /// The same of the first rows, up to one more kind than `most`.
+    fn up_to(
+        columns: Vec<Column>,
+        numbers: &RowNumbers,
+        key: impl Fn(usize) -> Option<u32>,
+        (least, most): (usize, usize),
+    ) -> Self {
         let hasher = DefaultHashBuilder::default();
         let hash = |row: usize| {
             let mut state = hasher.build_hasher();
@@ -61,6 +71,9 @@ impl CountedBatch {
         let numbers = numbers.ranges().flat_map(|[first, last]| first..=last);
         let mut rows = 0;
         for (row, number) in numbers.enumerate() {
+            if kinds.len() > most {
+                break;
+            }
             rows = row + 1;
             let number = number as u64;
             if looks && row == ENOUGH_TO_TELL && kinds.len().saturating_mul(least) > row {
@@ -106,7 +119,9 @@ impl CountedBatch {
         let rows = columns.first().map_or(0, Column::len).min(ENOUGH_TO_TELL);
         let part: Vec<Column> = columns.iter().map(|column| column.part(0..rows)).collect();
         let numbers = std::iter::once(1..rows + 1).collect();
-        rows > 0 && CountedBatch::new(part, &numbers, |_| None, least).kinds() <= rows / least
+        // Where most rows differ, a few more than that part of them tell.
+        let most = rows / least;
+        rows > 0 && CountedBatch::up_to(part, &numbers, |_| None, (least, most)).kinds() <= most
     }
 
     /// Returns where the first row of each kind stands.

@@ -42,21 +42,28 @@ impl Series {
         self.segments.iter().any(|segment| matches!(segment, Column::Fractions(_)))
     }
 
+    /// Some numbers one after the other.
+    pub(super) fn column_of_run(&self, rows: Range<usize>) -> Column {
+        let mut column = Column::default();
+        let mut start = rows.start;
+        while start < rows.end {
+            let upto = rows.end.min((start / SEGMENT + 1) * SEGMENT);
+            let within = start % SEGMENT..start % SEGMENT + (upto - start);
+            column.append(&self.segments[start / SEGMENT], within);
+            start = upto;
+        }
+        column
+    }
+
     /// Some of the numbers, by their ascending positions.
     pub(super) fn column(&self, rows: impl Iterator<Item = usize>) -> Column {
         let mut column = Column::default();
-        let mut run: Option<Range<usize>> = None;
-        let mut add = |run: Range<usize>| {
-            let start = run.start % SEGMENT;
-            column.append(&self.segments[run.start / SEGMENT], start..start + run.len());
-        };
-        for row in rows {
-            match &mut run {
-                Some(run) if run.end == row && row % SEGMENT != 0 => run.end += 1,
-                _ => run.replace(row..row + 1).into_iter().for_each(&mut add),
-            }
+        let mut rows = rows.peekable();
+        while let Some(segment) = rows.peek().map(|row| row / SEGMENT) {
+            let own = std::iter::from_fn(|| rows.next_if(|row| row / SEGMENT == segment));
+            let part = self.segments[segment].at(own.map(|row| row % SEGMENT));
+            column.append(&part, 0..part.len());
         }
-        run.into_iter().for_each(&mut add);
         column
     }
 
@@ -145,12 +152,14 @@ mod tests {
         ];
         let mut series = Series::default();
         columns.iter().for_each(|column| series.push(column));
-        let all = series.column(0..columns.iter().map(Column::len).sum());
+        let count = columns.iter().map(Column::len).sum();
+        let [all, gathered] = [series.column_of_run(0..count), series.column(0..count)];
         let some = series.column([1, 2, 5, 6].into_iter());
         assert_eq!([0, 3].map(|k| some.get(k)), [1, 6].map(|k| series.get(k)));
         let expected = columns.iter().flat_map(|column| (0..column.len()).map(|index| column.get(index)));
         for (index, expected) in expected.enumerate() {
-            assert_eq!([series.get(index), all.get(index)], [expected.clone(), expected], "{index}");
+            let found = [series.get(index), all.get(index), gathered.get(index)];
+            assert_eq!(found, [expected.clone(), expected.clone(), expected], "{index}");
         }
     }
 
@@ -207,5 +216,10 @@ mod tests {
         series.push(&scaled(&ones, 0));
         assert!(matches!(series.segments.as_slice(), [Column::Fractions(_), Column::Narrow(_)]));
         assert_eq!(series.get(SEGMENT - 1), tiny);
+        let across = [SEGMENT - 3, SEGMENT - 1, SEGMENT, SEGMENT + 4];
+        let expected: Column = across.iter().map(|&row| series.get(row)).collect();
+        assert_eq!(series.column(across.into_iter()), expected);
+        let run = series.column_of_run(SEGMENT - 3..SEGMENT + 1);
+        assert_eq!((run.len(), run.get(2), run.get(3)), (4, tiny, Rational::one()));
     }
 }

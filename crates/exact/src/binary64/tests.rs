@@ -166,9 +166,11 @@ fn the_side_of_the_nearest_double_is_that_of_the_exact_one() {
             _ => long,
         }
     };
+    let mut told = 0;
     for _ in 0..20_000 {
         let (value, error) = (number(), number().abs());
         let (double, side) = value.nearest_f64();
+        told += usize::from(!side.is_eq() && ceil_beside_by_leading_bits(&error, &value, double).is_some());
         let Some(exact) = Rational::from_f64(double) else {
             assert_eq!(side, if value.is_positive() { Ordering::Greater } else { Ordering::Less });
             continue;
@@ -182,6 +184,7 @@ fn the_side_of_the_nearest_double_is_that_of_the_exact_one() {
             "{error} {value}"
         );
     }
+    assert!(told > 4_000, "{told}");
     let huge = exact("1e400");
     assert_eq!(Rational::ratio(1, 3).ceil_to_f64_beside(&huge), Rational::ratio(1, 3).ceil_to_f64());
 }

@@ -186,6 +186,24 @@ impl Column {
         }
     }
 
+    /// Returns the numbers at these places.
+    ///
+    /// # Panics
+    /// When there are not that many.
+    #[allow(clippy::indexing_slicing, reason = "documented to panic")]
+    pub fn at(&self, places: impl Iterator<Item = usize>) -> Column {
+        match self {
+            Column::Narrow(scaled) => Column::Narrow(scaled.at(places)),
+            Column::Wide(scaled) => Column::Wide(scaled.at(places)),
+            Column::Doubles(doubles) => Column::Doubles(places.map(|place| doubles[place]).collect()),
+            Column::Long(_) | Column::Fractions(_) => {
+                let mut column = Column::default();
+                places.for_each(|place| column.append(self, place..place + 1));
+                column
+            }
+        }
+    }
+
     /// Makes room for exactly so many more numbers.
     pub fn reserve(&mut self, more: usize) {
         match self {

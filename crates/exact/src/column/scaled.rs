@@ -188,6 +188,12 @@ impl<I: Count> Scaled<I> {
         Some(())
     }
 
+    /// The numbers at these places.
+    #[allow(clippy::indexing_slicing, reason = "the caller's, which is documented to panic")]
+    pub(super) fn at(&self, places: impl Iterator<Item = usize>) -> Self {
+        Scaled { counts: places.map(|place| self.counts[place]).collect(), unit: self.unit }
+    }
+
     /// Some of the numbers; those that there are.
     pub(super) fn part(&self, range: std::ops::Range<usize>) -> Self {
         Scaled { counts: self.counts.get(range).unwrap_or_default().to_vec(), unit: self.unit }

@@ -1,9 +1,9 @@
 //! Decimals of quotients that nobody has reduced: what is only rounded needs no greatest common divisor.
 
-use super::plus_minus::LEAST_PLAIN_BESIDE_PLAIN;
+use super::enclosing::Terms;
 use super::words::{self, MOST_DIGITS, bits_beyond};
-use super::{LEAST_PLAIN, PlacedDecimal, PlusMinus, Rounding, Significand};
-use crate::{Integer, Wide, powers_of_ten};
+use super::{PlacedDecimal, PlusMinus, Rounding, Significand};
+use crate::{Wide, powers_of_ten};
 
 /// A quotient of two integers of up to 255 bits times a power of ten, not in lowest terms. It is only rounded: each answer is that of
 /// the [`Rational`](crate::Rational) with the same value, or `None` where it takes longer numbers to tell.
@@ -35,13 +35,18 @@ impl WideQuotient {
     pub fn decimal(&self, digits: usize, rounding: Rounding) -> Option<PlacedDecimal> {
         let is_negative = self.numerator.is_negative();
         if self.numerator.is_zero() {
-            return Some(placed(is_negative, 0, 0, true));
+            return Some(PlacedDecimal::of_units(is_negative, 0, 0, true));
         }
         let digits = digits.max(1);
         let [numerator, denominator] = [self.numerator, self.denominator];
         let Significand { digits: units, exponent, exact } =
             significand(numerator, denominator, digits, rounding.away_from_zero(is_negative))?;
-        Some(placed(is_negative, units, exponent + 1 - digits as i64 + i64::from(self.exponent), exact))
+        Some(PlacedDecimal::of_units(
+            is_negative,
+            units,
+            exponent + 1 - digits as i64 + i64::from(self.exponent),
+            exact,
+        ))
     }
 
     /// The ends of an interval, rounded outward to the digits that it takes, from `digits` on
@@ -79,28 +84,14 @@ impl WideQuotient {
         }
         let rounded = significand(error, denominator, digits, Some(true))?;
         // Not more than 18 digits, by now.
-        let terms = Terms::new([centre, error, denominator], digits)?;
-        let mut place = rounded.exponent + 1 - digits as i64;
-        let most = u128::from(*powers_of_ten::OF_U64.get(digits)?);
-        loop {
-            let Enclosing { centre: units, error, is_exact, is_error_exact } = terms.at(place)?;
-            // Covering the rounding may carry into one more digit.
-            if error < most {
-                let place = place + i64::from(lower.exponent);
-                let centre = placed(centre.is_negative(), u64::try_from(units).ok()?, place, is_exact);
-                let mut error = placed(false, u64::try_from(error).ok()?, place, is_error_exact);
-                if !is_exact && centre.is_plain() {
-                    error.least_plain = LEAST_PLAIN_BESIDE_PLAIN;
-                }
-                return Some(PlusMinus { centre, error });
-            }
-            place += 1;
-        }
+        let bits = [centre, error, denominator].map(Wide::bits).into_iter().max()?;
+        let terms = Terms::new(bits.into(), digits, |beyond| {
+            [centre, error, denominator].map(|term| term.leading(beyond as u32))
+        })?;
+        let mut enclosing = terms.enclosing(rounded.exponent, digits)?;
+        enclosing.place += i64::from(lower.exponent);
+        Some(PlusMinus::of_units(centre.is_negative(), &enclosing))
     }
-}
-
-fn placed(is_negative: bool, units: u64, place: i64, is_exact: bool) -> PlacedDecimal {
-    PlacedDecimal { is_negative, units: Integer::from(units), place, is_exact, least_plain: LEAST_PLAIN }
 }
 
 /// The rounded significand of the absolute value of a quotient that is not 0.
@@ -119,99 +110,6 @@ fn significand(
         0 => words::of_terms(numerator, denominator, digits, away_from_zero),
         _ => words::of_leading(numerator, denominator, digits, away_from_zero),
     }
-}
-
-/// The absolute values of a centre, of its error and of their common denominator, from below; above them by less than `slack`.
-struct Terms {
-    least: [u128; 3],
-    slack: u128,
-}
-
-/// A centre and its error in units of a place.
-struct Enclosing {
-    centre: u128,
-    error: u128,
-    is_exact: bool,
-    is_error_exact: bool,
-}
-
-impl Terms {
-    fn new(terms: [Wide; 3], digits: usize) -> Option<Self> {
-        /// A centre may have more digits than its error.
-        const MORE_DIGITS: usize = 4;
-        let bits = terms.iter().map(|term| term.bits()).max()?;
-        let beyond = bits_beyond(bits.into(), digits + MORE_DIGITS) as u32;
-        let [centre, error, denominator] = terms.map(|term| term.leading(beyond));
-        Some(Terms { least: [centre?, error?, denominator?], slack: u128::from(beyond > 0) })
-    }
-
-    /// The centre rounded to nearest, and the error rounded up so that it covers what that changes.
-    fn at(&self, place: i64) -> Option<Enclosing> {
-        let power = *powers_of_ten::OF_U128.get(usize::try_from(place.unsigned_abs()).ok()?)?;
-        let [above, below] = if place < 0 { [power, 1] } else { [1, power] };
-        let factors = [above, above, below];
-        let mut least = self.least;
-        for (term, factor) in least.iter_mut().zip(factors) {
-            *term = term.checked_mul(factor)?;
-        }
-        let [centre, error, unit] = least;
-        if self.slack == 0 {
-            return exactly(centre, error, unit);
-        }
-        // Each term is at least this, and less than that.
-        let most = |term: u128, factor: u128| term.checked_add(factor);
-        within([centre, error, unit], [most(centre, above)?, most(error, above)?, most(unit, below)?])
-    }
-}
-
-fn exactly(centre: u128, error: u128, unit: u128) -> Option<Enclosing> {
-    let (floor, rest) = divided(centre, unit)?;
-    let is_up = rest > unit - rest || (rest == unit - rest && floor % 2 == 1);
-    let changed = if is_up { unit - rest } else { rest };
-    let covering = error.checked_add(changed)?;
-    let (error, beyond) = divided(covering, unit)?;
-    Some(Enclosing {
-        centre: floor + u128::from(is_up),
-        error: error + u128::from(beyond > 0),
-        is_exact: rest == 0,
-        is_error_exact: beyond == 0,
-    })
-}
-
-/// The enclosing decimals of all numbers between these; `None` where they are not the same for all. Nothing is a multiple of the unit then.
-fn within(least: [u128; 3], most: [u128; 3]) -> Option<Enclosing> {
-    let ([centre, error, unit], [most_centre, most_error, most_unit]) = (least, most);
-    let (floor, rest) = divided(centre, most_unit)?;
-    let (most_floor, most_rest) = divided(most_centre, unit)?;
-    if floor != most_floor || rest == 0 {
-        return None;
-    }
-    // The rest of a division of the numbers themselves is between both.
-    let is_up = rest.checked_mul(2)? > most_unit;
-    if !is_up && most_rest.checked_mul(2)? >= unit {
-        return None;
-    }
-    let [changed, most_changed] = if is_up {
-        let next = floor + 1;
-        [unit.checked_mul(next)?.checked_sub(most_centre)?, most_unit.checked_mul(next)?.checked_sub(centre)?]
-    } else {
-        [rest, most_rest]
-    };
-    let (covering, beyond) = divided(error.checked_add(changed)?, most_unit)?;
-    let (most_covering, _) = divided(most_error.checked_add(most_changed)?, unit)?;
-    if covering != most_covering || beyond == 0 {
-        return None;
-    }
-    Some(Enclosing {
-        centre: floor + u128::from(is_up),
-        error: covering + 1,
-        is_exact: false,
-        is_error_exact: false,
-    })
-}
-
-fn divided(dividend: u128, divisor: u128) -> Option<(u128, u128)> {
-    (divisor != 0).then(|| words::divided(dividend, divisor))
 }
 
 #[cfg(test)]
@@ -305,7 +203,8 @@ mod tests {
                     if let Some(PlusMinus { centre, error }) = WideQuotient::middle(&ends, digits) {
                         middles += 1;
                         let half = interval.width().unwrap().half();
-                        let expected = PlusMinus::enclosing(&interval.midpoint().unwrap(), &half, digits);
+                        let centre_of_both = interval.midpoint().unwrap();
+                        let expected = PlusMinus::enclosing_long(&centre_of_both, &half, digits);
                         let shown = |own: &PlusMinus| format!("{} ± {}", own.centre, own.error);
                         assert_eq!(
                             shown(&PlusMinus { centre: centre.clone(), error: error.clone() }),

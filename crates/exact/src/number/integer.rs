@@ -100,13 +100,19 @@ fn word_sum(products: &[(&Integer, &Integer)]) -> Option<i128> {
     })
 }
 
-/// A sum of at most four products, where factors are so short that it fits.
+/// A sum of at most four products, where these are so short that it fits.
 fn wide_sum(products: &[(&Integer, &Integer)]) -> Option<Wide> {
-    const MOST_BITS: u32 = 125;
-    let short = |integer: &Integer| integer.word().filter(|word| word.unsigned_abs() >> MOST_BITS == 0);
+    /// Bits of both factors of a product, so that four of them fit.
+    const MOST_BITS: u64 = 252;
+    let short = |integer: &Integer| integer.word().filter(|word| word.unsigned_abs() >> (MOST_BITS / 2) == 0);
     let mut sum = Wide::default();
     for (left, right) in products {
-        sum = sum + Wide::product(short(left)?, short(right)?);
+        let product = match (short(left), short(right)) {
+            (Some(left), Some(right)) => Wide::product(left, right),
+            _ if left.bits() + right.bits() <= MOST_BITS => &left.wide()? * &right.wide()?,
+            _ => return None,
+        };
+        sum = sum + product;
     }
     Some(sum)
 }
@@ -340,6 +346,28 @@ impl Integer {
         }
     }
 
+    /// The words of the absolute value, the lowest first, when it has 256 bits at most.
+    pub(super) fn words(&self) -> Option<[u64; 4]> {
+        match &self.0 {
+            Small(value) => {
+                let magnitude = value.get().unsigned_abs();
+                Some([magnitude as u64, (magnitude >> u64::BITS) as u64, 0, 0])
+            }
+            Big(value) => {
+                let mut words = [0; 4];
+                let mut own = value.iter_u64_digits();
+                words.iter_mut().zip(own.by_ref()).for_each(|(word, digits)| *word = digits);
+                own.next().is_none().then_some(words)
+            }
+        }
+    }
+
+    /// The value in fixed memory, when it has 255 bits at most.
+    pub(crate) fn wide(&self) -> Option<Wide> {
+        let words = self.words().filter(|_| self.bits() < 256)?;
+        Some(Wide::of_words(words).negated_if(self.is_negative()))
+    }
+
     /// The value as `u64`, when it fits.
     pub fn to_u64(&self) -> Option<u64> {
         match &self.0 {
@@ -383,7 +411,7 @@ impl Integer {
         Integer(Small(Word(value)))
     }
 
-    /// Compares two sums of at most four products. Exact. Cost: takes no memory where no factor has more than 125 bits.
+    /// Compares two sums of at most four products. Exact. Cost: takes no memory where no product has more than 252 bits.
     ///
     /// ```
     /// # use boundfit_exact::Integer;
@@ -442,6 +470,20 @@ mod tests {
     fn bits_of_powers_of_ten_are_those_of_the_powers() {
         for exponent in (0..2_000).chain([9_999, 40_000]) {
             assert_eq!(Integer::bits_of_power_of_ten(exponent), Integer::power_of_ten(exponent).bits());
+        }
+    }
+
+    #[test]
+    fn sums_of_products_compare_alike_at_every_length() {
+        let [one, two, three] = [1, 2, -3].map(Integer::from);
+        for bits in [1, 60, 62, 64, 124, 126, 127, 128, 190, 248, 250, 251, 252, 255, 256, 300] {
+            let long = Integer::power_of_two(bits) + Integer::one();
+            let opposite = -&long;
+            let compared = |more: &Integer| {
+                Integer::compare([(&long, &two), (&long, &one)], [(&opposite, &three), (more, &one)])
+            };
+            assert_eq!(compared(&Integer::zero()), Ordering::Equal, "{bits}");
+            assert_eq!([compared(&one), compared(&-&one)], [Ordering::Less, Ordering::Greater], "{bits}");
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 use std::fmt;
 
+use super::gcd::gcd;
 use super::{Integer, Sign, number, operators};
 use crate::short_text::ShortText;
 
@@ -17,11 +18,11 @@ number!(Rational);
 operators!(Rational: Add add sum_of, Sub sub difference_of, Mul mul product_of);
 
 fn sum_of(left: &Rational, right: &Rational) -> Rational {
-    combined(left, right, |own, other| own + other)
+    combined_words(left, right, false).unwrap_or_else(|| combined(left, right, |own, other| own + other))
 }
 
 fn difference_of(left: &Rational, right: &Rational) -> Rational {
-    combined(left, right, |own, other| own - other)
+    combined_words(left, right, true).unwrap_or_else(|| combined(left, right, |own, other| own - other))
 }
 
 /// Computes a sum or difference in lowest terms. It takes common divisors of the denominators only, which are smaller
@@ -40,6 +41,30 @@ fn combined(left: &Rational, right: &Rational, combine: impl Fn(&Integer, &Integ
     let numerator = combine(&(a * &d_rest), &(c * &b_rest));
     let shared = numerator.gcd(&common);
     Rational { numerator: numerator.quotient(&shared), denominator: b_rest * d.quotient(&shared) }
+}
+
+/// Computes the same of words, as most numbers are, without a long number between.
+fn combined_words(left: &Rational, right: &Rational, is_difference: bool) -> Option<Rational> {
+    let ((a, b), (c, d)) = (left.to_words()?, right.to_words()?);
+    // Products of two words, and the sum of two of them, fit into 128 bits.
+    let sum = |times_a: i64, times_c: i64| {
+        let (own, other) = (i128::from(a) * i128::from(times_a), i128::from(c) * i128::from(times_c));
+        if is_difference { own - other } else { own + other }
+    };
+    let over = |numerator: i128, divisor: i64| match i64::try_from(numerator) {
+        // A division of 64 bits is several times faster than one of 128.
+        Ok(numerator) => i128::from(numerator / divisor),
+        Err(_) => numerator / i128::from(divisor),
+    };
+    // A divisor of a positive word is one.
+    let divisor_of =
+        |number: i128, word: i64| gcd(number.unsigned_abs(), u128::from(word.unsigned_abs())) as i64;
+    let common = if b == d { b } else { divisor_of(b.into(), d) };
+    let (b_rest, d_rest) = (b / common, d / common);
+    let numerator = sum(d_rest, b_rest);
+    let shared = divisor_of(numerator, common);
+    let denominator = i128::from(b_rest) * i128::from(d / shared);
+    Some(Rational { numerator: over(numerator, shared).into(), denominator: denominator.into() })
 }
 
 /// Numerators against the other's denominators: what is left has no common divisor.
@@ -67,16 +92,16 @@ impl fmt::Display for Rational {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let is_plain = f.width().is_none() && !f.sign_plus();
         if let (Some(numerator), Some(denominator), true) =
-            (self.numerator.to_i128(), self.denominator.to_i128(), is_plain)
+            (self.numerator.words(), self.denominator.words(), is_plain)
         {
             let mut text = ShortText::new();
-            if numerator < 0 {
+            if self.numerator.is_negative() {
                 text.push("-");
             }
-            text.push_integer(numerator.unsigned_abs());
-            if denominator != 1 {
+            text.push_words(numerator);
+            if denominator != [1, 0, 0, 0] {
                 text.push("/");
-                text.push_integer(denominator.unsigned_abs());
+                text.push_words(denominator);
             }
             return f.write_str(text.as_str()?);
         }

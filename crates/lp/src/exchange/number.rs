@@ -7,7 +7,15 @@ use boundfit_exact::{Decimal, Rational};
 /// A finite decimal, digit for digit: `0.5`, `1.25e-20`; a fraction where the number has none. Exact. Cost: that of some
 /// divisions of numbers as long as the result.
 pub(super) fn push_decimal(text: &mut String, value: &Rational) {
-    // Writing to a string cannot fail.
+    /// Integers below are written with all their digits.
+    const LEAST_WITH_POWER: u64 = 1_000_000;
+    if let Some((whole, 1)) = value.to_words()
+        && whole.unsigned_abs() < LEAST_WITH_POWER
+    {
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{whole}");
+        return;
+    }
     let _ = match exact_decimal(value) {
         Some(decimal) => write!(text, "{}", decimal.compact()),
         None => write!(text, "{value}"),

@@ -16,12 +16,17 @@ pub(super) struct WrittenRows {
     /// The name of each row, its coefficients and its bounds, with a line end behind each: neither names nor numbers
     /// contain one.
     pieces: String,
+    /// The length of each piece, or [`LONG`]: looking for line ends takes several times longer.
+    lengths: Vec<u8>,
     shapes: Vec<Shape>,
     /// The columns of all coefficients.
     columns: Vec<usize>,
     /// The facts that a reader needs about the numbers of some rows, in their order.
     remarks: Vec<String>,
 }
+
+/// Stands for the length of any piece from here on.
+const LONG: u8 = u8::MAX;
 
 /// The pieces that a row has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,8 +42,8 @@ struct Shape {
 pub(super) struct WrittenRow<'a> {
     pub(super) name: &'a str,
     columns: &'a [usize],
-    /// The coefficients, with a line end behind each.
-    coefficients: &'a str,
+    /// The coefficients, and what comes behind them.
+    coefficients: Pieces<'a>,
     pub(super) lower: Option<&'a str>,
     pub(super) upper: Option<&'a str>,
     /// The upper bound less the lower one, where both are there and differ.
@@ -81,14 +86,11 @@ impl WrittenRows {
         // Writing to a string cannot fail.
         let _ = writeln!(self.pieces, "{name}");
         let end = self.pieces.len() - 1;
+        self.lengths.push(stored_length(end - start));
         let numbers =
             || coefficients.iter().map(|(_, value)| *value).chain(&bounds.lower).chain(&bounds.upper);
-        let sides = || bounds.lower.iter().chain(&bounds.upper);
-        // The exponent of 0 is `None`, which is less than any.
-        let are_finite =
-            || large.exponent().is_none_or(|most| sides().all(|side| side.decimal_exponent() < Some(most)));
-        if numbers().all(is_short) && are_finite() {
-            // Neither too long nor beyond the range of doubles.
+        if numbers().all(is_short) {
+            // Neither too long nor beyond the range of doubles, and a word is less than what readers take for infinite.
             self.push_numbers(coefficients, bounds, push_decimal);
             return;
         }
@@ -115,9 +117,11 @@ impl WrittenRows {
         bounds: &Bounds,
         write: impl Fn(&mut String, &Rational),
     ) {
-        let pieces = &mut self.pieces;
+        let (pieces, lengths) = (&mut self.pieces, &mut self.lengths);
         let mut add = |value: &Rational| {
+            let start = pieces.len();
             write(pieces, value);
+            lengths.push(stored_length(pieces.len() - start));
             pieces.push('\n');
         };
         let mut used = 0;
@@ -167,15 +171,16 @@ impl WrittenRows {
 
     /// The rows in their order.
     pub(super) fn iter(&self) -> impl Iterator<Item = WrittenRow<'_>> + Clone {
-        let (mut pieces, mut columns) = (self.pieces.as_str(), self.columns.as_slice());
+        let mut pieces = Pieces { text: &self.pieces, lengths: &self.lengths };
+        let mut columns = self.columns.as_slice();
         self.shapes.iter().map(move |shape| {
-            let name = first_piece(&mut pieces);
+            let name = pieces.take();
             let coefficients = pieces;
             let (own, others) = columns.split_at_checked(shape.coefficients).unwrap_or_default();
             columns = others;
-            own.iter().for_each(|_| _ = first_piece(&mut pieces));
+            own.iter().for_each(|_| _ = pieces.take());
             let [lower, upper, range] = [shape.has_lower, shape.has_upper, shape.has_range]
-                .map(|is_there| is_there.then(|| first_piece(&mut pieces)));
+                .map(|is_there| is_there.then(|| pieces.take()));
             WrittenRow { name, columns: own, coefficients, lower, upper, range }
         })
     }
@@ -185,7 +190,7 @@ impl<'a> WrittenRow<'a> {
     /// Columns with their coefficients, in rising order, none of them 0.
     pub(super) fn coefficients(&self) -> impl Iterator<Item = (usize, &'a str)> + Clone {
         let mut pieces = self.coefficients;
-        self.columns.iter().map(move |&column| (column, first_piece(&mut pieces)))
+        self.columns.iter().map(move |&column| (column, pieces.take()))
     }
 
     /// The coefficient of a column.
@@ -199,13 +204,29 @@ impl<'a> WrittenRow<'a> {
     }
 }
 
-/// Takes the first piece off a text. Pieces are short: looking at one byte after the other is faster than what is made for long
-/// texts.
-fn first_piece<'a>(pieces: &mut &'a str) -> &'a str {
-    let end = pieces.bytes().position(|byte| byte == b'\n').unwrap_or(pieces.len());
-    let (piece, rest) = pieces.split_at_checked(end).unwrap_or_default();
-    *pieces = rest.get(1..).unwrap_or_default();
-    piece
+/// Pieces of text, with a line end behind each.
+#[derive(Debug, Clone, Copy)]
+struct Pieces<'a> {
+    text: &'a str,
+    lengths: &'a [u8],
+}
+
+impl<'a> Pieces<'a> {
+    /// Takes the first one off.
+    fn take(&mut self) -> &'a str {
+        let end = match self.lengths.split_off_first() {
+            Some(&length) if length < LONG => usize::from(length),
+            _ => self.text.bytes().position(|byte| byte == b'\n').unwrap_or(self.text.len()),
+        };
+        let (piece, rest) = self.text.split_at_checked(end).unwrap_or_default();
+        self.text = rest.get(1..).unwrap_or_default();
+        piece
+    }
+}
+
+/// The length of a piece, as it is stored.
+fn stored_length(length: usize) -> u8 {
+    u8::try_from(length).unwrap_or(LONG)
 }
 
 /// The factor of all numbers of a row.
@@ -246,4 +267,31 @@ fn factor(by: &Rational) -> String {
 fn is_in_range(value: &Rational) -> bool {
     let double = value.to_f64();
     double.is_finite() && (double != 0.0 || value.is_zero())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_of_any_length_come_back() {
+        let mut rows = WrittenRows::default();
+        let one = Rational::one();
+        let lengths = [1, 2, 253, 254, 255, 256, 300, 3];
+        for length in lengths {
+            // 10^(length - 1) and a tenth are a number of that many digits and one behind the point.
+            let long = Rational::scientific(1, length - 1) + Rational::ratio(1, 10);
+            let bounds = Bounds { lower: Some(long), upper: None };
+            rows.push("r".repeat(length as usize), &[(0, &one), (1, &one)], &bounds, LargeBounds::Kept);
+        }
+        assert!(rows.lengths.contains(&LONG) && rows.lengths.contains(&(LONG - 1)));
+        for (row, length) in rows.iter().zip(lengths) {
+            assert_eq!(row.name.len(), length as usize);
+            assert_eq!(row.coefficients().collect::<Vec<_>>(), [(0, "1"), (1, "1")]);
+            let lower = row.lower.unwrap();
+            assert!(lower.starts_with('1') && lower.ends_with(".1") && lower.len() == length as usize + 2);
+            assert_eq!((row.upper, row.range), (None, None));
+        }
+        assert_eq!(rows.iter().count(), lengths.len());
+    }
 }

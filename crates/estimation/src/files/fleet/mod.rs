@@ -199,14 +199,14 @@ impl Fleet {
     /// # Panics
     /// When there are not that many groups.
     pub fn each(&self, group: usize) -> Measurements {
-        let each = |(reading, tally): (Measurement, Option<&Tally>)| match tally {
-            None => vec![reading],
-            Some(tally) => {
-                tally.rows().map(|row| Measurement { row: row as usize, ..reading.clone() }).collect()
-            }
-        };
-        let mut rows: Vec<Measurement> = self.kinds_of(group).into_iter().flat_map(each).collect();
-        if self.counted_groups.rows(group).len() > 0 {
+        let mut rows: Vec<Measurement> = self.rows_of(group).collect();
+        let kinds = self.counted_groups.rows(group);
+        if kinds.len() > 0 {
+            let each = |kind: usize| {
+                let (reading, tally) = self.kind(kind);
+                tally.rows().map(move |row| Measurement { row: row as usize, ..reading.clone() })
+            };
+            rows.extend(kinds.flat_map(each));
             rows.sort_by_key(|reading| reading.row);
         }
         let mut meaning = self.meaning.clone();
@@ -216,18 +216,28 @@ impl Fleet {
 
     /// The readings of a group that are kept by themselves, and behind them those that are counted.
     fn kinds_of(&self, group: usize) -> Vec<(Measurement, Option<&Tally>)> {
-        let reading = |index: usize| {
-            let numbers = self.columns.iter().map(|column| column.get(index));
-            (self.meaning.measurement(self.rows.get(index), numbers), None)
-        };
         let of_kind = |kind: usize| {
-            let tally = self.counted.tally(kind);
-            // The first column has the group.
-            let numbers = self.counted.numbers(kind).skip(1);
-            (self.meaning.measurement(tally.first() as usize, numbers), Some(tally))
+            let (reading, tally) = self.kind(kind);
+            (reading, Some(tally))
         };
         let kinds = self.counted_groups.rows(group).map(of_kind);
-        self.groups.rows(group).map(reading).chain(kinds).collect()
+        self.rows_of(group).map(|reading| (reading, None)).chain(kinds).collect()
+    }
+
+    /// The readings of a group that are kept by themselves.
+    fn rows_of(&self, group: usize) -> impl ExactSizeIterator<Item = Measurement> + '_ {
+        self.groups.rows(group).map(|index| {
+            let numbers = self.columns.iter().map(|column| column.get(index));
+            self.meaning.measurement(self.rows.get(index), numbers)
+        })
+    }
+
+    /// A reading that is counted, and its rows.
+    fn kind(&self, kind: usize) -> (Measurement, &Tally) {
+        let tally = self.counted.tally(kind);
+        // The first column has the group.
+        let numbers = self.counted.numbers(kind).skip(1);
+        (self.meaning.measurement(tally.first() as usize, numbers), tally)
     }
 
     /// The readings of a group of a line under one bound that support a hull, with what is known of all.
@@ -237,7 +247,14 @@ impl Fleet {
         let count = self.groups.rows(group).len();
         let part = |column: usize, start: usize| {
             let rows = self.groups.rows_at(group, start..start + ROWS);
-            self.columns.get(column).map(|series| series.column(rows)).unwrap_or_default()
+            let part = |series: &Series| match self.groups.run(group) {
+                Some(run) => {
+                    let first = run.start + start;
+                    series.column_of_run(first..first + rows.len())
+                }
+                None => series.column(rows),
+            };
+            self.columns.get(column).map(part).unwrap_or_default()
         };
         let (mut summary, sieve) = (LineSummary::default(), SharedSieve::listing(Ties::MOST_LISTED));
         for start in (0..count).step_by(ROWS) {
@@ -434,8 +451,10 @@ enum Part {
 
 impl Part {
     fn of(mut batch: Batch) -> Self {
+        let mut last = None;
         let begins = |&row: &usize| {
-            batch.keys.as_ref().is_some_and(|keys| row == 0 || keys.get(row) != keys.get(row - 1))
+            let key = batch.keys.as_ref().map(|keys| keys.get(row));
+            key.is_some() && last.replace(key) != Some(key)
         };
         let starts: Vec<usize> = (0..batch.rows.len()).filter(begins).collect();
         if starts.is_empty() || !CountedBatch::are_few(&batch.columns, FEWEST_EQUAL) {

@@ -135,3 +135,24 @@ fn integers_and_words_are_the_same_number() {
     assert_eq!(Rational::ratio(-3, 4).to_words(), Some((-3, 4)));
     assert_eq!(Rational::from(&Integer::power_of_two(70)).to_words(), None);
 }
+
+#[test]
+fn fractions_of_all_lengths_are_written_like_those_of_the_library() {
+    let (nines, one) = (10_u64.pow(19) - 1, 1);
+    for above in [0, one, nines, nines + 1, u64::MAX] {
+        let mut numerator = Integer::from(above);
+        let mut denominator = Integer::one();
+        // Up to 448 bits, with words of zeros between others, and chunks of nineteen digits that begin with zeros.
+        for word in [0, one, 0, nines, u64::MAX, 0, one] {
+            numerator = numerator * Integer::power_of_two(64) + Integer::from(word);
+            denominator = denominator * Integer::power_of_ten(19) + Integer::from(word / 3 * 2 + 1);
+            for signed in [numerator.clone(), -&numerator] {
+                let value = Rational::new(signed, denominator.clone()).unwrap();
+                let [above, below] = [value.numerator(), value.denominator()].map(|term| term.to_big());
+                let expected = if below == 1.into() { above.to_string() } else { format!("{above}/{below}") };
+                assert_eq!(value.to_string(), expected);
+                assert_eq!(format!("{value:>200}"), format!("{expected:>200}"));
+            }
+        }
+    }
+}
