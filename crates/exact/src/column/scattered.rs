@@ -156,7 +156,7 @@ fn rounded(mantissa: i64, mut exponent: i32) -> Option<f64> {
     ];
     const LEAST: i32 = -304;
     let mut number = mantissa as f64;
-    // What is still too small after two steps is no normal number.
+    // After two steps only numbers below the normal ones are still too small.
     for _ in 0..2 {
         if exponent < LEAST {
             (number, exponent) = (number / 1e22, exponent + 22);

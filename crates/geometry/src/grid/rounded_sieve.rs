@@ -45,7 +45,7 @@ impl RoundedSieve {
 pub fn candidates_of_rounded(x: &[f64], y: &[f64]) -> Vec<usize> {
     /// The most rows that are not filtered.
     const FEW: usize = 64;
-    /// So few rows are all in the sample: an exact decision about one takes longer than its share of the sample's hull.
+    /// The most rows that are all in the sample: an exact decision about one takes longer than its share of the sample's hull.
     const WHOLE: usize = 512;
     let mut positions: Vec<usize> = (0..x.len().min(y.len())).collect();
     let (mut xs, mut ys) = (x.to_vec(), y.to_vec());

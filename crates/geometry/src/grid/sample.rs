@@ -26,11 +26,11 @@
 //! the margin m + k·|x| therefore grows with |x|. Let N be the end of its chord from which x goes away from 0, F the other
 //! end, and w their distance. The evaluated v = s·x + c differs from the true chord by no more than r in each end, where r is
 //! |y - v| there and 32u·(|s·x| + |c| + |y|): rounding and 8u of x and y are less. Between the ends the difference is at most
-//! r_N + r_F·(|x_N| + |x|)/w. A y that is not above the true chord is rounded to no more than 1.1 times that and 20u·|s·x| +
-//! 12u·|c| above the evaluated v, with the roundings of slope, intercept and v counted. Hence m = 2·r_N + 2·r_F·|x_N|/w +
-//! 32u·|c| and k = 2·r_F/w + 32u·|s| are enough. They are as long as w is certain, which is asked for. Quotients may
-//! underflow, by less than 2⁻¹⁰⁶⁸, which is added to each. No |x| in the cell is greater than that of F. So s·x overflows
-//! only where r_F does, and then m is infinite or NaN.
+//! r_N + r_F·(|x_N| + |x|)/w. A y that is not above the true chord is rounded to no more than 1.1 times that above the evaluated
+//! v, and 20u·|s·x| + 12u·|c|. This counts the roundings of slope, intercept and v. Hence m = 2·r_N + 2·r_F·|x_N|/w + 32u·|c|
+//! and k = 2·r_F/w + 32u·|s| are enough. They are as long as w is certain, which is asked for. Quotients may underflow, by
+//! less than 2⁻¹⁰⁶⁸, which is added to each. No |x| in the cell is greater than that of F. So s·x overflows only where r_F
+//! does, and then m is infinite or NaN.
 
 use std::cmp::Ordering;
 
@@ -118,8 +118,8 @@ impl Sample<f64> {
     }
 }
 
-/// A line that is certainly not below the chord between two points, in a cell right of x = 0 or left of it; `None` where
-/// these are too near to each other.
+/// A line that is certainly not below the chord between two points, in a cell right of x = 0 or left of it. `None` where the
+/// points are too near to each other.
 fn growing_chord([p, q]: [&Sampled<f64>; 2], is_right: bool) -> Option<Chord> {
     /// The least distance, as a part of their sizes.
     const NEAR: f64 = 1.0 / (1_u64 << 30) as f64;
@@ -146,8 +146,8 @@ fn growing_chord([p, q]: [&Sampled<f64>; 2], is_right: bool) -> Option<Chord> {
     Some(Chord { slope, intercept: intercept + margin })
 }
 
-/// For each cell, the positions of the last point of a hull before it and of the first point behind it; of the first or the
-/// last of the hull where there is none: the sample has no other x.
+/// Returns the positions of the last point of a hull before each cell, and of the first point behind it. Where there is none
+/// the first or the last of the hull takes its place: the sample has no other x.
 fn ends<C: Coordinate, I: Index<C>>(hull: &[Sampled<C>], index: &I) -> impl Iterator<Item = [usize; 2]> {
     let (mut before, mut after) = (0, 0);
     (0..I::CELLS).map(move |cell| {
