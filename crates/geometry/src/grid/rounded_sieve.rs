@@ -189,13 +189,13 @@ mod tests {
     /// A margin that is as wide everywhere leaves nearly all of them.
     #[test]
     fn most_numbers_along_a_ray_are_discarded_whatever_their_size() {
-        for sign in [-1.0, 1.0] {
-            let mut state = 3;
+        for seed in 0..12 {
+            let (mut state, sign) = (seed, [-1.0, 1.0][seed as usize % 2]);
             let mut unit = || word(&mut state) as f64 / (1_u64 << 31) as f64;
-            let x: Vec<f64> = (0..10_000).map(|_| sign * 10_f64.powf(600.0 * unit() - 300.0)).collect();
+            let x: Vec<f64> = (0..5000).map(|_| sign * 10_f64.powf(600.0 * unit() - 300.0)).collect();
             let y: Vec<f64> = x.iter().map(|x| x * (1.9 + 0.2 * unit())).collect();
             let kept = candidates_of_rounded(&x, &y).len();
-            assert!(kept < 64, "{kept} of 10,000");
+            assert!(kept < 100, "{kept} of 5,000");
         }
     }
 

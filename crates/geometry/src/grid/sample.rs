@@ -138,10 +138,9 @@ fn growing_chord([p, q]: [&Sampled<f64>; 2], is_right: bool) -> Option<Chord> {
             + UNDERFLOW
     };
     let [off_near, off_far] = [off(near), off(far)];
-    let margin = 2.0 * (off_near + off_far * (near.x.abs() / width + UNDERFLOW))
-        + ROUNDING * intercept.abs()
-        + UNDERFLOW;
-    let growth = 2.0 * off_far / width + ROUNDING * slope.abs() + UNDERFLOW;
+    let off_along = off_far / width + UNDERFLOW;
+    let margin = 2.0 * (off_near + off_along * near.x.abs()) + ROUNDING * intercept.abs() + UNDERFLOW;
+    let growth = 2.0 * off_along + ROUNDING * slope.abs();
     let slope = if is_right { slope + growth } else { slope - growth };
     Some(Chord { slope, intercept: intercept + margin })
 }
