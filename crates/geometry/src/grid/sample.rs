@@ -126,7 +126,8 @@ fn growing_chord([p, q]: [&Sampled<f64>; 2], is_right: bool) -> Option<Chord> {
     const ROUNDING: f64 = 16.0 * f64::EPSILON;
     let [near, far] = if is_right { [p, q] } else { [q, p] };
     let width = q.x - p.x;
-    if !(width > (p.x.abs() + q.x.abs()) * NEAR) {
+    let is_certain = width > (p.x.abs() + q.x.abs()) * NEAR;
+    if !is_certain {
         return None;
     }
     let slope = (q.y - p.y) / width;
