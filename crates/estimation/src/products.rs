@@ -1,7 +1,8 @@
 //! Sums of products of two columns.
 
 use boundfit_exact::{
-    Column, Count, DoubleSum, Dyadic, Integer, Long, LongProducts, Rational, Scaled, Sum, Unit, WideProducts,
+    Column, Count, DecimalSum, DoubleSum, Dyadic, Integer, Long, LongProducts, Rational, Scaled, Sum, Unit,
+    WideProducts,
 };
 
 use crate::moments::{SUM_BITS, bits, widest};
@@ -19,6 +20,14 @@ pub(crate) fn product_sum(left: &Column, right: &Column) -> Sum {
         (Column::Wide(x), Column::Narrow(y)) => of_counts(wide(x, y), [x.unit(), y.unit()]),
         (Column::Wide(x), Column::Wide(y)) => of_counts(wide(x, y), [x.unit(), y.unit()]),
         (Column::Doubles(x), Column::Doubles(y)) => sum_of(doubles(x, y)),
+        (Column::Scattered(x), Column::Scattered(y)) => {
+            let mut sum = DecimalSum::default();
+            for (&(x, x_exponent), &(y, y_exponent)) in x.numbers().iter().zip(y.numbers()) {
+                // Two magnitudes of 63 bits and one exponent far from any limit.
+                sum.add(i128::from(x).wrapping_mul(y.into()), x_exponent.wrapping_add(y_exponent));
+            }
+            sum.total()
+        }
         _ => match (left.long(), right.long()) {
             (Some(x), Some(y)) => of_counts(long(&x, &y), [x.unit(), y.unit()]),
             _ => {
@@ -89,6 +98,7 @@ mod tests {
             Column::of_counts([0; 5].into_iter(), Unit::Any),
             long,
             Column::of_doubles(&[1.5, -0.25, 0.0, 1e300, -1e-300]).unwrap(),
+            Column::of_shortest(&[1.5, -0.25, 0.0, 1e300, -1e-300]).unwrap(),
             Column::Fractions([read("1/3"), read("-2/7"), read("0"), read("9e99"), read("1")].to_vec()),
         ];
         for left in &columns {

@@ -1,6 +1,8 @@
 //! The sums over readings that least squares needs, in constant memory.
 
-use boundfit_exact::{Column, DoubleSum, Dyadic, Integer, LongTotal, Rational, Scaled, Sum, Unit, WideSum};
+use boundfit_exact::{
+    Column, DecimalSum, DoubleSum, Dyadic, Integer, LongTotal, Rational, Scaled, Sum, Unit, WideSum,
+};
 
 use crate::moments::Sums;
 use crate::products::{product_sum, sum_of};
@@ -32,6 +34,11 @@ pub(crate) fn column_sum(column: &Column) -> Sum {
             let mut sum = DoubleSum::default();
             doubles.chunks(Dyadic::CHUNK).for_each(|chunk| sum.add_all(&Dyadic::new(chunk)));
             sum_of(sum.total())
+        }
+        Column::Scattered(scattered) => {
+            let mut sum = DecimalSum::default();
+            scattered.numbers().iter().for_each(|&(mantissa, exponent)| sum.add(mantissa.into(), exponent));
+            sum.total()
         }
         Column::Fractions(_) => {
             let mut sum = Sum::default();

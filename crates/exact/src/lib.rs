@@ -20,6 +20,7 @@
 mod binary64;
 mod column;
 mod decimal;
+mod decimal_sum;
 mod double_sum;
 mod dyadic;
 pub mod english;
@@ -45,8 +46,9 @@ mod work;
 mod written;
 
 pub use binary64::{nearest_double, plain_double, significand_and_exponent};
-pub use column::{Column, Count, Long, LongProducts, LongTotal, Scaled, Unit, compare_words};
+pub use column::{Column, Count, Long, LongProducts, LongTotal, Scaled, Scattered, Unit, compare_words};
 pub use decimal::{Decimal, PlacedDecimal, PlusMinus, Rounding, WideQuotient};
+pub use decimal_sum::DecimalSum;
 pub use double_sum::DoubleSum;
 pub use dyadic::Dyadic;
 pub use foreign::Foreign;

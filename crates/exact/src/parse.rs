@@ -7,7 +7,7 @@ use serde::Deserialize;
 use thiserror::Error;
 
 use crate::notation::SPACES;
-use crate::{DecimalMark, Integer, Notation, Rational};
+use crate::{DecimalMark, Integer, Notation, PLAIN_DIGITS, PLAIN_EXPONENT, Rational, plain_decimal};
 
 /// The limits of a number in a file. A number beyond a limit is refused before it is built.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,7 +95,13 @@ impl Reading {
         notation: Notation,
         limits: &Limits,
     ) -> Result<Rational, ParseNumberError> {
-        let exact = Scanner { bytes: text.as_bytes(), text, position: 0, notation, limits }.number()?;
+        // Most numbers are plain, and within any limit that is not below what plain numbers keep to.
+        let is_roomy = limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT;
+        let plain = (is_roomy && notation == Notation::default()).then(|| plain_decimal(text.as_bytes()));
+        let exact = match plain.flatten() {
+            Some((mantissa, exponent)) => Rational::scientific(mantissa, exponent),
+            None => Scanner { bytes: text.as_bytes(), text, position: 0, notation, limits }.number()?,
+        };
         match self {
             Reading::Decimal => Ok(exact),
             Reading::Binary64 => Rational::from_f64(exact.to_f64())

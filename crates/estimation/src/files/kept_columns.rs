@@ -88,6 +88,7 @@ fn bytes_of(column: &Column) -> usize {
         Column::Wide(scaled) => size_of_val(scaled.counts()),
         Column::Long(long) => long.len() * long.width() * size_of::<i64>(),
         Column::Doubles(doubles) => size_of_val(doubles.as_slice()),
+        Column::Scattered(scattered) => size_of_val(scattered.numbers()),
         Column::Fractions(numbers) => size_of_val(numbers.as_slice()),
     }
 }

@@ -39,7 +39,7 @@ impl Series {
 
     /// Returns whether some numbers did not fit into integers of machine words or doubles.
     pub(super) fn has_fractions(&self) -> bool {
-        self.segments.iter().any(|segment| matches!(segment, Column::Fractions(_)))
+        self.segments.iter().any(|segment| matches!(segment, Column::Scattered(_) | Column::Fractions(_)))
     }
 
     /// Some numbers one after the other.
@@ -83,7 +83,9 @@ impl Series {
         let counts = match segment {
             Column::Narrow(scaled) => scaled.counts().get(within)?.iter().copied().map(i128::from).collect(),
             Column::Wide(scaled) => scaled.counts().get(within)?.to_vec(),
-            Column::Long(_) | Column::Doubles(_) | Column::Fractions(_) => return None,
+            Column::Long(_) | Column::Doubles(_) | Column::Scattered(_) | Column::Fractions(_) => {
+                return None;
+            }
         };
         Some(Counts { counts, exponent: exponent(segment)? })
     }
@@ -105,7 +107,7 @@ impl Series {
             let count = match segment {
                 Column::Narrow(scaled) => scaled.counts().get(row % SEGMENT).copied().map(i128::from),
                 Column::Wide(scaled) => scaled.counts().get(row % SEGMENT).copied(),
-                Column::Long(_) | Column::Doubles(_) | Column::Fractions(_) => None,
+                Column::Long(_) | Column::Doubles(_) | Column::Scattered(_) | Column::Fractions(_) => None,
             }?;
             match exponent(segment)?.abs_diff(exponent_of_all) {
                 0 => Some(count),
@@ -121,7 +123,9 @@ fn exponent(segment: &Column) -> Option<i32> {
     let unit = match segment {
         Column::Narrow(scaled) => scaled.unit(),
         Column::Wide(scaled) => scaled.unit(),
-        Column::Long(_) | Column::Doubles(_) | Column::Fractions(_) => return None,
+        Column::Long(_) | Column::Doubles(_) | Column::Scattered(_) | Column::Fractions(_) => {
+            return None;
+        }
     };
     match unit {
         Unit::Any => Some(0),

@@ -1,7 +1,8 @@
 //! The positions of the x of a line, as the EUI needs them; they are known only when all readings have been seen.
 
 use boundfit_exact::{
-    Column, Count, DoubleSum, Dyadic, Long, LongTotal, Rational, Scaled, Sum, Unit, WideSum, compare_words,
+    Column, Count, DecimalSum, DoubleSum, Dyadic, Long, LongTotal, Rational, Scaled, Sum, Unit, WideSum,
+    compare_words,
 };
 
 use crate::line_form::LineForm;
@@ -42,6 +43,12 @@ impl Thresholds {
             Column::Wide(x) => self.of_scaled(x),
             Column::Long(x) => self.of_long(x),
             Column::Doubles(x) => self.of_doubles(x),
+            Column::Scattered(x) => Spread::of_counts(self.values.each_ref().map(|threshold| {
+                let mut sum = DecimalSum::default();
+                let above = x.above(threshold).map(|(mantissa, exponent)| sum.add(mantissa.into(), exponent));
+                let count = above.count();
+                (count, sum.total().total())
+            })),
             Column::Fractions(_) => Spread {
                 above: self.values.each_ref().map(|threshold| {
                     let mut total = Sum::default();

@@ -19,6 +19,7 @@ impl Column {
             Column::Wide(scaled) => scaled.counts()[index].hash(state),
             Column::Long(long) => long.words(index).hash(state),
             Column::Doubles(doubles) => doubles[index].to_bits().hash(state),
+            Column::Scattered(scattered) => scattered.numbers()[index].hash(state),
             Column::Fractions(numbers) => numbers[index].hash(state),
         }
     }
@@ -37,6 +38,7 @@ impl Column {
             Column::Wide(scaled) => scaled.counts()[one] == scaled.counts()[other],
             Column::Long(long) => long.words(one) == long.words(other),
             Column::Doubles(doubles) => doubles[one] == doubles[other],
+            Column::Scattered(scattered) => scattered.numbers()[one] == scattered.numbers()[other],
             Column::Fractions(numbers) => numbers[one] == numbers[other],
         }
     }

@@ -118,9 +118,9 @@ mod tests {
             ),
             (&[0.1 + 0.2, 0.5], |column| matches!(column, Column::Narrow(_))),
             (&[0.1 + 0.2, 1e9, 0.0], |column| matches!(column, Column::Wide(_))),
-            (&[1e300, 1e-300, -7.25], |column| matches!(column, Column::Fractions(_))),
+            (&[1e300, 1e-300, -7.25], |column| matches!(column, Column::Scattered(_))),
             (&[f64::MAX, f64::from_bits(1), f64::MIN_POSITIVE], |column| {
-                matches!(column, Column::Fractions(_))
+                matches!(column, Column::Scattered(_))
             }),
         ];
         for (doubles, is_kept) in columns {

@@ -166,6 +166,18 @@ impl Long {
         Some(())
     }
 
+    /// The number of these words as `count · 10^exponent` lowest units; `None` if its digits take more than two words.
+    pub(super) fn short_count(words: &[i64]) -> Option<(i128, i32)> {
+        let Some(low) = words.iter().position(|&word| word != 0) else { return Some((0, 0)) };
+        let (own, above) = words.split_at_checked(low + 1)?;
+        let (next, rest) = above.split_first().unwrap_or((&0, &[]));
+        if rest.iter().any(|&word| word != 0) {
+            return None;
+        }
+        let count = i128::from(*next).wrapping_mul(RADIX.into()).wrapping_add((*own.last()?).into());
+        Some((count, low as i32 * WORD_DIGITS))
+    }
+
     /// Adds so many units.
     pub(super) fn push_count(&mut self, count: i128, unit: Unit) -> Option<()> {
         match unit {

@@ -5,6 +5,7 @@ mod decimals;
 mod long;
 mod rounded;
 mod scaled;
+mod scattered;
 mod signed;
 mod unit;
 
@@ -16,6 +17,7 @@ use long::long_number;
 
 pub use long::{Long, LongProducts, LongTotal, compare_words};
 pub use scaled::{Count, Scaled};
+pub use scattered::Scattered;
 pub use unit::Unit;
 
 /// Exact numbers in the order in which they were added. The storage follows from the lengths of the numbers, and no
@@ -41,6 +43,8 @@ pub enum Column {
     /// Finite doubles, each meant exactly; zero is never negative. They are a kind of their own because no integers of
     /// these sizes hold numbers whose exponents differ by 2000, and because floats compare and add them faster.
     Doubles(Vec<f64>),
+    /// Decimals of few digits that differ so much in size that no words on a common unit hold them.
+    Scattered(Scattered),
     /// Numbers that are none of these.
     Fractions(Vec<Rational>),
 }
@@ -92,6 +96,7 @@ impl Column {
             Column::Wide(scaled) => scaled.counts().len(),
             Column::Long(long) => long.len(),
             Column::Doubles(doubles) => doubles.len(),
+            Column::Scattered(scattered) => scattered.numbers().len(),
             Column::Fractions(numbers) => numbers.len(),
         }
     }
@@ -115,6 +120,7 @@ impl Column {
             Column::Wide(scaled) => scaled.unit().times(scaled.counts()[index]),
             Column::Long(long) => long.get(index),
             Column::Doubles(doubles) => Rational::from_f64(doubles[index]).unwrap_or_default(),
+            Column::Scattered(scattered) => Scattered::number(scattered.numbers()[index]),
             Column::Fractions(numbers) => numbers[index].clone(),
         }
     }
@@ -126,6 +132,7 @@ impl Column {
             Column::Wide(scaled) => scaled.counts().iter().position(|&count| count < 0),
             Column::Long(long) => long.numbers().position(|words| words.iter().any(|&word| word < 0)),
             Column::Doubles(doubles) => doubles.iter().position(|&double| double < 0.0),
+            Column::Scattered(scattered) => scattered.numbers().iter().position(|number| number.0 < 0),
             Column::Fractions(numbers) => numbers.iter().position(Rational::is_negative),
         }
     }
@@ -137,6 +144,7 @@ impl Column {
             Column::Wide(scaled) => scaled.counts().contains(&0),
             Column::Long(long) => long.numbers().any(|words| words.iter().all(|&word| word == 0)),
             Column::Doubles(doubles) => doubles.contains(&0.0),
+            Column::Scattered(scattered) => scattered.numbers().iter().any(|number| number.0 == 0),
             Column::Fractions(numbers) => numbers.iter().any(Rational::is_zero),
         }
     }
@@ -151,7 +159,7 @@ impl Column {
         match self {
             Column::Narrow(scaled) => Some(Cow::Owned(scaled.widened())),
             Column::Wide(scaled) => Some(Cow::Borrowed(scaled)),
-            Column::Long(_) | Column::Doubles(_) | Column::Fractions(_) => None,
+            Column::Long(_) | Column::Doubles(_) | Column::Scattered(_) | Column::Fractions(_) => None,
         }
     }
 
@@ -167,7 +175,7 @@ impl Column {
                 of_counts(&mut scaled.counts().iter().copied(), scaled.unit()).map(Cow::Owned)
             }
             Column::Long(long) => Some(Cow::Borrowed(long)),
-            Column::Doubles(_) | Column::Fractions(_) => None,
+            Column::Doubles(_) | Column::Scattered(_) | Column::Fractions(_) => None,
         }
     }
 
@@ -182,6 +190,7 @@ impl Column {
             Column::Wide(scaled) => Column::Wide(scaled.part(range)),
             Column::Long(long) => Column::Long(long.part(range)),
             Column::Doubles(doubles) => Column::Doubles(doubles[range].to_vec()),
+            Column::Scattered(scattered) => Column::Scattered(scattered.part(range)),
             Column::Fractions(numbers) => Column::Fractions(numbers[range].to_vec()),
         }
     }
@@ -211,6 +220,7 @@ impl Column {
             Column::Wide(scaled) => scaled.reserve(more),
             Column::Long(long) => long.reserve(more),
             Column::Doubles(doubles) => doubles.reserve_exact(more),
+            Column::Scattered(scattered) => scattered.numbers_mut().reserve_exact(more),
             Column::Fractions(numbers) => numbers.reserve_exact(more),
         }
     }
@@ -315,6 +325,10 @@ impl Column {
                     None => range.for_each(|index| own.push(other.get(index))),
                 }
             }
+            (own, Column::Scattered(other)) => {
+                let numbers = other.numbers()[range].iter();
+                numbers.for_each(|&(mantissa, exponent)| own.push_decimal(mantissa, exponent));
+            }
             _ => range.for_each(|index| self.push(other.get(index))),
         }
     }
@@ -344,8 +358,16 @@ impl Column {
                 *self = Column::Long(long);
             }
         }
-        if let Column::Long(long) = self
-            && long.push_count(count, unit).is_some()
+        if let Column::Long(long) = self {
+            if long.push_count(count, unit).is_some() {
+                return;
+            }
+            if let Some(scattered) = Scattered::of_long(long) {
+                *self = Column::Scattered(scattered);
+            }
+        }
+        if let Column::Scattered(scattered) = self
+            && scattered.push(count, unit).is_some()
         {
             return;
         }

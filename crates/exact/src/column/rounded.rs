@@ -13,6 +13,7 @@ impl Column {
             Column::Wide(scaled) => of_scaled(scaled, of_wide),
             Column::Long(long) => long.rounded(),
             Column::Doubles(doubles) => Some(doubles.clone()),
+            Column::Scattered(scattered) => scattered.rounded(),
             Column::Fractions(numbers) => {
                 let rounded = |number: &Rational| {
                     let double = number.to_f64();

@@ -30,6 +30,7 @@ impl Column {
                     doubles.iter().zip(signs()).map(|(&d, negated)| if negated { 0.0 - d } else { d });
                 Column::Doubles(signed.collect())
             }
+            Column::Scattered(scattered) => Column::Scattered(scattered.negated_where(signs())),
             Column::Fractions(numbers) => {
                 let signed =
                     |(number, negated): (&Rational, bool)| if negated { -number } else { number.clone() };
@@ -57,6 +58,7 @@ mod tests {
             Column::of_counts([3, -5, 0, 1 << 100, -1 << 100].into_iter(), Unit::OneOver(7)),
             long,
             Column::of_doubles(&[1.5, -0.25, 0.0, 1e300]).unwrap(),
+            Column::of_shortest(&[1.5e300, -2.5e-300, 0.0, -7.0]).unwrap(),
             Column::Fractions([read("1/3"), read("-2/7"), read("0"), read("9e99")].to_vec()),
         ];
         for column in columns {

@@ -164,3 +164,56 @@ fn limits_are_told_from_what_is_no_number() {
     assert!(read(&"7".repeat(20_000)).unwrap_err().kind.is_limit());
     assert!(Reading::Binary64.read("1e400", &Limits::default()).unwrap_err().kind.is_limit());
 }
+
+/// Numbers and texts that are nearly numbers, by the one rule for all texts and by the way for plain ones.
+#[test]
+fn plain_numbers_are_what_the_scanner_reads() {
+    let mut state = 1_u64;
+    let mut below = |limit: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % limit
+    };
+    let pieces = [
+        "0",
+        "00",
+        "7",
+        "123",
+        "99999999999",
+        "9223372036854775808",
+        ".",
+        ".",
+        "-",
+        "+",
+        "e",
+        "E",
+        "d",
+        "e-3",
+        "e+2",
+        "e999",
+        "e1000",
+        "e0004",
+        " ",
+        "\t",
+        "\u{c}",
+        "\u{b}",
+        "\u{a0}",
+        "\u{2212}",
+        "/",
+        "_",
+        ",",
+        "x",
+    ];
+    let limits = [Limits::default(), Limits { digits: 3, exponent: 2 }, Limits { digits: 40, exponent: 999 }];
+    let mut numbers = 0;
+    for _ in 0..60_000 {
+        let text: String = (0..below(6)).map(|_| pieces[below(pieces.len())]).collect();
+        for limits in &limits {
+            let notation = Notation::default();
+            let scanner = Scanner { bytes: text.as_bytes(), text: &text, position: 0, notation, limits };
+            let expected = scanner.number();
+            numbers += usize::from(expected.is_ok());
+            assert_eq!(Reading::Decimal.read(&text, limits), expected, "{text:?}");
+        }
+    }
+    assert!(numbers > 10_000, "{numbers}");
+}

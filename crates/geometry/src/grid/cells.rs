@@ -124,6 +124,7 @@ impl<C: Coordinate> Index<C> for Between<C> {
 }
 
 /// Cells around and between ascending places that are rounded: a knot certainly left of each place, and one certainly right of it.
+/// One more knot is 0, so that each cell is on one side of it.
 pub(super) struct Around {
     between: Between<f64>,
     /// The difference from which on, relatively, one number is certainly on one side of another.
@@ -141,13 +142,19 @@ impl Around {
         };
         let mut knots: Vec<f64> =
             chosen.into_iter().flat_map(|place| [moved(place, -blur), moved(place, blur)]).collect();
+        knots.push(0.0);
         knots.sort_unstable_by(f64::total_cmp);
         Some(Around { between: Between::places(&knots)?, blur })
+    }
+
+    /// Returns whether a cell is right of x = 0, and not left of it.
+    pub(super) fn is_right_of_zero(&self, cell: usize) -> bool {
+        cell > 0 && self.between.knots[cell - 1] >= 0.0
     }
 }
 
 /// A number moved by a part of its magnitude.
-fn moved(number: f64, part: f64) -> f64 {
+pub(super) fn moved(number: f64, part: f64) -> f64 {
     number + number.abs() * part
 }
 

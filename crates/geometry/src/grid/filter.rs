@@ -6,9 +6,9 @@
 //! certainly above the one chord and below the other is strictly between the hulls. (The idea is that of Akl and
 //! Toussaint 1978.)
 
-use super::cells::{Cell, Index, MOST_CELLS};
+use super::cells::{Around, Cell, Index, MOST_CELLS, moved};
 use super::coordinate::Coordinate;
-use super::sample::{Sample, Sampled};
+use super::sample::{BLUR, Sample, Sampled};
 use super::strip::Strip;
 use crate::tally::Tally;
 
@@ -160,6 +160,17 @@ impl<I: Index<f64>> Filter<f64, I> {
         let filter = Filter::new(sample, index);
         let (least, greatest) = (filter.least + sample.blur(), filter.greatest - sample.blur());
         Filter { least, greatest, ..filter }
+    }
+}
+
+impl Filter<f64, Around> {
+    /// Returns a filter of numbers that are rounded already and of all sizes, with cells around the corners of the hulls.
+    pub(super) fn of_all_sizes(sample: &Sample<f64>) -> Option<Self> {
+        let index = sample.cells_around_corners()?;
+        let cells = sample.cells_of_all_sizes(&index);
+        let (least, greatest) = (moved(sample.origin, BLUR), moved(sample.end, -BLUR));
+        // Its lines are over x itself.
+        Some(Filter { strip: None, origin: 0.0, least, greatest, index, cells })
     }
 }
 

@@ -23,7 +23,7 @@ impl RoundedSieve {
     fn of_sample(x: &[f64], y: &[f64], size: usize) -> Option<Self> {
         let sample = Sample::of_rounded(x, y, size)?;
         let equal = Filter::of_rounded(&sample, sample.equal_cells()?);
-        Some(RoundedSieve { equal, corners: Filter::of_rounded(&sample, sample.cells_around_corners()?) })
+        Some(RoundedSieve { equal, corners: Filter::of_all_sizes(&sample)? })
     }
 
     /// Positions, ascending, of the rows of two rounded columns of equal length that are not certainly strictly between the
@@ -45,11 +45,13 @@ impl RoundedSieve {
 pub fn candidates_of_rounded(x: &[f64], y: &[f64]) -> Vec<usize> {
     /// The most rows that are not filtered.
     const FEW: usize = 64;
+    /// The most rows that are all in the sample: an exact decision about one takes longer than its share of the sample's hull.
+    const WHOLE: usize = 512;
     let mut positions: Vec<usize> = (0..x.len().min(y.len())).collect();
     let (mut xs, mut ys) = (x.to_vec(), y.to_vec());
     // Another round has a better sample.
     while positions.len() > FEW {
-        let Some(sieve) = RoundedSieve::of_sample(&xs, &ys, 4 * xs.len().isqrt()) else { break };
+        let Some(sieve) = RoundedSieve::of_sample(&xs, &ys, WHOLE.max(4 * xs.len().isqrt())) else { break };
         let kept = sieve.survivors(&xs, &ys);
         let is_enough = 2 * kept.len() > xs.len();
         positions = kept.iter().map(|&kept| positions[kept]).collect();
@@ -64,7 +66,7 @@ pub fn candidates_of_rounded(x: &[f64], y: &[f64]) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::{GridPoint, touching};
+    use crate::grid::{GridPoint, touching, touching_doubles};
     use crate::tally::Tally;
 
     fn word(state: &mut u64) -> u64 {
@@ -117,6 +119,84 @@ mod tests {
             assert!(expected.iter().all(|id| is_left(*id as usize)));
         }
         assert!(discarded > 200_000, "only {discarded}");
+    }
+
+    /// Numbers of all sizes and both signs: along rays, near curves or hulls, on lines, in clusters, with zeros and ties.
+    fn of_all_sizes(state: &mut u64) -> Vec<[f64; 2]> {
+        let kind = word(state) % 8;
+        let spread = [2, 20, 100, 290][word(state) as usize % 4];
+        let (signs, count, ties) = (word(state) % 4, 65 + word(state) % 900, word(state) as usize % 40);
+        let far = 10_f64.powi(word(state) as i32 % (2 * spread) - spread);
+        let number = |state: &mut u64| {
+            let exponent = word(state) as i32 % (2 * spread) - spread;
+            (1.0 + word(state) as f64 / (1_u64 << 30) as f64) * 10_f64.powi(exponent)
+        };
+        let mut point = || -> [f64; 2] {
+            let size = number(state);
+            let x = match signs {
+                0 => size,
+                1 => -size,
+                _ => size * [-1.0, 1.0][word(state) as usize % 2],
+            };
+            let unit = word(state) as f64 / (1_u64 << 31) as f64;
+            let [x, y] = match kind {
+                0 => [x, x * (1.9 + 0.2 * unit)],
+                1 => [x, number(state) * [-1.0, 1.0][word(state) as usize % 2]],
+                2 => [x, 2.0 * x],
+                3 => [x, 2.0 * x + x * unit * f64::EPSILON * 8.0],
+                4 => [x, x.abs().sqrt() * (1.0 - unit * 1e-9)],
+                5 => [far + x, far * unit],
+                6 => [far + far * unit * f64::EPSILON * 1e6, x],
+                _ => [[0.0, x][word(state) as usize % 2], [0.0, unit, x][word(state) as usize % 3]],
+            };
+            [x, y].map(|number| if number.is_normal() { number } else { 0.0 })
+        };
+        let mut points: Vec<[f64; 2]> = (0..count).map(|_| point()).collect();
+        for place in 0..ties {
+            points.push(points[place * 3 % points.len()]);
+        }
+        points
+    }
+
+    /// Hulls of doubles, as exact as they are, are the reference.
+    #[test]
+    fn nothing_of_any_size_that_touches_is_discarded() {
+        let (mut state, mut all, mut kept_of_all) = (11, 0, 0);
+        for _ in 0..4000 {
+            let points = of_all_sizes(&mut state);
+            let [x, y] = [0, 1].map(|axis| points.iter().map(|point| point[axis]).collect::<Vec<f64>>());
+            let mut near = |column: &[f64]| -> Vec<f64> {
+                let error = |state: &mut u64| f64::EPSILON * 3.5 * [-1.0, 0.0, 1.0][word(state) as usize % 3];
+                column.iter().map(|number| number + number * error(&mut state)).collect()
+            };
+            let (rounded_x, rounded_y) = (near(&x), near(&y));
+            let kept = candidates_of_rounded(&rounded_x, &rounded_y);
+            let touching = touching_doubles(&x, &y, &|row| row as u64, usize::MAX);
+            for row in touching.iter().flat_map(|place| place.rows.rows()) {
+                assert!(kept.binary_search(&(row as usize)).is_ok(), "{points:?}: {row}");
+            }
+            let half = points.len() / 2;
+            let Some(sieve) = RoundedSieve::new(&rounded_x[..half], &rounded_y[..half]) else { continue };
+            let left = sieve.survivors(&rounded_x[half..], &rounded_y[half..]);
+            for row in touching.iter().flat_map(|place| place.rows.rows()).filter(|&row| row >= half as u64) {
+                assert!(left.binary_search(&(row as usize - half)).is_ok(), "{points:?}: {row}");
+            }
+            (all, kept_of_all) = (all + points.len(), kept_of_all + kept.len());
+        }
+        assert!(2 * kept_of_all < all, "{kept_of_all} of {all}");
+    }
+
+    /// A margin that is as wide everywhere leaves nearly all of them.
+    #[test]
+    fn most_numbers_along_a_ray_are_discarded_whatever_their_size() {
+        for seed in 0..12 {
+            let (mut state, sign) = (seed, [-1.0, 1.0][seed as usize % 2]);
+            let mut unit = || word(&mut state) as f64 / (1_u64 << 31) as f64;
+            let x: Vec<f64> = (0..5000).map(|_| sign * 10_f64.powf(600.0 * unit() - 300.0)).collect();
+            let y: Vec<f64> = x.iter().map(|x| x * (1.9 + 0.2 * unit())).collect();
+            let kept = candidates_of_rounded(&x, &y).len();
+            assert!(kept < 100, "{kept} of 5,000");
+        }
     }
 
     /// Products of such numbers leave the range of binary64.

@@ -19,6 +19,18 @@
 //! the chord is below twice the bound on the chord, and so within 16u·B. All that is less than 2⁻⁴⁵·(|s|·X + B), by
 //! which m is larger. For two x to be ordered like the true ones their offsets must differ by more than 16u·X and
 //! their own rounding, 4u·X: 2⁻⁴⁷·X is more.
+//!
+//! # Numbers of all sizes
+//!
+//! Where exponents differ much, nothing small is outside a margin that is as wide everywhere. In a cell on one side of x = 0
+//! the margin m + k·|x| therefore grows with |x|. Let N be the end of its chord from which x goes away from 0, F the other
+//! end, and w their distance. The evaluated v = s·x + c differs from the true chord by no more than r in each end, where r is
+//! |y - v| there and 32u·(|s·x| + |c| + |y|): rounding and 8u of x and y are less. Between the ends the difference is at most
+//! r_N + r_F·(|x_N| + |x|)/w. A y that is not above the true chord is rounded to no more than 1.1 times that above the evaluated
+//! v, and 20u·|s·x| + 12u·|c|. This counts the roundings of slope, intercept and v. Hence m = 2·r_N + 2·r_F·|x_N|/w + 32u·|c|
+//! and k = 2·r_F/w + 32u·|s| are enough. They are as long as w is certain, which is asked for. Quotients may underflow, by
+//! less than 2⁻¹⁰⁶⁸, which is added to each. No |x| in the cell is greater than that of F. So s·x overflows only where r_F
+//! does, and then m is infinite or NaN.
 
 use std::cmp::Ordering;
 
@@ -29,7 +41,9 @@ use super::coordinate::Coordinate;
 use crate::hull::{Hull, HullSide, Site};
 
 /// 2⁻⁴⁷.
-const BLUR: f64 = f64::EPSILON * 32.0;
+pub(super) const BLUR: f64 = f64::EPSILON * 32.0;
+/// 2⁻¹⁰⁶⁸.
+const UNDERFLOW: f64 = f64::from_bits(1 << 6);
 
 /// A row of the sample.
 #[derive(Debug, Clone, Copy)]
@@ -86,6 +100,67 @@ impl Sample<f64> {
         // Most cells are far wider.
         (sample.blur() * 4096.0 < sample.span).then_some(sample)
     }
+
+    /// The chords of cells on one side of x = 0 each, as lines over x itself. Their margins grow with |x|; see the top of this
+    /// file.
+    pub(super) fn cells_of_all_sizes(&self, index: &Around) -> Box<[Cell; MOST_CELLS]> {
+        let mut cells = Box::new([Cell::KEEPS_ALL; MOST_CELLS]);
+        let ends = ends(&self.lower, index).zip(ends(&self.upper, index));
+        for (place, (lower, upper)) in ends.enumerate() {
+            let is_right = index.is_right_of_zero(place);
+            let above = growing_chord(lower.map(|end| &self.lower[end]), is_right);
+            let below = growing_chord(upper.map(|end| &self.upper[end]), is_right);
+            if let (Some(above), Some(below), Some(cell)) = (above, below, cells.get_mut(place)) {
+                *cell = Cell { above, below: below.mirrored() };
+            }
+        }
+        cells
+    }
+}
+
+/// A line that is certainly not below the chord between two points, in a cell right of x = 0 or left of it. `None` where the
+/// points are too near to each other.
+fn growing_chord([p, q]: [&Sampled<f64>; 2], is_right: bool) -> Option<Chord> {
+    /// The least distance, as a part of their sizes.
+    const NEAR: f64 = 1.0 / (1_u64 << 30) as f64;
+    const ROUNDING: f64 = 16.0 * f64::EPSILON;
+    let [near, far] = if is_right { [p, q] } else { [q, p] };
+    let width = q.x - p.x;
+    let is_certain = width > (p.x.abs() + q.x.abs()) * NEAR;
+    if !is_certain {
+        return None;
+    }
+    let slope = (q.y - p.y) / width;
+    let intercept = near.y - slope * near.x;
+    let off = |end: &Sampled<f64>| {
+        let along = slope * end.x;
+        (end.y - (along + intercept)).abs()
+            + ROUNDING * (along.abs() + intercept.abs() + end.y.abs())
+            + UNDERFLOW
+    };
+    let [off_near, off_far] = [off(near), off(far)];
+    let off_along = off_far / width + UNDERFLOW;
+    let margin = 2.0 * (off_near + off_along * near.x.abs()) + ROUNDING * intercept.abs() + UNDERFLOW;
+    let growth = 2.0 * off_along + ROUNDING * slope.abs();
+    let slope = if is_right { slope + growth } else { slope - growth };
+    Some(Chord { slope, intercept: intercept + margin })
+}
+
+/// Returns the positions of the last point of a hull before each cell, and of the first point behind it. Where there is none
+/// the first or the last of the hull takes its place: the sample has no other x.
+fn ends<C: Coordinate, I: Index<C>>(hull: &[Sampled<C>], index: &I) -> impl Iterator<Item = [usize; 2]> {
+    let (mut before, mut after) = (0, 0);
+    (0..I::CELLS).map(move |cell| {
+        let is_left = |point: &Sampled<C>| index.is_before(point.x, point.offset, cell);
+        let is_not_right = |point: &Sampled<C>| !index.is_after(point.x, point.offset, cell);
+        while hull.get(before).is_some_and(is_left) {
+            before += 1;
+        }
+        while hull.get(after).is_some_and(is_not_right) {
+            after += 1;
+        }
+        [before.saturating_sub(1), after.min(hull.len() - 1)]
+    })
 }
 
 impl<C: Coordinate> Sample<C> {
@@ -167,19 +242,8 @@ impl<C: Coordinate> Sample<C> {
     /// Returns, for each cell, a line that is certainly not below the chord between two points of the hull on both
     /// sides of the cell.
     fn chords<I: Index<C>>(&self, hull: &[Sampled<C>], index: &I) -> impl Iterator<Item = Chord> {
-        let (mut before, mut after) = (0, 0);
         let mut last = ([usize::MAX; 2], Cell::KEEPS_ALL.above);
-        (0..I::CELLS).map(move |cell| {
-            let is_left = |point: &Sampled<C>| index.is_before(point.x, point.offset, cell);
-            let is_not_right = |point: &Sampled<C>| !index.is_after(point.x, point.offset, cell);
-            while hull.get(before).is_some_and(is_left) {
-                before += 1;
-            }
-            while hull.get(after).is_some_and(is_not_right) {
-                after += 1;
-            }
-            // Where none is before or after the cell, the first or the last of the hull is: the sample has no other x.
-            let ends = [before.saturating_sub(1), after.min(hull.len() - 1)];
+        ends(hull, index).map(move |ends| {
             if last.0 != ends {
                 last = (ends, self.chord(ends.map(|end| &hull[end])));
             }
@@ -201,8 +265,6 @@ impl<C: Coordinate> Sample<C> {
 
     /// Returns what must be added to the intercept; see the top of this file.
     fn margin(&self, chord: Chord, ends: [&Sampled<C>; 2]) -> f64 {
-        /// 2⁻¹⁰⁶⁸.
-        const UNDERFLOW: f64 = f64::from_bits(1 << 6);
         let [p, q] = ends.map(|end| end.y - chord.at(end.offset));
         let bound = chord.slope.abs() * self.span + chord.intercept.abs() + self.height;
         let blur = BLUR * 4.0 * (chord.slope.abs() * self.blurred + bound);
@@ -213,11 +275,13 @@ impl<C: Coordinate> Sample<C> {
 
 /// Rounded, for hulls that need not be convex: any points of the sample have a chord. Products that binary64 does not have are
 /// compared by their exponents, so that numbers of any size have hulls that are nearly right. A point that seems to be within an
-/// edge is left out: it has no other chord, and points that are one beside a far one would stay for good.
+/// edge is left out: it has no other chord, and points that are one beside a far one would stay for good. Both are looked at
+/// from the point between them, from which the nearer one is not lost beside the other.
 fn rough_orientation<C: Coordinate>(p: &Sampled<C>, q: &Sampled<C>, r: &Sampled<C>) -> Sign {
-    let from = |to: &Sampled<C>| [to.x.offset(p.x), to.y - p.y];
-    let ([q_along, q_across], [r_along, r_across]) = (from(q), from(r));
-    let products = [[q_along, r_across], [q_across, r_along]];
+    // On a hull's way p, q and r are in the order of their x, or in the opposite one.
+    let along = |x: C| if x < q.x { -q.x.offset(x) } else { x.offset(q.x) };
+    let [[r_along, r_across], [p_along, p_across]] = [r, p].map(|to| [along(to.x), to.y - q.y]);
+    let products = [[r_along, p_across], [r_across, p_along]];
     let is_there = |[one, other]: [f64; 2]| (one * other).is_normal() || one == 0.0 || other == 0.0;
     let is_left = if products.into_iter().all(is_there) {
         let [left, right] = products.map(|[one, other]| one * other);

@@ -1,6 +1,8 @@
 //! Readings against a set that they do not decide, part by part.
 
-use boundfit_estimation::Seen;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use boundfit_estimation::{Measurement, Seen};
 use boundfit_geometry::grid::RoundedStrips;
 use boundfit_geometry::{Polyhedron, Region, System, Vertex, envelope};
 
@@ -9,11 +11,14 @@ use super::ranking::Ranking;
 use super::standing::Standing;
 
 /// A set, for readings that decide nothing of it: the set of all is to them that of the others.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Others<'a> {
     set: &'a Polyhedron,
     /// The corners, on rounded numbers, of a polygon around the set; none around a set that is empty or unbounded.
     corners: Vec<[f64; 2]>,
+    /// The least margin beyond which readings come after all that one of the rankings lists. Numbers that are not negative are
+    /// in the order of their bits.
+    beyond: AtomicU64,
 }
 
 impl<'a> Others<'a> {
@@ -34,23 +39,37 @@ impl<'a> Others<'a> {
         };
         let corner = |vertex: &Vertex| [vertex.point().theta1().to_f64(), vertex.point().theta2().to_f64()];
         let corners = region.is_bounded().then(|| region.vertices().iter().map(corner).collect());
-        Others { set, corners: corners.unwrap_or_default() }
+        let beyond = AtomicU64::new(f64::INFINITY.to_bits());
+        Others { set, corners: corners.unwrap_or_default(), beyond }
     }
 
-    /// Adds some readings to a ranking. Exact. Cost: some nanoseconds for each that certainly comes after all that the
+    /// Adds some readings to a ranking, which is merged with those of all other readings later; all list equally many. Readings
+    /// that come after all that one of them lists are counted only. Exact. Cost: some nanoseconds for each that certainly comes after all that the
     /// ranking lists; logarithmic in the number of the set's corners for each other.
     pub fn rank(&self, readings: &Seen<'_>, ranking: &mut Ranking) {
         let margins = (!self.corners.is_empty()).then(|| self.margins(&readings.strips()));
-        let mut margins = margins.into_iter().flatten();
-        for place in 0..readings.count() {
+        let readings = (0..readings.count()).map(|place| move || readings.reading(place));
+        self.rank_each(readings, margins.unwrap_or_default(), ranking);
+    }
+
+    fn rank_each<R: FnOnce() -> Measurement>(
+        &self,
+        readings: impl Iterator<Item = R>,
+        margins: Vec<f64>,
+        ranking: &mut Ranking,
+    ) {
+        ranking.learn_beyond(f64::from_bits(self.beyond.load(Ordering::Relaxed)));
+        let mut margins = margins.into_iter();
+        for reading in readings {
             if margins.next().is_some_and(|margin| ranking.add_clear(margin)) {
                 continue;
             }
-            let reading = readings.reading(place);
+            let reading = reading();
             let all = Standing::against(&reading, self.set);
             let status = RowStatus { row: reading.row, without: all.clone(), all };
             ranking.add(reading, status);
         }
+        self.beyond.fetch_min(ranking.beyond().to_bits(), Ordering::Relaxed);
     }
 
     /// Returns a number for each reading that its [margin](Standing::margin) certainly exceeds. It is -∞ where no
@@ -83,7 +102,8 @@ impl<'a> Others<'a> {
 
 #[cfg(test)]
 mod tests {
-    use boundfit_estimation::Measurement;
+    use std::cell::Cell;
+
     use boundfit_exact::Rational;
     use boundfit_geometry::Inequality;
 
@@ -93,6 +113,15 @@ mod tests {
     fn word(state: &mut u64) -> i64 {
         *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (*state >> 40) as i64 - (1 << 23)
+    }
+
+    fn strips(readings: &[Measurement]) -> RoundedStrips {
+        let bound = |own: Option<Rational>, towards: fn(f64) -> f64| towards(own.unwrap().to_f64());
+        RoundedStrips {
+            phi: [0, 1].map(|k| readings.iter().map(|own| own.regressor[k].to_f64()).collect()),
+            lower: readings.iter().map(|own| bound(own.lower(), f64::next_up)).collect(),
+            upper: readings.iter().map(|own| bound(own.upper(), f64::next_down)).collect(),
+        }
     }
 
     #[test]
@@ -120,13 +149,7 @@ mod tests {
                 Measurement::around(row, [x, Rational::one()], y, half_width)
             };
             let readings: Vec<Measurement> = (1..=50).map(|row| reading(&mut state, row)).collect();
-            let bound = |own: Option<Rational>, towards: fn(f64) -> f64| towards(own.unwrap().to_f64());
-            let strips = RoundedStrips {
-                phi: [0, 1].map(|k| readings.iter().map(|own| own.regressor[k].to_f64()).collect()),
-                lower: readings.iter().map(|own| bound(own.lower(), f64::next_up)).collect(),
-                upper: readings.iter().map(|own| bound(own.upper(), f64::next_down)).collect(),
-            };
-            for (reading, margin) in readings.iter().zip(others.margins(&strips)) {
+            for (reading, margin) in readings.iter().zip(others.margins(&strips(&readings))) {
                 if margin == f64::NEG_INFINITY {
                     continue;
                 }
@@ -138,5 +161,56 @@ mod tests {
             }
         }
         assert!(certain > 2000, "{certain}");
+    }
+
+    /// Adding each reading without a look at its margin is the reference.
+    #[test]
+    fn rankings_of_parts_list_what_a_ranking_of_all_lists() {
+        let mut state = 3;
+        let (mut looked_at_first, mut looked_at_others) = (0, 0);
+        for case in 0..60 {
+            let side = |a: i64, b: i64| Inequality::new(a.into(), b.into(), Rational::from(2));
+            let set = Polyhedron::intersect(
+                [(1, 0), (-1, 0), (0, 1), (0, -1)].map(|(a, b)| side(a, b)).into_iter().collect(),
+            );
+            let others = Others::around(&set);
+            // Many readings are equal, so that rows decide; some cut the set or leave nothing.
+            let readings: Vec<Measurement> = (1..=400)
+                .map(|row| {
+                    let [x, y, width] = [(); 3].map(|()| Rational::from(word(&mut state) % (3 + case % 5)));
+                    let width = width.abs() + Rational::from(if row % 90 == 0 { 0 } else { 3 + case % 9 });
+                    Measurement::around(row as usize, [x, Rational::one()], y, width)
+                })
+                .collect();
+            let most = 1 + case as usize % 7;
+            let (mut merged, mut plain) = (Ranking::listing(most), Ranking::listing(most));
+            for part in readings.chunks(1 + 13 * (case as usize % 9)) {
+                let mut ranking = Ranking::listing(most);
+                let looked = Cell::new(0);
+                let look = |own: &Measurement| {
+                    looked.set(looked.get() + 1);
+                    own.clone()
+                };
+                let each = part.iter().map(|own| || look(own));
+                others.rank_each(each, others.margins(&strips(part)), &mut ranking);
+                merged.merge(ranking);
+                // One part of a hundred readings tells the others what comes too late.
+                if part.len() == 1 + 13 * 8 {
+                    let is_first = part[0].row == 1;
+                    *(if is_first { &mut looked_at_first } else { &mut looked_at_others }) += looked.get();
+                }
+            }
+            for reading in &readings {
+                let all = Standing::against(reading, &set);
+                plain.add(reading.clone(), RowStatus { row: reading.row, without: all.clone(), all });
+            }
+            assert_eq!((merged.count(), merged.boundary()), (plain.count(), plain.boundary()));
+            for status in Status::ALL.map(Some) {
+                assert_eq!(merged.count_of_all(status), plain.count_of_all(status));
+            }
+            assert_eq!(merged.into_listed(), plain.into_listed(), "{case}");
+        }
+        // There are two more such parts.
+        assert!(3 * looked_at_others < 4 * looked_at_first, "{looked_at_others} and {looked_at_first}");
     }
 }

@@ -1,6 +1,6 @@
 //! Readings in the order in which they matter.
 
-use std::cmp::Ordering;
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use boundfit_estimation::Measurement;
@@ -59,7 +59,7 @@ impl Ranking {
             self.boundary.push(status.row);
         }
         let judged = Judged { reading, status };
-        if self.last.as_ref().is_none_or(|last| order(&judged, last).is_lt()) {
+        if self.last.as_ref().is_none_or(|last| key(&judged) < key(last)) {
             self.listed.push(judged);
         }
         self.shorten(2);
@@ -78,6 +78,16 @@ impl Ranking {
         is_added
     }
 
+    /// The margin beyond which a reading of the set that is inner comes after all that this ranking lists; never negative.
+    pub(super) fn beyond(&self) -> f64 {
+        self.beyond
+    }
+
+    /// Takes over what another ranking of as many readings found, which will be merged with this one.
+    pub(super) fn learn_beyond(&mut self, beyond: f64) {
+        self.beyond = self.beyond.min(beyond);
+    }
+
     /// Adds what was ranked apart.
     pub fn merge(&mut self, other: Ranking) {
         for (own, others) in
@@ -94,10 +104,10 @@ impl Ranking {
     fn shorten(&mut self, times: usize) {
         let most = self.most.saturating_mul(times);
         if self.listed.len() > most {
-            self.listed.sort_by(order);
+            self.listed.sort_by_cached_key(key);
             self.listed.truncate(self.most);
             self.last = self.listed.last().cloned();
-            self.beyond = self.last.as_ref().map_or(f64::INFINITY, inner_beyond);
+            self.beyond = self.last.as_ref().map_or(self.beyond, |last| inner_beyond(last).min(self.beyond));
         }
         if self.boundary.len() > most {
             self.boundary.sort_unstable();
@@ -107,7 +117,7 @@ impl Ranking {
 
     /// The readings that matter most, those first that do more.
     pub fn into_listed(mut self) -> Vec<Judged> {
-        self.listed.sort_by(order);
+        self.listed.sort_by_cached_key(key);
         self.listed.truncate(self.most);
         self.listed
     }
@@ -154,11 +164,7 @@ fn name(standing: Option<&Standing>) -> Option<Status> {
 }
 
 /// The gravest first; readings that leave nothing either way last.
-fn order(one: &Judged, other: &Judged) -> Ordering {
-    let grave = |own: &Judged| name(own.status.without.as_ref());
-    let margin = |own: &Judged| -> Option<Rational> { own.status.without.as_ref()?.margin() };
-    grave(other)
-        .cmp(&grave(one))
-        .then_with(|| margin(one).cmp(&margin(other)))
-        .then(one.status.row.cmp(&other.status.row))
+fn key(own: &Judged) -> (Reverse<Option<Status>>, Option<Rational>, usize) {
+    let standing = own.status.without.as_ref();
+    (Reverse(name(standing)), standing.and_then(Standing::margin), own.status.row)
 }

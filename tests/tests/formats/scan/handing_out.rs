@@ -128,7 +128,15 @@ fn columns_are_kept_as_their_numbers_allow() {
         let numbers = |column: &Column| [column.get(0), column.get(1)];
         assert_eq!(numbers(&found), numbers(&expected), "{cells:?}");
     }
-    for cells in ["1e300\n1e-300\n", "1e-300\n1e300\n", "1/3\n1e40\n"] {
+    for cells in ["1e300\n1e-300\n0\n", "1e-300\n-2.5e300\n"] {
+        let found = column(cells, Reading::Decimal);
+        assert!(matches!(found, Column::Scattered(_)), "{cells:?}");
+        for (row, cell) in cells.lines().enumerate() {
+            let exact = Reading::Decimal.read(cell, &TableOptions::default().limits);
+            assert_eq!(Ok(found.get(row)), exact, "{cells:?}");
+        }
+    }
+    for cells in ["1e300\n1e-300\n1/3\n", "1/3\n1e40\n"] {
         let exact: Vec<Rational> = cells
             .lines()
             .map(|cell| Reading::Decimal.read(cell, &TableOptions::default().limits).unwrap())
