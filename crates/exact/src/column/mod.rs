@@ -205,6 +205,7 @@ impl Column {
             Column::Narrow(scaled) => Column::Narrow(scaled.at(places)),
             Column::Wide(scaled) => Column::Wide(scaled.at(places)),
             Column::Doubles(doubles) => Column::Doubles(places.map(|place| doubles[place]).collect()),
+            Column::Scattered(scattered) => Column::Scattered(scattered.at(places)),
             Column::Long(_) | Column::Fractions(_) => {
                 let mut column = Column::default();
                 places.for_each(|place| column.append(self, place..place + 1));

@@ -41,6 +41,11 @@ impl Scattered {
         Scattered { numbers: self.numbers[range].to_vec() }
     }
 
+    #[allow(clippy::indexing_slicing, reason = "who asks counts the rows of the same column")]
+    pub(super) fn at(&self, places: impl Iterator<Item = usize>) -> Self {
+        Scattered { numbers: places.map(|place| self.numbers[place]).collect() }
+    }
+
     pub(super) fn numbers_mut(&mut self) -> &mut Vec<(i64, i32)> {
         &mut self.numbers
     }
