@@ -105,6 +105,8 @@ def _counted(values: Any) -> Any:
     if _module(values) == "pyarrow":
         import pyarrow
 
+        if pyarrow.types.is_dictionary(values.type):
+            values = values.cast(values.type.value_type)
         if pyarrow.types.is_timestamp(values.type) or pyarrow.types.is_duration(values.type) or pyarrow.types.is_time64(values.type):
             return values.cast(pyarrow.int64())
     return values

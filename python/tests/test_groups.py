@@ -236,8 +236,10 @@ def test_times_are_keys_to_the_last_nanosecond_and_in_both_hours_of_a_change_of_
     readings = {"x": [0.0, 1.0, 0.0, 1.0], "y": [0.0, 1.0, 5.0, 6.0]}
     zoned = pyarrow.table({"k": pyarrow.array(hours, pyarrow.timestamp("us", "Europe/Berlin")), **readings})
     assert boundfit.fit_groups(zoned, "k", "x", "y", 1)["rows"].to_pylist() == [2, 2]
-    nanoseconds = pyarrow.table({"k": pyarrow.array([0, 1, None, 1000], pyarrow.time64("ns")), **readings})
-    assert boundfit.fit_groups(nanoseconds, "k", "x", "y", 1)["rows"].to_pylist() == [1, 1, 1, 1]
+    nanoseconds = pyarrow.array([0, 1, None, 1000], pyarrow.time64("ns"))
+    for keys in (nanoseconds, nanoseconds.dictionary_encode()):
+        table = pyarrow.table({"k": keys, **readings})
+        assert boundfit.fit_groups(table, "k", "x", "y", 1)["rows"].to_pylist() == [1, 1, 1, 1]
     frame = polars.DataFrame({"k": [0, 1, 1, 1000], **readings}).with_columns(polars.col("k").cast(polars.Datetime("ns")))
     assert boundfit.fit_groups(frame, "k", "x", "y", 1)["rows"].to_list() == [1, 2, 1]
 

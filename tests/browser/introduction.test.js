@@ -40,6 +40,9 @@ test("x counted from an origin is a difference in parentheses", async () => {
   const [model] = await formulas(page);
   assert.equal(model, "y_i=θ_1·(year_i−1980)+θ_2+e_i,|e_i|≤ε_i");
   assert.match(await page.locator('[data-text="introduction.agrees"]').textContent(), /Write φi for \(yeari − 1980, 1\)/);
+  assert.equal(await page.locator("#title").textContent(), `${file.split("/").pop()}: y against year − 1980`);
+  assert.match(await page.locator("#data-plane text", { hasText: "1980" }).textContent(), /^year − 1980\s*$/);
+  assert.equal(await page.locator("#readings th").nth(1).textContent(), "year − 1980");
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -47,6 +50,9 @@ test("x counted from an origin is a difference in parentheses", async () => {
 test("bounds that differ above and below are said about their middles", async () => {
   const file = table("asymmetric", "x,y", "1,1.1", "2,1.9", "3,3.2");
   const { page, complaints, close } = await openLesson(browser, [file, "--x", "x", "--y", "y", "--eps", "+0.2/-0.1"]);
+  const cells = (row) => page.locator("#readings tr").nth(row).locator("th, td").allTextContents();
+  assert.deepEqual((await cells(0)).slice(1, 5), ["x", "y", "m", "ε"]);
+  assert.deepEqual((await cells(1)).slice(1, 5), ["1", "1.1", "1.15", "0.15"]);
   const [model, agrees, strips] = await formulas(page);
   assert.equal(model, "y_i=θ_1·x_i+θ_2+e_i");
   assert.equal(agrees, "|m_i−φ_i·θ|≤ε_i");

@@ -167,8 +167,8 @@ pub(crate) fn finished(mut drawing: Drawing, options: &PlotOptions) -> Result<Pi
 }
 
 /// Draws a linear program in two variables: the feasible set, the optimal points, and the direction in which the
-/// objective improves. The objective is to be made large. The given title serves if the options have none. An empty
-/// set leaves the panel empty. Cost: linear in the half-planes of the set.
+/// objective improves. The objective is to be made large. The given title serves if the options have none. Of an empty
+/// set it draws the half-planes that contradict each other. Cost: linear in the half-planes of the set.
 ///
 /// # Errors
 /// Only when a library underneath fails.
@@ -197,7 +197,7 @@ pub fn draw_program(
 }
 
 /// Draws a set of half-planes with its vertices, and arrows where it goes on without end, with this title where the options have
-/// none. An empty set leaves the panel empty.
+/// none. Of an empty set it draws the half-planes that contradict each other.
 /// Cost: linear in the half-planes of the set.
 ///
 /// # Errors

@@ -1,7 +1,7 @@
 //! The distance of the feasible lines over x, and where a further reading certainly makes the set smaller.
 
 use boundfit_estimation::{Fit, Model, Problem};
-use boundfit_exact::{Rational, Rounding};
+use boundfit_exact::{Endpoint, Interval, Rational, Rounding};
 use boundfit_questions::{FurtherError, Next};
 
 use crate::axis::Axis;
@@ -192,23 +192,28 @@ impl Sheet<'_> {
             _ => "x".to_owned(),
         };
         let surely = "a reading certainly makes the set smaller.";
-        Some(match (next.unsure().is_some(), self.ends()) {
+        let ends = self.ends().map(|end| end.map(|x| x + origin));
+        let number = |x: &Rational, rounding| number(x, digits(&ends), rounding);
+        Some(match (next.unsure().is_some(), &ends) {
             (false, _) => format!("At every x {surely}"),
             (true, [None, None]) => "At every x a reading may leave the set as it is.".to_owned(),
             (true, [Some(from), Some(to)]) if from == to => {
-                format!(
-                    "At every {name} but {} {surely}",
-                    number(&(from + origin), DIGITS, Rounding::Nearest)
-                )
+                format!("At every {name} but {} {surely}", number(from, Rounding::Nearest))
             }
             (true, [from, to]) => {
-                let from = from.map(|x| format!("below {}", number(&(x + origin), DIGITS, Rounding::Down)));
-                let to = to.map(|x| format!("above {}", number(&(x + origin), DIGITS, Rounding::Up)));
-                let places: Vec<String> = from.into_iter().chain(to).collect();
+                let from = from.iter().map(|x| format!("below {}", number(x, Rounding::Down)));
+                let to = to.iter().map(|x| format!("above {}", number(x, Rounding::Up)));
+                let places: Vec<String> = from.chain(to).collect();
                 format!("At {name} {} {surely}", places.join(" and "))
             }
         })
     }
+}
+
+/// Returns the digits that tell both ends apart, as in the report.
+fn digits(ends: &[Option<Rational>; 2]) -> usize {
+    let [lower, upper] = ends.clone().map(Endpoint::from);
+    Interval::new(lower, upper).map_or(DIGITS, |unsure| unsure.resolving_digits(DIGITS))
 }
 
 #[cfg(test)]

@@ -196,7 +196,6 @@ fn a_picture_shows_set_and_optimum() {
     printed(directory.path(), "judge diet.mps --plot diet.png");
     assert!(std::fs::read(directory.path().join("diet.png")).unwrap().starts_with(b"\x89PNG"));
     let fixed = DIET.replace("UP BND bread 3", "FX BND bread 3");
-    let infeasible = DIET.replace("UP BND bread 3", "UP BND bread 3\n UP BND beans 0.5");
     for (model, line, status, problem) in [
         (
             DIET,
@@ -206,11 +205,16 @@ fn a_picture_shows_set_and_optimum() {
         ),
         (DIET, "--plot a.svg -o a.svg", 2, "'--plot' and '--output' name the same file"),
         (&fixed, "--plot a.svg", 1, "'--plot' draws two columns, and bounds fix all but one of this model"),
-        (&infeasible, "--plot a.svg", 1, "'--plot' has nothing to draw: the program is infeasible"),
     ] {
         let run = boundfit_with_input(directory.path(), &format!("judge - {line}"), model.as_bytes());
         assert_eq!((run.status, run.stdout.as_str()), (status, ""), "{line}");
         assert!(run.stderr.contains(problem), "{}", run.stderr);
         assert!(!directory.path().join("a.svg").exists());
     }
+    let infeasible = DIET.replace("UP BND bread 3", "UP BND bread 3\n UP BND beans 0.5");
+    let run = boundfit_with_input(directory.path(), "judge - --plot a.tikz", infeasible.as_bytes());
+    assert_eq!(run.status, 3, "{}", run.stderr);
+    assert!(run.stdout.contains("Infeasible: no point fulfils all rows and bounds"), "{}", run.stdout);
+    let tikz = std::fs::read_to_string(directory.path().join("a.tikz")).unwrap();
+    assert!(tikz.contains("allowed by beans ≤ 0.5") && tikz.contains("No point is feasible."), "{tikz}");
 }

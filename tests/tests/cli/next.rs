@@ -276,3 +276,11 @@ fn the_legend_names_what_the_figure_shows() {
         assert_eq!((run.status, run.stdout.contains(distance)), (0, is_drawn), "{table}");
     }
 }
+
+#[test]
+fn a_figure_far_from_0_tells_the_ends_apart() {
+    let table = "x,y\n1000000,0\n1000000.001,1\n1000000.002,2\n";
+    let run = boundfit_with_input(&root(), "plot - --x x --y y --eps 0.5 --figure next", table.as_bytes());
+    let note = "At x below 1×10⁶ and above 1000000.002 a reading certainly makes the set smaller.</desc>";
+    assert!(run.stdout.contains(note), "{}", run.stdout.chars().take(600).collect::<String>());
+}

@@ -201,7 +201,7 @@ fn text_says_the_proportion_first_and_whose_tolerance_excuses_it() {
     assert_eq!(run.status, 4);
     let text = run.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
     for part in [
-        "written by HiGHS: refuted (primal, optimality, slackness, gap)",
+        "in HiGHS format: refuted (primal, optimality, slackness, gap)",
         "primal refuted: off by 8.4e-2 of its size: R3 is 19.5, 1.5 above its upper bound 18; excused by a tolerance of 1.5 absolute, 7.7e-2 relative, 0.5 scaled",
         "optimality refuted: off by 4.2e-2 of its size: 37.5 instead of 36",
         "SoPlex (feastol, opttol)",
@@ -210,7 +210,7 @@ fn text_says_the_proportion_first_and_whose_tolerance_excuses_it() {
     }
     let right = judge("vertex-third", &fixture("vertex-third", "cbc"), &[]).stdout;
     let right = right.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(right.contains("written by CBC: right, but for rounding"), "{right}");
+    assert!(right.contains("in CBC format: right, but for rounding"), "{right}");
     assert!(!right.contains("SoPlex"), "{right}");
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.sol");
@@ -291,7 +291,7 @@ fn a_number_that_is_not_finite_is_no_answer_in_every_view() {
         run.stdout
     };
     let text = view(&[]);
-    assert!(text.contains("written by HiGHS: no answer\n"), "{text}");
+    assert!(text.contains("in HiGHS format: no answer\n"), "{text}");
     assert!(text.contains(&format!("primal        {said}\n")), "{text}");
     let (_, solution) = judged("maximise", &path, &["--strict"]);
     let primal = &solution["findings"][2];
@@ -420,5 +420,5 @@ fn a_model_and_its_solution_cannot_share_standard_input() {
     let solution = fs::read(root().join(fixture("maximise", "cbc"))).unwrap();
     let judge = ["judge", "fixtures/tiny-lp/maximise.mps", "--solution", "-"];
     let run = run_with_input(&judge, &solution);
-    assert!(run.stdout.contains("\nstandard input, written by CBC: right, exactly\n"), "{run:?}");
+    assert!(run.stdout.contains("\nstandard input, in CBC format: right, exactly\n"), "{run:?}");
 }

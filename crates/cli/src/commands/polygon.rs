@@ -55,7 +55,7 @@ pub(super) const NOTES: Notes = Notes {
 pub(crate) struct PolygonArguments {
     /// FILE.ine or FILE.ext (H- or V-representation of cdd and lrs) or FILE.csv (columns a1,a2,b), or - for standard input
     file: String,
-    /// Also draw the set: FILE.svg, .png, .pdf, .tikz or .tex
+    /// Also draw the set, or the half-planes that contradict each other: FILE.svg, .png, .pdf, .tikz or .tex
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     plot: Option<String>,
     /// Also write a theorem that the kernel of Coq checks to this file, which ends in .v: the half-planes describe just the
@@ -171,9 +171,6 @@ fn picture(
     file: &Foreign,
     (format, asked): (PictureFormat, &PictureArguments),
 ) -> Result<Vec<u8>, Failure> {
-    if polyhedron.region().is_empty() {
-        return Err(Failure::data(format_args!("{file}: '--plot' has nothing to draw: the set is empty")));
-    }
     let names = ["θ₁".into(), "θ₂".into()];
     let title = Foreign::from(format!("Set of {}", file.raw()));
     let picture = draw_region(polyhedron, &names, &title, &asked.options()).map_err(Failure::data)?;

@@ -154,12 +154,13 @@ fn legend(count: usize) -> Vec<LegendEntry> {
 
 fn notes(found: &Directions) -> Vec<String> {
     let mut notes = Vec::new();
-    let part = |area: Option<&Rational>| {
+    // No set within the exact one is said to be as large, and none around it to be no larger.
+    let part = |area: Option<&Rational>, rounding| {
         let part = area?.checked_div(found.exact.area.as_ref()?)?;
-        Some(labels::number(&(part * Rational::from(100)), 4, Rounding::Nearest))
+        Some(labels::number(&(part * Rational::from(100)), 4, rounding))
     };
-    let inner = part(found.inner.as_ref().and_then(|inner| inner.area.as_ref()));
-    let outer = part(found.outer.as_ref().and_then(|outer| outer.area.as_ref()));
+    let inner = part(found.inner.as_ref().and_then(|inner| inner.area.as_ref()), Rounding::Down);
+    let outer = part(found.outer.as_ref().and_then(|outer| outer.area.as_ref()), Rounding::Up);
     if let (Some(inner), Some(outer)) = (inner, outer) {
         notes.push(format!("Inner area: {inner} % of the exact one. Outer area: {outer} %."));
     }

@@ -1,5 +1,6 @@
 //! Figures of the parameter plane: the feasible parameter set, its boxes, estimates and approximations.
 
+mod contradiction;
 mod directions;
 mod empty;
 mod fps;

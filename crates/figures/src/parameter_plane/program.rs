@@ -6,7 +6,7 @@ use boundfit_geometry::{Direction, Face, Point, Polyhedron, RegionKind, Support}
 
 use super::layout::{main_frame, panel};
 use super::region::{at, direction};
-use super::{marks, region, view};
+use super::{contradiction, marks, region, view};
 use crate::clip::{self, Place};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
@@ -37,7 +37,7 @@ pub(crate) fn region(
     options: &PlotOptions,
 ) -> Drawing {
     let names = names.each_ref().map(|name| one_line(name, 30));
-    let (panel, set) = panel_of(polyhedron, &names, options);
+    let (panel, legend) = panel_of(polyhedron, &names, options, "set");
     let kind = polyhedron.region().kind();
     let note = match kind {
         RegionKind::Empty => "No point is in all half-planes.",
@@ -51,16 +51,29 @@ pub(crate) fn region(
         format!("set: {}", kind.name()),
         &labels::asked_for(&labels::described(options), names),
         panel,
-        vec![LegendEntry::new(set, "set")],
+        legend,
         Notes { own: note, is_shown: true, unseen },
     )
 }
 
-/// An empty panel with a set that is not empty, and how its legend shows it.
-fn panel_of(polyhedron: &Polyhedron, names: &[String; 2], options: &PlotOptions) -> (Panel, Swatch) {
+/// A panel with a set, and its legend, which calls the set so. Of an empty set the panel has the half-planes that
+/// contradict each other.
+fn panel_of(
+    polyhedron: &Polyhedron,
+    names: &[String; 2],
+    options: &PlotOptions,
+    called: &str,
+) -> (Panel, Vec<LegendEntry>) {
+    let axes = labels::asked_for(options, names.clone());
+    let framed = |window: &view::Window| panel(main_frame(0, Page::of(options)), window, &axes);
+    if let Some(certificate) = polyhedron.region().certificate() {
+        let rows = contradiction::rows(polyhedron, certificate);
+        let mut panel = framed(&contradiction::window(&rows).asked_for(options));
+        let legend = contradiction::draw(&mut panel, &rows, names);
+        return (panel, legend);
+    }
     let window = view::of_region(polyhedron.region(), room_around(polyhedron), &[]).asked_for(options);
-    let names = labels::asked_for(options, names.clone());
-    let mut panel = panel(main_frame(0, Page::of(options)), &window, &names);
+    let mut panel = framed(&window);
     region::draw(&mut panel, polyhedron, style::SET_FILL, style::SET_EDGE);
     marks::draw_vertices(&mut panel, polyhedron.region(), true);
     let set = match polyhedron.region().kind() {
@@ -68,10 +81,10 @@ fn panel_of(polyhedron: &Polyhedron, names: &[String; 2], options: &PlotOptions)
         RegionKind::Segment | RegionKind::Ray | RegionKind::Line => Swatch::line(style::SET_EDGE),
         _ => Swatch::area(style::SET_FILL, style::SET_EDGE),
     };
-    (panel, set)
+    (panel, vec![LegendEntry::new(set, called)])
 }
 
-/// The figure of a set that is not empty, with axes of these names and an objective that is to be made large.
+/// The figure of a feasible set, with axes of these names and an objective that is to be made large.
 pub(crate) fn drawing(
     polyhedron: &Polyhedron,
     gain: &[Rational; 2],
@@ -80,9 +93,8 @@ pub(crate) fn drawing(
     options: &PlotOptions,
 ) -> Drawing {
     let names = names.each_ref().map(|name| one_line(name, 30));
-    let (mut panel, set) = panel_of(polyhedron, &names, options);
+    let (mut panel, mut legend) = panel_of(polyhedron, &names, options, "feasible set");
     let improves = LegendEntry::new(Swatch::line(LEVEL), "the objective improves along the arrow");
-    let mut legend = vec![LegendEntry::new(set, "feasible set")];
     // The remark of the description about the optimum, and whether the remark is to stand below the figure.
     let (note, is_shown) = match polyhedron.support(gain) {
         Support::Bounded { proof, face } => {

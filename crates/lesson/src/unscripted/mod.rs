@@ -48,7 +48,16 @@ impl Facts<'_> {
         let measurements = &self.problem.measurements;
         let mut names = vec![("y", measurements.response().label())];
         match measurements.model() {
-            Model::Line { x } => names.push(("x", measurements.line_form().abscissa(x).label())),
+            Model::Line { x } => {
+                let form = measurements.line_form();
+                let shown = form.abscissa(x).label();
+                // As the script does: the sign before the origin only.
+                let shown = match shown.rsplit_once(" - ").filter(|_| form.x_origin.is_positive()) {
+                    Some((name, origin)) => format!("{name} \u{2212} {origin}"),
+                    None => shown,
+                };
+                names.push(("x", shown));
+            }
             Model::TwoRegressors { regressors: [u, v] } => {
                 names.extend([("u", u.label()), ("v", v.label())]);
             }

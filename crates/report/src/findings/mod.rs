@@ -22,7 +22,7 @@ pub fn solutions_document(model: &Model, solutions: &[JudgedSolution]) -> Docume
     let mut blocks = Vec::new();
     for judged in solutions {
         let title = Text::new().given(&judged.file).words(format!(
-            ", written by {}: {}",
+            ", in {} format: {}",
             judged.solution.writer,
             summary(judged)
         ));

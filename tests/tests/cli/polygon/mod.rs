@@ -381,6 +381,28 @@ fn pictures_show_every_kind_of_set() {
 }
 
 #[test]
+fn the_picture_of_an_empty_set_shows_what_contradicts() {
+    for (csv, shown) in [
+        ("a1,a2,b\n1,0,0\n0,1,9\n-1,0,-1\n", &["allowed by θ₁ ≤ 0", "allowed by θ₁ ≥ 1"][..]),
+        ("a1,a2,b\n-1,0,0\n0,-0.5,0\n2,3,-6\n", &["allowed by 0.5·θ₂ ≥ 0", "allowed by 2·θ₁ + 3·θ₂ ≤ −6"]),
+        ("a1,a2,b\n1,1,3\n0,0,-1\n", &["0 ≤ −1 holds nowhere"]),
+    ] {
+        let directory = directory_with(&[]);
+        let run = boundfit_with_input(directory.path(), "polygon - --plot a.tikz", csv.as_bytes());
+        let plain = boundfit_with_input(directory.path(), "polygon -", csv.as_bytes());
+        assert_eq!((run.status, run.stdout), (3, plain.stdout), "{csv}: {}", run.stderr);
+        let tikz = std::fs::read_to_string(directory.path().join("a.tikz")).unwrap();
+        let description =
+            "set: empty. Horizontal axis: θ₁. Vertical axis: θ₂. No point is in all half-planes.\n";
+        assert!(tikz.contains(description), "{csv}: {tikz}");
+        for text in shown {
+            assert!(tikz.contains(text), "{csv}: {text}");
+        }
+        assert!(!tikz.contains("allowed by θ₂ ≤ 9"), "{csv}: a half-plane that takes no part");
+    }
+}
+
+#[test]
 fn pictures_that_cannot_be_drawn_or_written_are_refused() {
     let directory = directory_with(&[]);
     let table = "a1,a2,b\n-1,0,0\n0,-1,0\n2,3,6\n";
@@ -388,7 +410,6 @@ fn pictures_that_cannot_be_drawn_or_written_are_refused() {
         (table, "--plot a.gif", 2, "expected a name that ends in .svg, .png, .pdf, .tikz or .tex"),
         (table, "--plot a.svg -o a.svg", 2, "'--plot' and '--output' name the same file"),
         (table, "--plot -", 2, "'--plot -' and the report would both go to standard output"),
-        ("a1,a2,b\n1,0,0\n-1,0,-1\n", "--plot a.svg", 1, "'--plot' has nothing to draw: the set is empty"),
     ] {
         let run = boundfit_with_input(directory.path(), &format!("polygon - {line}"), csv.as_bytes());
         assert_eq!((run.status, run.stdout.as_str()), (status, ""), "{line}");

@@ -57,8 +57,8 @@ pub(super) const NOTES: Notes = Notes {
 pub(crate) struct JudgeArguments {
     /// MODEL.mps or MODEL.lp, or - for standard input, whose text decides the format
     model: String,
-    /// Also draw the feasible set, the optimal points and the direction of improvement: FILE.svg, .png, .pdf, .tikz or
-    /// .tex
+    /// Also draw the feasible set, the optimal points and the direction of improvement, or the bounds that contradict
+    /// each other: FILE.svg, .png, .pdf, .tikz or .tex
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     plot: Option<String>,
     /// Write a theorem for the kernel of Coq to this file, which ends in .v: the feasible set, the optimum and all points
@@ -220,11 +220,6 @@ fn picture(
             "{file}: '--plot' draws two columns, and bounds fix all but {count} of this model"
         )));
     };
-    if plane.polyhedron().region().is_empty() {
-        return Err(Failure::data(format_args!(
-            "{file}: '--plot' has nothing to draw: the program is infeasible"
-        )));
-    }
     let name =
         |column: &usize| model.columns.get(*column).map_or_else(Foreign::default, |own| own.name.clone());
     let names = [name(first), name(second)];

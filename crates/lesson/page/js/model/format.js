@@ -226,6 +226,15 @@ export function shortEnumeration(items) {
 }
 
 /**
+ * The name of x; one that is counted from an origin is a difference: `year − 1980`. Empty for two regressors.
+ * @param {LessonData} data
+ */
+export function nameOfX({ model, asked }) {
+  if (model.kind !== "line") return "";
+  return asked.x_origin === undefined ? model.x : model.x.replace(/ - (?=\S+$)/, " \u2212 ");
+}
+
+/**
  * The number of vertex 0, 1, …, as reports and figures have it: 1, 2, …
  * @param {number} index
  */

@@ -2,7 +2,7 @@
 // The parts of the text that depend on the data.
 
 import { all, byId, element, patch } from "../dom.js";
-import { kindText, plain, shortList } from "../model/format.js";
+import { kindText, nameOfX, plain, shortList } from "../model/format.js";
 import { Rational } from "../model/rational.js";
 import { fillTexts, formulaText, numberText, rich, t } from "../texts.js";
 import { teacherValues } from "./teacher.js";
@@ -22,7 +22,7 @@ export function fillIntroduction(lesson) {
   /** @type {Record<string, string>} */
   const names =
     model.kind === "line"
-      ? { x: model.x, y: model.y }
+      ? { x: nameOfX(data), y: model.y }
       : { u: model.regressors[0], v: model.regressors[1], y: model.y };
   const { name: x, sign, size } = countedFrom(lesson, names.x ?? "");
   const shift = size === "" ? "" : ` ${sign} ${size}`;
@@ -66,21 +66,21 @@ export function fillIntroduction(lesson) {
 function titleOf({ data }) {
   if (!data.is_default_title) return data.title;
   const { model } = data;
-  const list = model.kind === "line" ? [model.x] : model.regressors;
+  const list = model.kind === "line" ? [nameOfX(data)] : model.regressors;
   // Readings that were typed or linked have no file to name.
   const key = data.file === STANDARD_INPUT ? "page.title-of-input" : "page.title";
   return t(key, { file: data.file, y: model.y, x: { list } });
 }
 
 /**
- * The column of x, and from where it is counted: `year - 1980` is the name of a difference.
+ * The column of x, and from where it is counted: `year − 1980` is the name of a difference.
  * @param {Lesson} lesson
  * @param {string} name
  */
 function countedFrom({ data }, name) {
-  const parts = /^(.*) ([-+]) (\S+)$/s.exec(name);
+  const parts = /^(.*) ([+\u2212]) (\S+)$/s.exec(name);
   if (data.asked.x_origin === undefined || parts === null) return { name, sign: "", size: "" };
-  return { name: parts[1], sign: parts[2] === "-" ? "\u2212" : "+", size: numberText(parts[3]) };
+  return { name: parts[1], sign: parts[2], size: numberText(parts[3]) };
 }
 
 /**

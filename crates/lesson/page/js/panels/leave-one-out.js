@@ -3,7 +3,7 @@
 
 import { byId, closest, element, patch, targetOf } from "../dom.js";
 import { boundsOf } from "../model/lesson.js";
-import { decimal, endText, plain, shortList, switchedOff, thetaName } from "../model/format.js";
+import { decimal, endText, nameOfX, plain, shortList, switchedOff, thetaName } from "../model/format.js";
 import { ZERO } from "../model/rational.js";
 import { numberText, t } from "../texts.js";
 
@@ -213,8 +213,10 @@ export function drawLeaveOneOut(lesson, state, scene) {
  */
 export function drawReadings(lesson, state) {
   const { model } = lesson.data;
-  const columns = model.kind === "line" ? [model.x] : model.regressors;
-  const heads = [t("readings.row"), ...columns, model.y, "ε", t("readings.matters"), t("readings.use")];
+  const columns = model.kind === "line" ? [nameOfX(lesson.data)] : model.regressors;
+  // ε is the distance of the bounds from their middle, which need not be y.
+  const middles = lesson.readings.some(({ middle, y }) => !middle.equals(y)) ? ["m"] : [];
+  const heads = [t("readings.row"), ...columns, model.y, ...middles, "ε", t("readings.matters"), t("readings.use")];
   /** @param {Reading} reading */
   const row = (reading) => {
     const matters = lesson.matters.get(reading.row);
@@ -240,6 +242,7 @@ export function drawReadings(lesson, state) {
       ),
       columns.map((_, k) => element("td", { class: "number" }, plain(reading.phi[k], lesson.widths.phi[k]))),
       element("td", { class: "number" }, plain(reading.y, lesson.widths.y)),
+      middles.map(() => element("td", { class: "number" }, reading.fixed === null ? plain(reading.middle, lesson.widths.y) : "")),
       element("td", { class: "number" }, reading.fixed === null ? plain(reading.epsilon) : t("readings.one-bound")),
       element("td", {}, matters ? element("b", {}, t("readings.yes")) : t("readings.no")),
       element(

@@ -10,7 +10,7 @@ import { bounded, boxEnvelopes, corridorPath, curvePath } from "./corridor.js";
 import { endLabels } from "./end-labels.js";
 import { worstLines } from "./worst-lines.js";
 import { activeAt, boundAt, readingOfRow } from "../model/lesson.js";
-import { plain, withUnit } from "../model/format.js";
+import { nameOfX, plain, withUnit } from "../model/format.js";
 import { ONE } from "../model/rational.js";
 import { said, t } from "../texts.js";
 
@@ -74,7 +74,7 @@ export function drawDataPlane(lesson, state, scene, layers, size, focused) {
 /** @param {Lesson} lesson */
 function columnNames(lesson) {
   const { model, units } = lesson.data;
-  return { x: model.kind === "line" ? withUnit(model.x, units.x) : t("readings.row"), y: withUnit(model.y, units.y) };
+  return { x: model.kind === "line" ? withUnit(nameOfX(lesson.data), units.x) : t("readings.row"), y: withUnit(model.y, units.y) };
 }
 
 /**
@@ -189,8 +189,7 @@ function drawnReading(lesson, state, scene, reading, frame, map, focused) {
     if (chosen.violated?.has(reading.row)) classes.push("violated");
     if (chosen.near !== undefined && lesson.halfPlanes[chosen.near].reading === reading) classes.push("chosen");
   }
-  const { model } = lesson.data;
-  const name = model.kind === "line" ? model.x : t("readings.row");
+  const name = lesson.isLine ? nameOfX(lesson.data) : t("readings.row");
   const abscissa = lesson.isLine ? plain(reading.phi[0], lesson.widths.phi[0]) : `${reading.row}`;
   return element(
     "g",

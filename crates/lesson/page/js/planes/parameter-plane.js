@@ -5,7 +5,7 @@ import { byId, element, patch } from "../dom.js";
 import { axes, mark, pathThrough, plotArea, round } from "./axes.js";
 import { clipped, cornersInView, cornersOf, lineInView } from "./region.js";
 import { activeAt, halfPlaneIndex } from "../model/lesson.js";
-import { boundClass, decimal, digitsFor, kindText, thetaName, withUnit } from "../model/format.js";
+import { boundClass, decimal, digitsFor, kindText, nameOfX, thetaName, withUnit } from "../model/format.js";
 import { t } from "../texts.js";
 import { screenMap } from "./view.js";
 import { automaticView } from "./parameter-view.js";
@@ -24,7 +24,7 @@ function axisNames(lesson, frame) {
   if (frame.shear.isZero()) return lesson.isLine ? [slope, withUnit(t("axis.intercept"), units.theta2)] : plain;
   const at = decimal(frame.shear, Math.max(6, digitsFor(frame.shear, lesson.widths.phi[0])));
   return model.kind === "line"
-    ? [slope, withUnit(t("axis.height", { x: model.x, at }), units.y)]
+    ? [slope, withUnit(t("axis.height", { x: nameOfX(lesson.data), at }), units.y)]
     : [plain[0], withUnit(`θ₂ + ${at}·θ₁`, units.theta2)];
 }
 

@@ -5,7 +5,7 @@ import { closest, element } from "../dom.js";
 import { mark, round } from "./axes.js";
 import { bounded, curvePath } from "./corridor.js";
 import { dataFrame } from "./data-frame.js";
-import { plain } from "../model/format.js";
+import { nameOfX, plain } from "../model/format.js";
 import { ONE, decimalPower } from "../model/rational.js";
 import { WORST, gripsOf, cornerToCorner, lineByHand, worstVertex } from "../model/worst-line.js";
 import { t } from "../texts.js";
@@ -57,7 +57,7 @@ export function worstLines(lesson, state, frame, map) {
 function handle(lesson, name, side, x, height, frame, map) {
   const [px, py] = map.to([frame.number(0, x), bounded(frame.height([x, ONE], height), map)]);
   const { model } = lesson.data;
-  const where = `${model.kind === "line" ? model.x : ""} = ${plain(x, lesson.widths.phi[0])}`;
+  const where = `${nameOfX(lesson.data)} = ${plain(x, lesson.widths.phi[0])}`;
   return element(
     "g",
     {
