@@ -325,6 +325,10 @@ fn gurobi_miplib_and_clp_are_read() {
         assert_eq!(findings.about(Aspect::Dual).is_some(), text.contains("r1"), "{text}");
     }
     assert_eq!(refuted(&judged(&textbook(), "=infeas=\n")), [Aspect::Status]);
+    // Both writers print all digits, so that a short number is no rounded one.
+    for text in ["# Objective value = 36.0001\nx 2.00\ny 6.00\n", "=obj= 36.0001\nx 2\ny 6\n"] {
+        assert_eq!(refuted(&judged(&textbook(), text)), [Aspect::Objective], "{text}");
+    }
     // Values that are left out are 0.
     assert_eq!(refuted(&judged(&textbook(), "=obj= 36\ny 6\n")), [Aspect::Optimality]);
 }

@@ -4,11 +4,14 @@
 //! `=obj= VALUE`, or `=infeas=` where there is no solution. A file with values claims that they are optimal.
 
 use boundfit_exact::{Limits, Rational};
+use boundfit_lp::NumberFormat;
 
 use super::error::SolutionError;
 use super::line::Line;
 use super::{Entry, Reference, SolutionFile, SolverStatus};
 
+/// Both print as many digits as a binary64 number has, and drop zeros at the end.
+const DIGITS: NumberFormat = NumberFormat::SEVENTEEN;
 const GUROBI: &str = "Gurobi";
 const MIPLIB: &str = "MIPLIB";
 
@@ -32,7 +35,7 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
         match line.words().as_slice() {
             [] => {}
             ["=obj=", value] => {
-                file.objective = Some((line.typed(value, limits)?, line.number));
+                file.objective = Some((line.figure(value, DIGITS, limits)?, line.number));
             }
             ["=infeas="] => (file.status, file.status_line) = (SolverStatus::Infeasible, line.number),
             ["=unbd="] => (file.status, file.status_line) = (SolverStatus::Unbounded, line.number),
@@ -40,7 +43,7 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
             [name, value] => file.columns.push(Entry {
                 of: Reference::Name((*name).to_owned()),
                 line: line.number,
-                value: Some(line.typed(value, limits)?),
+                value: Some(line.figure(value, DIGITS, limits)?),
                 price: None,
                 price_line: line.number,
             }),
@@ -56,7 +59,7 @@ fn comment(file: &mut SolutionFile, line: Line<'_>, limits: &Limits) -> Result<(
     let lower = words.to_ascii_lowercase();
     if lower.starts_with("objective value") {
         let value = words.rsplit(['=', ':', ' ']).find(|word| !word.is_empty()).unwrap_or_default();
-        file.objective = Some((line.typed(value, limits)?, line.number));
+        file.objective = Some((line.figure(value, DIGITS, limits)?, line.number));
     } else if lower.starts_with("solution for model ") {
         file.about.extend(words.split_whitespace().last().map(str::to_owned));
     }
