@@ -54,6 +54,8 @@ pub enum NumberFormat {
 impl NumberFormat {
     /// GLPK's solutions for programs (`glp_write_sol`, `%.*g` with `DBL_DIG`) and SCIP's solutions (`%.15g`).
     pub const FIFTEEN: NumberFormat = NumberFormat::Significant(15);
+    /// Gurobi's and MIPLIB's solutions, which have all digits of a binary64 number.
+    pub const SEVENTEEN: NumberFormat = NumberFormat::Significant(17);
     /// CBC's solutions (`%15.8g`).
     pub const EIGHT: NumberFormat = NumberFormat::Significant(8);
     /// Tables for people of GLPK (`%13.6g`) and HiGHS (`%12g`).

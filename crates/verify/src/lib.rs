@@ -33,3 +33,4 @@ pub use proof::Proof;
 pub use scope::{ErrorScale, Scope, Side};
 pub use shape::{NotAProof, Quantity};
 pub use statements::{Claim, ClaimKind};
+pub use theorem::THEORIES;

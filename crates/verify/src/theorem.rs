@@ -2,6 +2,7 @@
 
 mod sentences;
 mod text;
+mod theory;
 
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -16,6 +17,7 @@ use crate::failure::{DataLimits, Failure};
 use crate::falsehood::{Falsehood, OtherNumber};
 use crate::rows::{Rows, hexadecimal};
 use crate::shape::{NotAProof, Shape};
+pub use theory::THEORIES;
 
 /// The rows and conditions that stand in a theorem, and what it says of each.
 #[derive(Debug, Clone)]
@@ -55,11 +57,12 @@ impl Theorem {
                 "the question in its head has the schema {schema} (expected boundfit/theorem/1)"
             )));
         }
+        let theorem = text::theorem(text)?;
         let hash = text::data(text)?.map(|data| hexadecimal(&Sha256::digest(data)));
         if hash.is_some_and(|hash| hash != *shape.sha256.raw()) {
             return Err(NotAProof::new("the data in this theorem do not have the SHA-256 of its head"));
         }
-        Ok((shape, text::theorem(text)?))
+        Ok((shape, theorem))
     }
 
     /// Compares every row and condition with the data, which are read once. Exact; one row of the data is in

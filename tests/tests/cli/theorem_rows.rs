@@ -8,9 +8,10 @@ use boundfit_report::{Theory, kernel_fit};
 use boundfit_tests::cli::{boundfit, boundfit_with_input, directory_with};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::proofs::{Question, bounded, generated, questions};
-use boundfit_verify::{DataLimits, Failure, Falsehood, Found, Proof, Statement};
+use boundfit_verify::{DataLimits, Failure, Falsehood, Found, Proof, Statement, THEORIES};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
+use sha2::{Digest, Sha256};
 
 const DATA: &str = "x,y,e,lo,up,w\n1,2,1,1.5,2.5,0\n2,3.1,1/2,NA,3.5,1\n3,3.9,0.25,3,,2\n4,5,1,4,6,1\n";
 
@@ -272,5 +273,44 @@ fn theorems_about_parts_of_the_rows_are_compared() {
         let run = boundfit_with_input(directory.path(), "verify - a.csv", forged.as_bytes());
         let place = "row 3, y: 19/5 in the theorem, 39/10 in the data";
         assert!(run.status == 4 && run.stdout.contains(place), "{line}: {run:?}");
+    }
+}
+
+#[test]
+fn what_stands_before_the_rows_is_the_theory_of_this_version() {
+    let directory = directory_with(&[("a.csv", DATA.as_bytes())]);
+    let verified = |text: &str| {
+        let run = boundfit_with_input(directory.path(), "verify - a.csv", text.as_bytes());
+        (run.status, run.stdout + &run.stderr)
+    };
+    let kinds = ["fit", "status", "fit --proof-library", "status --proof-library"];
+    for (kind, known) in kinds.into_iter().zip(THEORIES) {
+        let line = format!("{kind} a.csv --x x --y y --eps 0.2 --proof a.v --force");
+        assert_eq!(boundfit(directory.path(), &line).status, 0, "{line}");
+        let text = fs::read_to_string(directory.path().join("a.v")).unwrap();
+        let theory = text.split_once("*)\n").unwrap().1.split_once("\n(* Rows: ").unwrap().0;
+        let hash: String = Sha256::digest(theory).iter().map(|byte| format!("{byte:02x}")).collect();
+        assert_eq!(hash, known, "{kind}");
+        assert_eq!(verified(&text).0, 0, "{kind}");
+        // A definition that gives a name another meaning, wherever it stands, and a changed theory.
+        let evil = "Definition Qabs (q : Q) : Q := Qabs.Qabs q * (2 # 3).\n";
+        for (from, to) in [
+            ("\nFrom ", format!("{evil}\nFrom ")),
+            ("Open Scope Q_scope.\n", format!("Open Scope Q_scope.\n{evil}")),
+            ("Definition rows ", format!("{evil}Definition rows ")),
+            ("(* Rows: ", format!("(* Rows: *) {evil}(* ")),
+            ("(* Rows: ", format!("(* Rows: *) {evil}(* Rows: ")),
+            ("(* What is proved", format!("(* What *) {evil}(* What is proved")),
+            ("(* What is proved", format!("{evil}(* What is proved")),
+            ("Require", "Require  ".to_owned()),
+        ] {
+            let forged = text.replacen(from, &to, 1);
+            let (status, said) = verified(&forged);
+            assert!(status == 1 && forged != text, "{kind}, {from:?}: {said}");
+        }
+        let (_, said) = verified(&text.replacen("Require", "Require ", 1));
+        assert!(said.contains("is not the theory of this version of boundfit. "), "{said}");
+        let (status, said) = verified(&text.replace('\n', "\r\n"));
+        assert!(status == 1 && said.contains("its lines end with a carriage return"), "{said}");
     }
 }

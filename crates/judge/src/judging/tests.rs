@@ -325,6 +325,12 @@ fn gurobi_miplib_and_clp_are_read() {
         assert_eq!(findings.about(Aspect::Dual).is_some(), text.contains("r1"), "{text}");
     }
     assert_eq!(refuted(&judged(&textbook(), "=infeas=\n")), [Aspect::Status]);
+    // Both writers print all digits, so that a short number is no rounded one: the optimum is 36.0002 here.
+    let mut longer = textbook();
+    longer.rows[2].bounds = bounds(None, Some("18.0002"));
+    for text in ["# Objective value = 36.000\nx 2.000\ny 6.000\n", "=obj= 36.000\nx 2.000\ny 6.000\n"] {
+        assert_eq!(refuted(&judged(&longer, text)), [Aspect::Objective, Aspect::Optimality], "{text}");
+    }
     // Values that are left out are 0.
     assert_eq!(refuted(&judged(&textbook(), "=obj= 36\ny 6\n")), [Aspect::Optimality]);
 }

@@ -4,11 +4,14 @@
 //! `=obj= VALUE`, or `=infeas=` where there is no solution. A file with values claims that they are optimal.
 
 use boundfit_exact::{Limits, Rational};
+use boundfit_lp::NumberFormat;
 
 use super::error::SolutionError;
 use super::line::Line;
 use super::{SolutionFile, SolverStatus};
 
+/// Both print as many digits as a binary64 number has, and drop zeros at the end.
+const DIGITS: NumberFormat = NumberFormat::SEVENTEEN;
 const GUROBI: &str = "Gurobi";
 const MIPLIB: &str = "MIPLIB";
 
@@ -32,12 +35,14 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
         match line.words().as_slice() {
             [] => {}
             ["=obj=", value] => {
-                file.objective = Some((line.typed(value, limits)?, line.number));
+                file.objective = Some((line.figure(value, DIGITS, limits)?, line.number));
             }
             ["=infeas="] => (file.status, file.status_line) = (SolverStatus::Infeasible, line.number),
             ["=unbd="] => (file.status, file.status_line) = (SolverStatus::Unbounded, line.number),
             [first, ..] if first.starts_with('#') => comment(&mut file, line, limits)?,
-            [name, value] => file.columns.push(line.entry(*name, Some(line.typed(value, limits)?), None)),
+            [name, value] => {
+                file.columns.push(line.entry(*name, Some(line.figure(value, DIGITS, limits)?), None))
+            }
             _ => return Err(line.expected("\"NAME VALUE\"")),
         }
     }
@@ -50,7 +55,7 @@ fn comment(file: &mut SolutionFile, line: Line<'_>, limits: &Limits) -> Result<(
     let lower = words.to_ascii_lowercase();
     if lower.starts_with("objective value") {
         let value = words.rsplit(['=', ':', ' ']).find(|word| !word.is_empty()).unwrap_or_default();
-        file.objective = Some((line.typed(value, limits)?, line.number));
+        file.objective = Some((line.figure(value, DIGITS, limits)?, line.number));
     } else if lower.starts_with("solution for model ") {
         file.about.extend(words.split_whitespace().last().map(str::to_owned));
     }

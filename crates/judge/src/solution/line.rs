@@ -76,11 +76,6 @@ impl<'a> Line<'a> {
         self.read(text, limits, |value| Printed::by_writer(text, value, format))
     }
 
-    /// Reads a number, exactly as somebody typed it or a program printed it with as many digits as it takes.
-    pub(super) fn typed(&self, text: &str, limits: &Limits) -> Result<Figure, SolutionError> {
-        self.read(text, limits, |value| Printed::typed(text, value))
-    }
-
     fn read(
         &self,
         text: &str,

@@ -3,6 +3,7 @@
 use boundfit_exact::{Limits, Rational, Reading};
 
 use super::sentences::{code, refuse_new_meanings};
+use super::theory::refuse_another_theory;
 use super::{Bounds, Stated, Theorem};
 use crate::shape::{NotAProof, beginning};
 
@@ -54,6 +55,7 @@ pub(super) fn theorem(text: &str) -> Result<Theorem, NotAProof> {
     if code(before).is_none() {
         return Err(NotAProof::new("the rows stand in a comment"));
     }
+    refuse_another_theory(before)?;
     let from_rows = rest;
     let (rows, rest) = lines(text, rest)?;
     let rest = stripped(text, rest, ".\n")?;
