@@ -79,6 +79,9 @@ impl InputErrorKind {
             InputErrorKind::Time => {
                 "a number: give the cells the format of one, or add a column of seconds or days"
             }
+            InputErrorKind::UnitBehind => {
+                "the number alone: a unit belongs in the header, or in a row of units below it"
+            }
             InputErrorKind::NoValue => "a value: open the workbook in a spreadsheet and save it",
             InputErrorKind::CommasTwice { .. } => {
                 "semicolons or tabs between the columns, or quotes around numbers with commas"
