@@ -276,3 +276,15 @@ fn the_legend_names_what_the_figure_shows() {
         assert_eq!((run.status, run.stdout.contains(distance)), (0, is_drawn), "{table}");
     }
 }
+
+/// Other bounds above than below are not one.
+#[test]
+fn unequal_bounds_of_the_readings_are_told_in_plain_words() {
+    refuses(
+        &root(),
+        "next fixtures/transducer/transducer.csv --x Vz --y z --rows 14..36 --eps +0.3/-0.1",
+        2,
+        "the readings do not all have one error bound, the same above and below; state the error bound of the next reading with \
+         '--new-eps'",
+    );
+}
