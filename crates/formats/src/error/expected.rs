@@ -76,6 +76,9 @@ impl InputErrorKind {
     fn in_cells(&self) -> Option<&'static str> {
         Some(match self {
             InputErrorKind::NotANumber(error) if error.kind.is_limit() => return None,
+            InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Date, .. }) => {
+                "a decimal, a fraction such as 7/19, or in place of dates a column of seconds or days"
+            }
             InputErrorKind::Time => {
                 "a number: give the cells the format of one, or add a column of seconds or days"
             }
