@@ -49,6 +49,14 @@ impl Groups {
         let options = asked.held(asked.options.table.row_cost, Shows::Nothing);
         let fleet = boundfit_estimation::Fleet::read(source, &asked.question.columns, by, options)?;
         let groups = Groups { question: asked.question.clone(), fleet };
+        if groups.has_nameless() && groups.fleet.table().is_some_and(|table| table.looks.merged > 0) {
+            let by = by.text().quoted();
+            let problem = format!(
+                "cells of {by} are empty, and the sheet has merged cells, whose first cell alone has the value: write the \
+                 name of the group into every row"
+            );
+            return Err(Refusal::Readings(problem));
+        }
         groups.check(asked.most_work())?;
         Ok(groups)
     }
@@ -76,6 +84,11 @@ impl Groups {
         Ok(work.check(times::FIT, most_work)?)
     }
 
+    /// Returns whether rows have an empty name of a group.
+    fn has_nameless(&self) -> bool {
+        (0..self.fleet.len()).any(|group| self.fleet.key(group).is_empty())
+    }
+
     /// Says which groups have no reading, since each of their rows lacks a number; nothing where each has one.
     pub fn without_readings(&self) -> Option<String> {
         let empty = self.fleet.without_readings();
@@ -89,7 +102,10 @@ impl Groups {
 
     fn remarks(&self) -> String {
         let assumed = self.question.multiple_of_least.as_ref().map(|factor| assumed(factor, "its own group"));
-        remarks(self.fleet.rows_missing(), self.without_readings().into_iter().chain(assumed))
+        let nameless =
+            self.has_nameless().then(|| "rows without the name of a group are one group, \"\"".to_owned());
+        let notes = self.without_readings().into_iter().chain(nameless).chain(assumed);
+        remarks(self.fleet.rows_missing(), notes)
     }
 
     fn write_json(&self, style: &Style, out: &mut Out<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {

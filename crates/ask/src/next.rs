@@ -76,7 +76,9 @@ pub fn common_bound(problem: &Problem) -> Result<Rational, Refusal> {
     let error = FurtherError::of(&problem.measurements);
     let error = error.map_err(|reason| Refusal::NextError(reason.to_string()))?;
     let of_law = || {
-        Refusal::NextError("that of the readings is not one number on both sides for all of them".to_owned())
+        Refusal::NextError(
+            "the readings do not all have one error bound, the same above and below".to_owned(),
+        )
     };
     error.uniform().cloned().ok_or_else(of_law)
 }

@@ -111,6 +111,11 @@ mod tests {
             ("1e", 2, Kind::NotANumber(MissingDigit)),
             ("2%", 0, of_what("2%")),
             ("1e-3 + 2 %", 7, of_what("2 %")),
+            ("35ppm", 0, of_what("35ppm")),
+            ("|y|*0.01%", 3, Kind::FactorBehind),
+            ("|y|/1000", 3, Kind::FactorBehind),
+            ("0.1 mV", 4, Kind::UnitBehind),
+            ("0.1mV + 2%*|y|", 3, Kind::UnitBehind),
             ("1% + 3 digits", 7, Kind::Digits),
             ("1%*|y| + 3 digits", 11, Kind::Digits),
             ("1%*|y| + 3 dgt", 11, Kind::Digits),
@@ -147,6 +152,14 @@ mod tests {
                 "2%",
                 "2% of what? Write 2%*|y| for that share of each reading, 2%*range(y) for that share of the span of all readings"
                     .to_owned(),
+            ),
+            (
+                "|y|/1000",
+                format!("a factor behind its quantity at character 4: write 0.01%*|y|, or 0.001*|y| for |y|/1000 {law}"),
+            ),
+            (
+                "0.1 mV",
+                format!("a unit or a word behind a number at character 5: a bound is a number in the unit of what it bounds {law}"),
             ),
             (
                 "1%*|z|",

@@ -16,7 +16,7 @@ pub struct Law {
 }
 
 impl Law {
-    /// Reads a law: a sum of numbers and of multiples of four quantities, with `%` for hundredths.
+    /// Reads a law: a sum of numbers and of multiples of four quantities, with `%` for hundredths and `ppm` for millionths.
     /// - `|y|` and `|x|`
     /// - `range(y)`: largest less smallest y of the fitted readings
     /// - `written`: half a unit of the last digit written of y
@@ -185,6 +185,7 @@ mod tests {
             ("0.05%*|y| + 2e-3", ratio(12, 1000), ratio(12, 1000)),
             ("1/3", ratio(1, 3), ratio(1, 3)),
             ("2%*range(y)", ratio(1, 5), ratio(1, 5)),
+            ("35ppm*|y| + 50 ppm*range(y)", ratio(12, 10_000), ratio(12, 10_000)),
             ("written", ratio(1, 2), ratio(1, 2)),
             ("6*written+1%*|y|", ratio(32, 10), ratio(32, 10)),
             ("1/7 * |x| + |x|", ratio(24, 7), ratio(24, 7)),

@@ -59,7 +59,7 @@ pub enum ParseBoundErrorKind {
     /// A number below 0.
     #[error("negative")]
     NegativeNumber,
-    /// A percentage of nothing.
+    /// A percentage, or parts per million, of nothing.
     #[error(
         "{0} of what? Write {0}*|y| for that share of each reading, {0}*range(y) for that share of the span of all readings"
     )]
@@ -76,6 +76,12 @@ pub enum ParseBoundErrorKind {
     /// A second term without a plus before it.
     #[error("neither + nor the end")]
     NoPlus,
+    /// A factor or a divisor behind a quantity.
+    #[error("a factor behind its quantity")]
+    FactorBehind,
+    /// Letters behind a number, such as a unit.
+    #[error("a unit or a word behind a number")]
+    UnitBehind,
     /// An asymmetric law without its lower part.
     #[error("no /- with the bound below")]
     NoBelow,
@@ -95,6 +101,8 @@ impl TextProblem for ParseBoundErrorKind {
     fn advice(&self) -> Option<&'static str> {
         match self {
             ParseBoundErrorKind::Negative => Some("for another bound above than below write +ABOVE/-BELOW"),
+            ParseBoundErrorKind::FactorBehind => Some("write 0.01%*|y|, or 0.001*|y| for |y|/1000"),
+            ParseBoundErrorKind::UnitBehind => Some("a bound is a number in the unit of what it bounds"),
             _ => None,
         }
     }
@@ -142,9 +150,14 @@ impl Parser<'_> {
             }
             below = Some(self.sum(false)?);
         }
-        match self.scanner.rest().chars().next() {
+        let rest = self.scanner.rest();
+        match rest.chars().next() {
             None => Ok((above, below)),
             Some('-' | '−') => Err(self.scanner.error(ParseBoundErrorKind::Negative)),
+            Some('*' | '·' | '/') => Err(self.scanner.error(ParseBoundErrorKind::FactorBehind)),
+            Some(letter) if letter.is_alphabetic() && !rest.starts_with(['x', 'X']) => {
+                Err(self.scanner.error(ParseBoundErrorKind::UnitBehind))
+            }
             Some(_) => Err(self.scanner.error(ParseBoundErrorKind::NoPlus)),
         }
     }
@@ -160,7 +173,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `NUMBER`, `QUANTITY`, `NUMBER*QUANTITY` or `NUMBER%*QUANTITY`.
+    /// `NUMBER`, `QUANTITY`, `NUMBER*QUANTITY` or `NUMBER%*QUANTITY`, with `ppm` as well as `%`.
     fn term(&mut self, terms: &mut Terms, is_asymmetric: bool) -> Result<(), ParseBoundError> {
         let start = self.scanner.start();
         let number = self.scanner.number(is_asymmetric)?;
@@ -169,9 +182,10 @@ impl Parser<'_> {
             return Err(self.scanner.error(ParseBoundErrorKind::Negative));
         }
         let mut factor = number.unwrap_or_else(Rational::one);
-        let is_percent = is_number && self.scanner.take(&["%"]).is_some();
-        if is_percent {
-            factor = factor * Rational::ratio(1, 100);
+        let share_word = if is_number { self.scanner.take(&["%", "ppm"]) } else { None };
+        let is_share = share_word.is_some();
+        if let Some(word) = share_word {
+            factor = factor * Rational::ratio(1, if word == "%" { 100 } else { 1_000_000 });
         }
         let share = self.scanner.since(start);
         let is_product = is_number && self.scanner.take(&["*", "·"]).is_some();
@@ -180,7 +194,7 @@ impl Parser<'_> {
             Some(Quantity::X) => &mut terms.of_x,
             Some(Quantity::Range) => &mut terms.of_range,
             Some(Quantity::Written) => &mut terms.written,
-            None if is_percent && !is_product => {
+            None if is_share && !is_product => {
                 let kind = ParseBoundErrorKind::PercentOfWhat(share.into());
                 return Err(ParseBoundError { position: start, kind });
             }

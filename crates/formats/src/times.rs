@@ -1,4 +1,5 @@
-//! Dates and times, which are no numbers: what stands in such a cell is said, rather than which character is none of a number.
+//! Dates, times and numbers with units, which are no numbers: what stands in such a cell is said, rather than which character is none
+//! of a number.
 
 use boundfit_exact::ParseNumberErrorKind;
 
@@ -11,8 +12,29 @@ pub(crate) fn or_time(problem: InputErrorKind, cell: &[u8]) -> InputErrorKind {
         InputErrorKind::NotANumber(error) if error.kind != ParseNumberErrorKind::Date && is_time(cell) => {
             InputErrorKind::Time
         }
+        InputErrorKind::NotANumber(error) if !error.kind.is_limit() && has_unit(cell) => {
+            InputErrorKind::UnitBehind
+        }
         problem => problem,
     }
+}
+
+/// Returns whether a cell has a number and a unit: `10 V`, `1,05 mm/s`, `-3.2°C`. Letters of exponents and bases are none.
+fn has_unit(cell: &[u8]) -> bool {
+    let Ok(text) = std::str::from_utf8(cell) else { return false };
+    let text = text.trim();
+    let is_of_number = |own: char| own.is_ascii_digit() || matches!(own, '.' | ',' | '+' | '-');
+    let unit = text.trim_start_matches(is_of_number);
+    let number = &text[..text.len() - unit.len()];
+    let is_apart = unit.starts_with(' ');
+    let unit = unit.trim_start();
+    let starts_as_one = |first: char| first.is_alphabetic() || matches!(first, '°' | '%' | '‰');
+    let is_other_number =
+        !is_apart && unit.starts_with(['e', 'E', 'd', 'D', 'x', 'X', 'b', 'o', 'O']) && unit.len() < 3;
+    number.bytes().any(|byte| byte.is_ascii_digit())
+        && unit.starts_with(starts_as_one)
+        && !unit.contains(|own: char| own.is_whitespace() || own.is_ascii_digit())
+        && !is_other_number
 }
 
 /// Returns whether a cell looks like a date or a time: `2024-01-31T12:00`, `31.01.2024`, `12:30`, `31-Jan-24`, `2024Q1`.

@@ -54,15 +54,17 @@ pub fn csv_reader(data: &[u8]) {
     });
 }
 
-/// Returns whether a text that is no number is refused as a date or a time. The reference does not know the texts
-/// that are dates.
+/// Returns whether a text that is no number is refused as a date, a time or a number with a unit. The reference does not know
+/// the texts that are.
 fn is_refused_as_time<T>(found: &Result<T, String>, expected: &Result<T, String>) -> bool {
     let (Err(found), Err(expected)) = (found, expected) else { return false };
     let is_time = |what: &str| {
         let place = found.split_once(what).map(|(place, _)| place);
         place.is_some_and(|place| expected.starts_with(&format!("{place}: not a number")))
     };
-    is_time(": not a number: this looks like a date") || is_time(": a date or a time, not a number")
+    is_time(": not a number: this looks like a date")
+        || is_time(": a date or a time, not a number")
+        || is_time(": not a number: letters stand behind it")
 }
 
 /// Bytes that start like a MAT-file of version 5, as they stand or after such a start, are read or refused, and some of

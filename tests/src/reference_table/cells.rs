@@ -41,7 +41,8 @@ impl Reader<'_> {
                 Ok(number) => numbers.push(number),
                 Err(error) if is_missing(text) => lacks = lacks.or(Some(wrong(error))),
                 Err(CellError(InputErrorKind::NotANumber(_)))
-                    if is_units.as_ref().is_some_and(|texts| texts.iter().all(|&is_text| is_text)) =>
+                    if is_units.as_ref().is_some_and(|texts| texts.iter().all(|&is_text| is_text))
+                        && !columns.places.iter().all(|&place| begins_with_digits(cell_at(place))) =>
                 {
                     return Err(wrong(InputErrorKind::NoNumberInFirstRow.into()));
                 }
@@ -139,4 +140,10 @@ impl From<ParseNumberError> for CellError {
     fn from(error: ParseNumberError) -> Self {
         CellError(InputErrorKind::NotANumber(error))
     }
+}
+
+/// Returns whether a cell begins as a number does.
+fn begins_with_digits(cell: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(cell);
+    text.trim().trim_start_matches(['+', '-', '.', ',']).starts_with(|first: char| first.is_ascii_digit())
 }

@@ -138,7 +138,8 @@ fn dates_are_no_fractions() {
     for date in ["03/04", "2012/01", "0/05", "2012/01/01", "1/2/3"] {
         let directory = directory_with(&[("table.csv", format!("x,y\n1/3,2\n{date},3\n").as_bytes())]);
         let message = format!(
-            "table.csv: line 3, column 1 (x): {date:?}: not a number: this looks like a date {A_NUMBER}"
+            "table.csv: line 3, column 1 (x): {date:?}: not a number: this looks like a date (expected a decimal, a fraction such as \
+             7/19, or in place of dates a column of seconds or days)"
         );
         refuses(directory.path(), "fit table.csv --x x --y y --eps 1", 1, &message);
     }

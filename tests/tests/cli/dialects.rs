@@ -203,3 +203,43 @@ fn a_number_for_missing_values_is_read_as_the_cells_are() {
         );
     }
 }
+
+#[test]
+fn a_row_of_numbers_is_no_row_of_units_whatever_groups_digits_or_stands_behind_them() {
+    let directory = directory_with(&[
+        ("blank.csv", b"x;y\n1 000,0;1 000,9\n500,0;500,1\n0,0;0,0\n"),
+        ("apostrophe.csv", b"x,y\n1'000.0,1'000.9\n500.0,500.1\n"),
+        ("unit.csv", b"x;y\n10 V;1,0 A\n20 V;2,0 A\n"),
+        ("fluke.csv", b"x;y\n\"10,01 VDC\";\"1,5\"\n"),
+        ("units.csv", b"x;y\nV;mV\n1;1\n2;2\n"),
+        ("bare.csv", b"x;y\n1 000,0;1 000,9\n2 000,0;2 000,9\n"),
+        ("own.csv", b"x;y\nV;mV\n1;1\n"),
+    ]);
+    let grouped = "unexpected character";
+    let alone = "not a number: letters stand behind it, such as a unit (expected the number alone: a unit belongs in the header, \
+                 or in a row of units below it)\n";
+    let as_units =
+        "line 2: a row of units was asked for, but this one has numbers in all cells that are asked for";
+    for (line, parts) in [
+        ("fit blank.csv --x x --y y --eps 1", [grouped, "--thousands ' ' reads digits in groups of three"]),
+        (
+            "fit apostrophe.csv --x x --y y --eps 1",
+            [grouped, "--thousands \"'\" reads digits in groups of three"],
+        ),
+        ("fit blank.csv --x x --y y --eps 1 --units-row", ["blank.csv", as_units]),
+        ("fit apostrophe.csv --x x --y y --eps 1 --units-row", ["apostrophe.csv", as_units]),
+        ("fit unit.csv --x x --y y --eps 1", ["\"10 V\"", alone]),
+        ("fit unit.csv --x x --y y --eps 1 --units-row", ["unit.csv", as_units]),
+        ("fit fluke.csv --x x --y y --eps 1", ["\"10,01 VDC\"", alone]),
+    ] {
+        let message = boundfit(directory.path(), line).stderr;
+        assert!(parts.iter().all(|part| message.contains(part)), "{line}\n{message}");
+        assert!(!message.contains("--units-row"), "{line}\n{message}");
+    }
+    // The second table has such a row or not, whatever the first one has.
+    for (new, rows) in [("bare.csv", "2 readings"), ("own.csv", "1 reading")] {
+        let line = format!("status units.csv --x x --y y --units-row --thousands ' ' --eps 1 --new {new}");
+        let report = boundfit(directory.path(), &line).stdout;
+        assert!(report.contains(&format!("Further readings, {new}\n  {rows} against")), "{report}");
+    }
+}

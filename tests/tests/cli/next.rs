@@ -284,3 +284,15 @@ fn a_figure_far_from_0_tells_the_ends_apart() {
     let note = "At x below 1×10⁶ and above 1000000.002 a reading certainly makes the set smaller.</desc>";
     assert!(run.stdout.contains(note), "{}", run.stdout.chars().take(600).collect::<String>());
 }
+
+/// Other bounds above than below are not one.
+#[test]
+fn unequal_bounds_of_the_readings_are_told_in_plain_words() {
+    refuses(
+        &root(),
+        "next fixtures/transducer/transducer.csv --x Vz --y z --rows 14..36 --eps +0.3/-0.1",
+        2,
+        "the readings do not all have one error bound, the same above and below; state the error bound of the next reading with \
+         '--new-eps'",
+    );
+}

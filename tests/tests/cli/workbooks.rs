@@ -324,3 +324,29 @@ fn tables_beside_the_data_may_be_of_another_kind() {
     assert_eq!(judged("more.xlsx"), expected);
     assert_eq!(judged("more.json"), expected);
 }
+
+/// The rows of several groups would be one.
+#[test]
+fn an_empty_name_of_a_group_is_refused_where_cells_are_merged_and_said_elsewhere() {
+    let csv = "s,x,y\nA,1,1\n,2,2\nB,1,3\n,2,4\n";
+    let rows = xlsx_rows(csv, b'A', 1);
+    let directory = directory_with(&[
+        ("plain.xlsx", &xlsx(&[("S", &rows)])),
+        ("plain.csv", csv.as_bytes()),
+        ("merged.ods", &{
+            let spanned = "<table:table-cell table:number-rows-spanned=\"2\"";
+            let rows = ods_rows(csv);
+            let (header, rest) = rows.split_once("</table:table-row>").unwrap();
+            let rest = rest.replacen("<table:table-cell", spanned, 1);
+            ods(&[("S", &format!("{header}</table:table-row>{rest}"))])
+        }),
+    ]);
+    let run = boundfit(directory.path(), "fit merged.ods --x x --y y --eps 1 --by s");
+    let message = "cells of \"s\" are empty, and the sheet has merged cells, whose first cell alone has the value: write the name \
+                   of the group into every row";
+    assert!(run.status == 1 && run.stderr.contains(message), "{} {}", run.status, run.stderr);
+    for file in ["plain.xlsx", "plain.csv"] {
+        let report = printed(directory.path(), &format!("fit {file} --x x --y y --eps 1 --by s"));
+        assert!(report.contains("rows without the name of a group are one group, \"\""), "{report}");
+    }
+}

@@ -6,7 +6,7 @@ mod limits;
 mod rows;
 mod table;
 
-use boundfit_estimation::{AskedBound, Condition, EpsilonColumn, LineForm, Question};
+use boundfit_estimation::{AskedBound, Condition, EpsilonColumn, Law, LineForm, Question};
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, ScanOptions};
 use boundfit_questions::Agreement;
@@ -222,6 +222,11 @@ impl Words<'_> {
                     return Err(refused("x_eps", given.text(), ValueProblem::Negative(EXPECTED)));
                 }
                 (Ok(number), _) => AskedXBounds::Uniform(number),
+                (Err(_), Given::Read(text)) if Law::parse(text, self.reading, self.limits).is_ok() => {
+                    let problem =
+                        "an error of x has no law (expected a number such as 0.15, or a column of bounds)";
+                    return Err(refused("x_eps", text.clone(), ValueProblem::Expected(problem)));
+                }
                 (Err(error), Given::Read(text)) if !error.kind.is_limit() => {
                     AskedXBounds::Column(column("x_eps", text)?)
                 }

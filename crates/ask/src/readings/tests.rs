@@ -55,6 +55,8 @@ fn words_that_exclude_or_need_each_other_are_refused_by_their_keys() {
             format!("{line}, \"x_eps\": \"1\", \"x_eps_column\": \"e\""),
             "the errors of x have one bound: <x_eps> or",
         ),
+        (format!("{line}, \"x_eps\": \"0.1%*|x|\""), "<x_eps> 0.1%*|x|: an error of x has no law (expected"),
+        (format!("{line}, \"x_eps\": \"written\""), "<x_eps> written: an error of x has no law (expected"),
         (format!("{line}, \"x_eps\": \"-1\""), "<x_eps> -1: negative (expected"),
         (
             format!("{line}, \"decimal\": \"comma\", \"thousands\": \",\""),

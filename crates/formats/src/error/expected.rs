@@ -76,8 +76,14 @@ impl InputErrorKind {
     fn in_cells(&self) -> Option<&'static str> {
         Some(match self {
             InputErrorKind::NotANumber(error) if error.kind.is_limit() => return None,
+            InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Date, .. }) => {
+                "a decimal, a fraction such as 7/19, or in place of dates a column of seconds or days"
+            }
             InputErrorKind::Time => {
                 "a number: give the cells the format of one, or add a column of seconds or days"
+            }
+            InputErrorKind::UnitBehind => {
+                "the number alone: a unit belongs in the header, or in a row of units below it"
             }
             InputErrorKind::NoValue => "a value: open the workbook in a spreadsheet and save it",
             InputErrorKind::CommasTwice { .. } => {

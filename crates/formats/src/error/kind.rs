@@ -175,6 +175,9 @@ pub enum InputErrorKind {
     /// A date or a time where a number belongs.
     #[error("a date or a time, not a number")]
     Time,
+    /// A number with a unit in its cell.
+    #[error("not a number: letters stand behind it, such as a unit")]
+    UnitBehind,
     /// A formula of a sheet that was never computed.
     #[error("a formula without a stored value")]
     NoValue,
@@ -486,15 +489,4 @@ pub enum InputErrorKind {
     /// A point on a `linearity` line of a V-representation.
     #[error("the row is a point, but a linearity line lists it")]
     LinearPoint,
-}
-
-impl From<io::Error> for InputErrorKind {
-    fn from(error: io::Error) -> Self {
-        // A reduction is shown as a stream of bytes, whose errors are those of a stream.
-        match error.downcast::<ReductionError>().map(InputErrorKind::Reduction) {
-            Ok(kind) => kind,
-            // Streams that unpack a file carry their problems in the same way.
-            Err(error) => error.downcast::<InputErrorKind>().unwrap_or_else(InputErrorKind::Io),
-        }
-    }
 }

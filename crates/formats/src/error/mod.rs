@@ -6,10 +6,12 @@ mod names;
 mod ways;
 mod words;
 
-use std::fmt;
+use std::{fmt, io};
 
 use boundfit_exact::Foreign;
 use thiserror::Error;
+
+use crate::reduction::error::ReductionError;
 
 pub use kind::InputErrorKind;
 pub use ways::{Setting, Way};
@@ -65,7 +67,7 @@ impl InputError {
     pub fn ways(&self) -> Vec<Way> {
         let text = self.place.text.as_ref().map(Foreign::raw);
         match (&self.kind, text.and_then(grouping_mark)) {
-            (InputErrorKind::NotANumber(_), Some(mark)) => {
+            (InputErrorKind::NotANumber(_) | InputErrorKind::NoNumberInFirstRow, Some(mark)) => {
                 vec![Way::new(Setting::Thousands, mark, "reads digits in groups of three")]
             }
             _ => self.kind.ways(),
@@ -97,6 +99,17 @@ impl InputError {
     /// The error for something wrong at a place of a file.
     pub(crate) fn new(file: impl Into<Foreign>, place: Place, kind: impl Into<InputErrorKind>) -> Self {
         InputError { file: file.into(), place: Box::new(place), kind: kind.into() }
+    }
+}
+
+impl From<io::Error> for InputErrorKind {
+    fn from(error: io::Error) -> Self {
+        // A reduction is shown as a stream of bytes, whose errors are those of a stream.
+        match error.downcast::<ReductionError>().map(InputErrorKind::Reduction) {
+            Ok(kind) => kind,
+            // Streams that unpack a file carry their problems in the same way.
+            Err(error) => error.downcast::<InputErrorKind>().unwrap_or_else(InputErrorKind::Io),
+        }
     }
 }
 

@@ -108,13 +108,13 @@ impl<'a> FirstRecord<'a> {
             }
         };
         let has_header = heading.names.is_some() && !is_commented;
-        let mut records_before = 0;
-        let mut units = None;
-        if has_header || options.table.dialect.units_row && !is_commented {
-            (cursor, records_before) = (behind, 1);
-            units = Some(&first).filter(|_| !has_header).map(|first| (first.cells.clone(), first.line));
+        let mut records_before = usize::from(has_header);
+        if has_header {
+            cursor = behind;
         }
-        if has_header && options.table.dialect.units_row {
+        let before_units = (cursor, records_before);
+        let mut units = None;
+        if options.table.dialect.units_row && !is_commented {
             units = start.peek(reader, &mut cursor).map(|found| (found.cells, found.line));
             records_before += usize::from(units.is_some());
         }
@@ -133,16 +133,22 @@ impl<'a> FirstRecord<'a> {
                 has_row_names = true;
             }
         }
-        let mut position = Position { rows: 0, lines: cursor.lines, line_feeds: preamble.line_feeds };
-        position.line_feeds += line_feeds(reader.pending().get(..cursor.at).unwrap_or_default());
-        reader.skip(cursor.at);
         let header_line =
             if is_commented { preamble.comment.clone() } else { first.text.clone().filter(|_| has_header) };
         let layout = Layout::new(file, &heading, shape, &preamble, columns, options);
         let layout = layout.map_err(|error| explained(no_delimiter(error, &preamble, &first.cells)))?;
-        if let Some((cells, line)) = &units {
-            layout.check_units(cells).map_err(|problem| InputError::of_line(file, *line, problem))?;
+        if let Some((cells, line)) = &units
+            && let Err(problem) = layout.check_units(cells)
+        {
+            // The row of units was said for the first table.
+            if !options.table.is_beside {
+                return Err(InputError::of_line(file, *line, problem));
+            }
+            ((cursor, records_before), units) = (before_units, None);
         }
+        let mut position = Position { rows: 0, lines: cursor.lines, line_feeds: preamble.line_feeds };
+        position.line_feeds += line_feeds(reader.pending().get(..cursor.at).unwrap_or_default());
+        reader.skip(cursor.at);
         let units = units.as_ref().map(|(cells, _)| cells.as_slice());
         let mut layout = layout.with(reader.encoding(), records_before, units);
         layout.names_in = HeaderNote {

@@ -324,11 +324,17 @@ impl<'a> Layout<'a> {
     /// Refuses a row as units in which every cell that is asked for is a number.
     pub(super) fn check_units(&self, cells: &[Vec<u8>]) -> Result<(), InputErrorKind> {
         let cell = |place: &ColumnPlace| cells.get(place.position - 1).map(Vec::as_slice).unwrap_or_default();
-        match self.places.iter().all(|place| self.numbers.is_number(cell(place), Mark::Open)) {
+        match self.places.iter().all(|place| begins_with_digits(cell(place))) {
             true => Err(InputErrorKind::NumbersAsUnits),
             false => Ok(()),
         }
     }
+}
+
+/// Returns whether a cell begins as a number does, whatever groups its digits or stands behind them: `1 000,0`, `10 V`.
+pub(super) fn begins_with_digits(cell: &[u8]) -> bool {
+    let mut bytes = cell.trim_ascii().iter().skip_while(|byte| b"+-.,".contains(byte));
+    bytes.next().is_some_and(u8::is_ascii_digit)
 }
 
 /// Returns whether a cell may be what stands before or behind a comma of a number.

@@ -9,7 +9,7 @@ use crate::table::TableRow;
 use crate::times::{is_time, or_time};
 
 use super::batch::Pieces;
-use super::layout::Layout;
+use super::layout::{Layout, begins_with_digits};
 use super::notes::Notes;
 use super::quoting::is_quoted;
 use super::values::{Mark, Value};
@@ -145,15 +145,17 @@ impl Layout<'_> {
 
     /// Returns whether a record after the header looks like units: no cell that is asked for has a number.
     fn has_no_number(&self, record: &Record, mark: Mark) -> bool {
+        let cell = |place: &ColumnPlace| record.cell(place.position - 1);
         let is_text = |place: &ColumnPlace| {
-            let cell = record.cell(place.position - 1);
             // A number with the other mark is told apart by its own error.
-            !self.numbers.is_number(cell, mark) && !self.numbers.is_number(cell, Mark::Open)
+            !self.numbers.is_number(cell(place), mark) && !self.numbers.is_number(cell(place), Mark::Open)
         };
         self.names_in.line.is_some()
             && !self.names_in.is_comment
             && !self.options.table.dialect.units_row
             && self.places.iter().all(is_text)
+            // Numbers with groups of digits, or with units behind them.
+            && !self.places.iter().all(|place| begins_with_digits(cell(place)))
     }
 
     /// The place of the first cell asked for.
