@@ -3,7 +3,6 @@
 use boundfit_report::{EndRounding, Origin, Style};
 
 use crate::misuse::Misuse;
-use crate::refusal::Refusal;
 
 /// The form of an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -83,7 +82,7 @@ impl Form {
     ///
     /// # Errors
     /// With the first key that would say nothing.
-    pub fn refuse_vain_style(self, style: &Style) -> Result<(), Refusal> {
+    pub fn refuse_vain_style(self, style: &Style) -> Result<(), Misuse> {
         let has_decimals = self.is_document() || matches!(self, Form::Json | Form::Proof);
         let has_digits = has_decimals || matches!(self, Form::Vertices | Form::Wkt);
         let vain = if style.digits.is_some() && !has_digits {
@@ -95,7 +94,7 @@ impl Form {
         } else {
             return Ok(());
         };
-        Err(Refusal::Misuse(vain))
+        Err(vain)
     }
 
     /// Returns whether the answer states the detected format of the table.

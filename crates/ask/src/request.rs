@@ -121,7 +121,7 @@ macro_rules! questions {
                 // Lines of many sets are decimals in every form.
                 match self {
                     Request::Fleet(_) | Request::Window(_) => Ok(()),
-                    _ => form.refuse_vain_style(style),
+                    _ => form.refuse_vain_style(style).map_err(Refusal::Misuse),
                 }
             }
 

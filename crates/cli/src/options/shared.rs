@@ -1,6 +1,6 @@
 //! The arguments of several commands.
 
-use boundfit_ask::{Form, Regressors};
+use boundfit_ask::{Form, Refusal, Regressors};
 use boundfit_exact::{DecimalMark, Foreign, Reading};
 use boundfit_formats::{DELIMITERS, Header, Missing};
 use boundfit_report::EndRounding;
@@ -207,7 +207,8 @@ impl<F: NamedFormat + ValueEnum + Send + Sync> OutputArguments<F> {
 
     /// Refuses options about decimals where an answer in this form has none.
     pub(crate) fn check_decimals(&self, form: Form) -> Result<(), Failure> {
-        form.refuse_vain_style(&self.style()).map_err(Failure::misused)
+        let vain = |misuse| Failure::misused(Refusal::Misuse(misuse));
+        form.refuse_vain_style(&self.style()).map_err(vain)
     }
 }
 
