@@ -20,7 +20,7 @@ const root = fileURLToPath(new URL("..", import.meta.url));
 const fixtures = join(root, "fixtures");
 const program = process.env.BOUNDFIT_PROGRAM ?? join(root, "target/release/boundfit");
 const engine = resolve(process.env.BOUNDFIT_ENGINE ?? join(root, "crates/lesson/engine"));
-const { columns, lesson, run, start } = await import(pathToFileURL(join(engine, "boundfit.mjs")).href);
+const { columns, lesson, polytope, run, start } = await import(pathToFileURL(join(engine, "boundfit.mjs")).href);
 const exports = await start(readFileSync(join(engine, "boundfit_wasm.wasm.gz")));
 
 const flags = ["through-origin", "no-eui", "exact", "units-row"];
@@ -277,6 +277,13 @@ test("columns of tables in any form", () => {
   const told = JSON.parse(columns("name;U;I\na;1;2,50\nb;x;\n", {}));
   assert.deepEqual(told.numeric, [false, true, true], "a column with a wrong cell has numbers too");
   assert.deepEqual([told.table.decimal, told.table.delimiter, told.table.header.line], ["comma", "semicolon", 1]);
+  const records = '{"x":0,"y":0.1},{"x":1,"y":1}';
+  for (const table of [`[${records}]`, records.replace("},", "}\n")]) {
+    const found = JSON.parse(columns(table, {}));
+    assert.deepEqual([found.columns, found.header, found.numeric], [["x", "y"], true, [true, true]]);
+  }
+  const arrays = JSON.parse(columns("[[0,0.1],[1,1]]", {}));
+  assert.deepEqual([arrays.columns, arrays.header], [["col1", "col2"], false]);
   assert.throws(() => columns("", {}), /^Error: standard input: /);
   assert.throws(() => columns("a,b\n", { x: "a" }), /^Error: x: there is no such key \(expected one of file, reading, header, /);
 });
@@ -373,8 +380,48 @@ test("options that are wrong are refused by name", () => {
   refused({ ...whole, comment: "ab" }, /^comment: "ab": expected auto, none or one character/);
   refused({ ...whole, limits: { digit: 1 } }, /^limits: "digit": expected one of "digits", "exponent", /);
   refused({ ...whole, limits: { digits: 0 } }, 'limits: "0": no limit of digits (expected an integer from 1 to 1000000)');
-  refused({ ...whole, digits: 0 }, "digits: expected a number from 1 to 1000");
+  for (const digits of [0, 1001, 70000, 3.5, -1, "3"]) {
+    refused({ ...whole, digits }, `digits: ${JSON.stringify(digits)}: expected an integer from 1 to 1000`);
+  }
   refused({ ...whole, eps: `1e${"9".repeat(9)}` }, /^eps: "1e9+": refused: .*; limits: {"exponent": N} raises it$/);
+});
+
+test("options that a format has no place for are refused as by the program", () => {
+  const table = "x,y\n0,0\n1,1.5\n2,2\n";
+  const asked = { x: "x", y: "y", eps: "1/2" };
+  for (const [command, args, options] of [
+    ["fit", ["--format", "csv", "--digits", "3"], { format: "csv", digits: 3 }],
+    ["fit", ["--format", "csv", "--exact"], { format: "csv", exact: true }],
+    ["fit", ["--format", "csv", "--sweep", "1..2"], { format: "csv", sweep: "1..2" }],
+    ["fit", ["--format", "wkt", "--confidence", "0.9"], { format: "wkt", confidence: "0.9" }],
+    ["fit", ["--format", "json", "--brief"], { brief: true }],
+    ["status", ["--format", "csv", "--repair"], { ask: "status", format: "csv", repair: true }],
+    ["status", ["--format", "json", "--all"], { ask: "status", all: true }],
+    ["predict", ["--at", "1", "--format", "json", "--proofs"], { ask: "predict", at: ["1"], proofs: true }],
+    ["outliers", ["--format", "csv", "--most", "1"], { ask: "outliers", format: "csv", most: 1 }],
+  ]) {
+    const own = ["-", "--x", "x", "--y", "y", "--eps", "1/2", ...args];
+    const { status, stderr } = spawnSync(program, [command, ...own], { encoding: "utf8", input: table });
+    assert.equal(status, 2, `${command} ${args}`);
+    const [, words] = stderr.match(/^error: ([^\n]*)\n/);
+    assert.throws(() => run(table, { ...asked, ...options }), { message: words.replace(/'--([a-z-]+)'/g, "$1") });
+  }
+  const brief = { ...asked, format: "text", brief: true };
+  assert.throws(() => run(table, { ...brief, full: true }), { message: /^brief reports ten lines: it goes with none of full, sweep, / });
+  // Lines of many sets are decimals in every format, and a proof stands beside a report.
+  assert.equal(typeof run(table, { ...asked, ask: "window", window: 2, format: "csv", digits: 3 }), "string");
+  assert.equal(typeof run(table, { ...asked, format: "proof", exact: true }), "string");
+});
+
+test("options about half-planes are refused by name", () => {
+  for (const [options, message] of [
+    [{ objective: ["1", 2] }, "objective: 2: expected a text"],
+    [{ objective: "x" }, 'objective: "x": expected an array of two'],
+    [{ start: -1 }, "start: -1: expected an integer that is at least 0"],
+    [{ begin: 1 }, "begin: there is no such key (expected one of objective, start)"],
+  ]) {
+    assert.throws(() => polytope("x <= 1", options), { message });
+  }
 });
 
 test("options that JSON has no word for are refused by name", () => {

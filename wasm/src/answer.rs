@@ -17,6 +17,7 @@ pub(crate) fn run(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
     let options = Options::parse(options)?;
     options.refuse_words_of_page()?;
     let (form, style, request) = (options.form()?, options.style()?, options.request()?);
+    request.refuse_vain(form, &style)?;
     let (source, asked) = options.asked(table, Some(&request))?;
     let file = options.answer.file.as_deref().map(Foreign::of);
     let origin = Origin { file, reading: asked.options.table.reading, is_stored: source.is_stored() };

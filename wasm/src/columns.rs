@@ -75,7 +75,9 @@ pub(crate) fn columns(table: Vec<u8>, options: &str) -> Result<String, Refusal> 
     let is_comma = |own: &&&TableNotes| own.dialect.notation.decimal == DecimalMark::Comma;
     let notes = notes.iter().find(is_comma).or(notes.first());
     let has_names = cells.iter().any(|name| is_name(name.raw()));
-    let header = notes.map_or(has_names, |notes| notes.header.line.is_some());
+    // Records of JSON have names in no line of their own.
+    let is_named = |notes: &TableNotes| notes.header.line.is_some() || notes.is_records && has_names;
+    let header = notes.map_or(has_names, |notes| is_named(notes));
     let shown = |number: usize| match cells.get(number - 1).filter(|name| header && !name.is_empty()) {
         Some(name) => name.raw().to_owned(),
         None => format!("col{number}"),

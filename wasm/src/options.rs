@@ -1,7 +1,7 @@
 //! The question, as JSON: the readings and the question in the words of every surface, and the options of the answer.
 
 use boundfit::ask::{
-    self, AnswerWords, Common, Form, OfRows, Readings, Request, RowWords, TableWords, named, take_key,
+    self, AnswerWords, Common, Digits, Form, OfRows, Readings, Request, RowWords, TableWords, named, take_key,
 };
 use boundfit::engine::exact::Foreign;
 use boundfit::engine::formats::RowNumbers;
@@ -27,7 +27,7 @@ pub(crate) struct Options {
     title: Option<String>,
     x_unit: Option<String>,
     y_unit: Option<String>,
-    max_readings: Option<u16>,
+    max_readings: Option<u64>,
     /// The question, with its own keys.
     question: Map<String, Value>,
 }
@@ -62,7 +62,7 @@ impl TableAlone {
     }
 }
 
-fn object(json: &str) -> Result<Map<String, Value>, Refusal> {
+pub(crate) fn object(json: &str) -> Result<Map<String, Value>, Refusal> {
     serde_json::from_str(json).map_err(|error| format!("options: {error}").into())
 }
 
@@ -72,7 +72,7 @@ fn known_keys() -> String {
 }
 
 /// Refuses a key, and names those that there are.
-fn refuse_unknown<'a>(
+pub(crate) fn refuse_unknown<'a>(
     mut keys: impl Iterator<Item = &'a String>,
     known: impl FnOnce() -> String,
 ) -> Result<(), ask::Refusal> {
@@ -159,7 +159,7 @@ impl Options {
     /// # Errors
     /// With a key that is about a report alone, or a number of readings that no page has.
     pub(crate) fn lesson(&self, measurements: &Measurements) -> Result<LessonOptions, Refusal> {
-        if self.max_readings.is_some_and(|most| !(1..=MOST_ROWS_EVER).contains(&most)) {
+        if self.max_readings.is_some_and(|most| !(1..=u64::from(MOST_ROWS_EVER)).contains(&most)) {
             return Err(format!("max_readings: expected a number from 1 to {MOST_ROWS_EVER}").into());
         }
         let [x_unit, y_unit] = measurements.plane_units();
@@ -169,7 +169,7 @@ impl Options {
             title: foreign(&self.title),
             x_unit: foreign(&self.x_unit).or(x_unit.cloned()),
             y_unit: foreign(&self.y_unit).or(y_unit.cloned()),
-            most_rows: self.max_readings.map_or(MOST_ROWS, usize::from),
+            most_rows: self.max_readings.map_or(MOST_ROWS, |most| most as usize),
             // The other options concern the page, not its content.
             ..LessonOptions::default()
         })
@@ -209,12 +209,9 @@ impl Options {
     /// Returns the style of numbers.
     pub(crate) fn style(&self) -> Result<Style, Refusal> {
         let AnswerWords { digits, rounding, exact, .. } = &self.answer;
-        if digits.is_some_and(|digits| !(1..=1000).contains(&digits)) {
-            return Err("digits: expected a number from 1 to 1000".to_owned().into());
-        }
         let names = EndRounding::ALL.map(|rounding| (rounding.name(), rounding));
         let ends = named("rounding", rounding.as_deref(), &names)?.unwrap_or_default();
-        Ok(Style { digits: digits.map(usize::from), ends, exact: *exact, ..Style::default() })
+        Ok(Style { digits: digits.map(Digits::get), ends, exact: *exact, ..Style::default() })
     }
 
     /// The numbers of the rows of the table, where they are not 1, 2, 3 and so on.

@@ -297,6 +297,23 @@ impl Ask for Fit {
         Ok(Written::of_set(fit.is_empty()))
     }
 
+    fn refuse_vain(&self, form: Form) -> Result<(), Refusal> {
+        let is_more = self.full || self.inverse || self.sweep.is_some() || self.confidence.is_some();
+        let has_documents = form.is_document() || form == Form::Proof;
+        let vain = if (self.brief || self.full || self.inverse) && !has_documents {
+            Misuse::VainReport
+        } else if self.sweep.is_some() && !has_documents && form != Form::Json {
+            Misuse::VainSweep
+        } else if self.confidence.is_some() && !has_documents && form != Form::Json {
+            Misuse::VainConfidence
+        } else if self.brief && is_more {
+            Misuse::BriefAlone
+        } else {
+            return Ok(());
+        };
+        Err(Refusal::Misuse(vain))
+    }
+
     fn theorem(
         &self,
         asked: &Fittable,

@@ -1,6 +1,8 @@
 //! The forms of answers.
 
-use boundfit_report::{Origin, Style};
+use boundfit_report::{EndRounding, Origin, Style};
+
+use crate::misuse::Misuse;
 
 /// The form of an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -69,6 +71,30 @@ impl Form {
             Form::Proof => Shows::Rows,
             _ => Shows::Nothing,
         }
+    }
+
+    /// Returns whether the answer is a report for people.
+    pub(crate) fn is_document(self) -> bool {
+        matches!(self, Form::Text | Form::Latex | Form::Markdown)
+    }
+
+    /// Refuses a style of decimals where an answer about one set has none.
+    ///
+    /// # Errors
+    /// With the first key that would say nothing.
+    pub fn refuse_vain_style(self, style: &Style) -> Result<(), Misuse> {
+        let has_decimals = self.is_document() || matches!(self, Form::Json | Form::Proof);
+        let has_digits = has_decimals || matches!(self, Form::Vertices | Form::Wkt);
+        let vain = if style.digits.is_some() && !has_digits {
+            Misuse::VainDigits
+        } else if style.ends != EndRounding::Outward && !has_decimals {
+            Misuse::VainRounding
+        } else if style.exact && !has_decimals {
+            Misuse::VainExact
+        } else {
+            return Ok(());
+        };
+        Err(vain)
     }
 
     /// Returns whether the answer states the detected format of the table.

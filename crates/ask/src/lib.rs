@@ -78,7 +78,7 @@ pub use predict::{Predict, Predicted};
 pub use question::{Ask, Out};
 pub use range::Range;
 pub use readings::{
-    AnswerWords, AskedLimits, Common, OfRows, Readings, Regressors, RowWords, Rows, TableWords,
+    AnswerWords, AskedLimits, Common, Digits, OfRows, Readings, Regressors, RowWords, Rows, TableWords,
     limits_of_files, named, range_of_limit, resolve_limits, take_key,
 };
 pub use refusal::{Refusal, ValueProblem};

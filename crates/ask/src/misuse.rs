@@ -103,7 +103,7 @@ misuses! {
     NewReduction:
         "{new} is about every reading, and the file is a reduction: judge the table that it was made from",
     /// No table is at hand but the first one.
-    NoTables: "no other table is at hand here: give the values themselves",
+    NoTables: "no other table is at hand here: {at} and {from} take values themselves, and {new} takes a table alone",
     /// The columns of a calibration are missing, or given twice.
     Response: "expected {y}, or {y} and {direction}, or {up} and {down}",
     /// Two regressors are no characteristic.
@@ -116,6 +116,28 @@ misuses! {
     /// The lines of linearity are those of x as it is.
     LinearityFromOrigin: "{x_origin} is about fits: linearity takes x as it is, and {through} is a point of the line of zero-based \
                  linearity",
+    /// A form has no decimals, whose digits are asked for.
+    VainDigits: "{digits} is about decimals in text, latex, markdown and json; this format has doubles, exact numbers or both",
+    /// A form has no decimals, whose rounding is asked for.
+    VainRounding: "{rounding} is about decimals in text, latex, markdown and json; this format has doubles, exact numbers or both",
+    /// A form has no decimals, for which fractions could stand.
+    VainExact: "{exact} is about decimals in text, latex, markdown and json; this format has doubles, exact numbers or both",
+    /// A form is no report, whose length is asked for.
+    VainReport: "{brief}, {full} and {inverse} need the format text, latex or markdown; other formats contain everything",
+    /// A short report has no room for more.
+    BriefAlone: "{brief} reports ten lines: it goes with none of {full}, {sweep}, {inverse} and {confidence}",
+    /// A form has one set.
+    VainSweep: "{sweep} needs the format text, latex, markdown or json; other formats have no place for many sets",
+    /// A form has no place for a guarantee.
+    VainConfidence: "{confidence} needs the format text, latex, markdown or json; other formats have no place for a guarantee",
+    /// A table of readings has no place for a repair.
+    VainRepair: "{repair} needs another format than csv, which has a row for each reading and no room for it",
+    /// A form has every reading, whether or not all are asked for.
+    VainAll: "{all} needs the format text, latex or markdown; other formats list every reading anyway",
+    /// A form has the proofs of predictions, or no room for them.
+    VainProofs: "{proofs} needs the format text, latex or markdown; JSON has the proofs anyway, and CSV has no room for them",
+    /// A table of sets of outliers has no place for how the set grows.
+    VainMost: "{most} is no part of csv: a table has a row for each set of outliers, and no room for how the set grows",
 }
 
 /// The reason why there is no proof.

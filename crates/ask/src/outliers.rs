@@ -12,7 +12,7 @@ use serde::Deserialize;
 
 use crate::asked::Asked;
 use crate::form::{Form, Paper, Shows, Written};
-use crate::misuse::NoProof;
+use crate::misuse::{Misuse, NoProof};
 use crate::question::{Ask, Out, document, put};
 use crate::refusal::Refusal;
 
@@ -104,6 +104,13 @@ impl Ask for Outliers {
         };
         put(out, text)?;
         Ok(Written::of_set(outliers.is_err()))
+    }
+
+    fn refuse_vain(&self, form: Form) -> Result<(), Refusal> {
+        match self.most.is_some() && form == Form::Csv {
+            true => Err(Refusal::Misuse(Misuse::VainMost)),
+            false => Ok(()),
+        }
     }
 
     fn theorem(

@@ -90,6 +90,14 @@ pub trait Ask {
         Err(Refusal::NoProof(NoProof::NoTheorem))
     }
 
+    /// Refuses keys that an answer in this form has no place for. A proof stands beside a report, which has.
+    ///
+    /// # Errors
+    /// With the first such key.
+    fn refuse_vain(&self, _form: Form) -> Result<(), Refusal> {
+        Ok(())
+    }
+
     /// Refuses a form.
     fn no_form(form: Form) -> Refusal {
         Refusal::Form { ask: Self::NAME, form, forms: Self::FORMS }

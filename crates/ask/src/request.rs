@@ -112,6 +112,19 @@ macro_rules! questions {
                 if has_bounds { readings.resolve(reading) } else { readings.resolve_without_bounds(reading) }
             }
 
+            /// Refuses keys and a style that an answer in this form has no place for.
+            ///
+            /// # Errors
+            /// With the first of them.
+            pub fn refuse_vain(&self, form: Form, style: &Style) -> Result<(), Refusal> {
+                match self { $(Request::$question(own) => own.refuse_vain(form)?),* }
+                // Lines of many sets are decimals in every form.
+                match self {
+                    Request::Fleet(_) | Request::Window(_) => Ok(()),
+                    _ => form.refuse_vain_style(style).map_err(Refusal::Misuse),
+                }
+            }
+
             /// The question of this name, with these keys.
             fn of_name(name: &str, keys: Map<String, Value>) -> Result<Self, Refusal> {
                 match name {
@@ -195,7 +208,7 @@ fn object(json: &str) -> Result<Map<String, Value>, Refusal> {
 }
 
 /// Reads a question, and names the key that is of another type: the one that alone is refused in the same words.
-fn of_object<Q: DeserializeOwned>(keys: Map<String, Value>) -> Result<Q, Refusal> {
+fn of_object<Q: Ask + DeserializeOwned>(keys: Map<String, Value>) -> Result<Q, Refusal> {
     const MISSING: &str = "missing field `";
     let keys = Value::Object(keys);
     let error = match Q::deserialize(&keys) {
@@ -212,7 +225,7 @@ fn of_object<Q: DeserializeOwned>(keys: Map<String, Value>) -> Result<Q, Refusal
         Some((key, _)) => Err(Refusal::Key { key: key.clone(), problem: wrong_type(&error) }),
         None if words.starts_with(MISSING) => {
             let key = words.split('`').nth(1).unwrap_or_default().to_owned();
-            Err(Refusal::Key { key, problem: "it is missing".to_owned() })
+            Err(Refusal::Key { key, problem: format!("it is missing: '{}' needs it", Q::NAME) })
         }
         None => Err(no_request(error)),
     }

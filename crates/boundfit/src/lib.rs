@@ -110,7 +110,7 @@
 //! | `lp` | the module `check`: claims about the intervals, judged exactly |
 //! | `judge` | the module `judge`: linear programs of any two variables, read from MPS and LP and solved exactly |
 //! | `float-solvers` | solvers whose answers are judged (microlp, Clarabel) |
-//! | `questions` | the module `questions`: statuses of readings, prediction, linearity, outliers, linear range, errors in x |
+//! | `questions` | the module `questions`: statuses of readings, prediction, the next reading, linearity, outliers, linear range, errors in x |
 //! | `ask` | the module `ask`: a question as JSON says it, answered in any form |
 //! | `verify` | the module `verify`: the checker of proofs |
 //! | `report` | the module `report`: answers as text, JSON, LaTeX, Markdown |

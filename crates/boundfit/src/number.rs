@@ -8,7 +8,7 @@ use thiserror::Error;
 ///
 /// | type | its value |
 /// |---|---|
-/// | `i32`, `i64`, `u32` | the integer |
+/// | `i8` to `i128`, `u8` to `u128`, `isize`, `usize` | the integer |
 /// | `f32`, `f64` | the dyadic fraction that the float is: 0.1 is 3602879701896397/36028797018963968 |
 /// | `str`, `String` | the decimal or fraction as written: "0.1" is 1/10, "5e-4" is 1/2000, "7/19" is 7/19 |
 /// | [`Rational`], [`Integer`], `BigRational`, `Ratio<i64>` | itself |
@@ -89,23 +89,17 @@ impl Number for f32 {
     }
 }
 
-impl Number for i64 {
-    fn exact(&self) -> Result<Rational, NumberError> {
-        Ok(Rational::from(*self))
-    }
+macro_rules! integers {
+    ($($integer:ty),*) => {
+        $(impl Number for $integer {
+            fn exact(&self) -> Result<Rational, NumberError> {
+                Ok(Rational::from(Integer::from(*self)))
+            }
+        })*
+    };
 }
 
-impl Number for i32 {
-    fn exact(&self) -> Result<Rational, NumberError> {
-        i64::from(*self).exact()
-    }
-}
-
-impl Number for u32 {
-    fn exact(&self) -> Result<Rational, NumberError> {
-        i64::from(*self).exact()
-    }
-}
+integers!(i8, i16, i32, i64, i128, isize, u8, u16, u32, u64, u128, usize);
 
 impl Number for Rational {
     fn exact(&self) -> Result<Rational, NumberError> {

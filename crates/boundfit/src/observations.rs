@@ -8,6 +8,9 @@ use thiserror::Error;
 
 use crate::number::{Number, NumberError};
 
+/// The ways to what only the program's `--eps` says in one text.
+const NO_LAW: &str = " (a law is for error_bounds, a multiple of the least bound for with_multiple_of_least)";
+
 /// The reason why numbers make no problem.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -23,7 +26,7 @@ pub enum Error {
         problem: NumberError,
     },
     /// The error bound of all readings has no exact value.
-    #[error("the error bound: {0}")]
+    #[error("the error bound: {0}{hint}", hint = if matches!(.0, NumberError::Text { .. }) { NO_LAW } else { "" })]
     ErrorBound(NumberError),
     /// The origin of x has no exact value.
     #[error("the origin of x: {0}")]
@@ -158,7 +161,8 @@ impl Observations {
         Ok(self)
     }
 
-    /// The problem in which every reading has this error bound: |e| ≤ eps.
+    /// The problem in which every reading has this error bound: |e| ≤ eps. A law such as 1 % of |y| is a bound for each reading, which
+    /// [`error_bounds`](Observations::error_bounds) takes. A multiple of the least bound is [`Problem::with_multiple_of_least`].
     ///
     /// # Errors
     /// When the number has no exact value, or is negative.

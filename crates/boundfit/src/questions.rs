@@ -14,13 +14,13 @@
 #[doc(hidden)]
 pub use boundfit_questions::times;
 pub use boundfit_questions::{
-    Agreement, AlternatingPoint, BoxBound, CalibrationPoint, CalibrationReading, Characteristic,
-    Contradiction, Corner, Deciding, Demand, Difference, Extent, FurtherError, Growth, Guarantee, Judged,
-    LeastFactor, LinearRange, Linearity, LinearityInput, LinearityLine, LinearityOptions, Moved, Moving,
-    NoFurtherError, NoLeastFactor, NoLine, NoOutliers, NoRepair, NoXErrors, Order, OutlierLimits, Outliers,
-    Pass, Piece, PossibleEnd, PossibleX, Predictor, Ranking, Repair, ResponseColumns, RowStatus, Run, Side,
-    SideSet, SlopeDemand, SlopeEnd, Standing, Status, Statuses, Turn, Widened, Window, WindowFit, WindowSet,
-    XBounds, XErrorFit, XErrorProblem, guaranteed_share,
+    Agreement, AlternatingPoint, Best, BoxBound, CalibrationPoint, CalibrationReading, Characteristic,
+    Contradiction, Corner, Deciding, Demand, Difference, Extent, FurtherError, Goal, Growth, Guarantee,
+    Judged, LeastFactor, LinearRange, Linearity, LinearityInput, LinearityLine, LinearityOptions, Moved,
+    Moving, Next, NextReading, NoFurtherError, NoLeastFactor, NoLine, NoOutliers, NoRepair, NoXErrors, Order,
+    OutlierLimits, Outliers, Pass, Piece, PossibleEnd, PossibleX, Predictor, Ranking, Repair,
+    ResponseColumns, RowStatus, Run, Side, SideSet, SlopeDemand, SlopeEnd, Standing, Status, Statuses, Turn,
+    Widened, Window, WindowFit, WindowSet, XBounds, XErrorFit, XErrorProblem, guaranteed_share,
 };
 #[cfg(feature = "files")]
 pub use boundfit_questions::{Calibration, CalibrationColumns, CalibrationError, CalibrationResponse};

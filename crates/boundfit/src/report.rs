@@ -11,9 +11,10 @@
 //! ```
 
 pub use boundfit_report::{
-    Document, EndRounding, InverseLine, LONGEST_FRACTION, NewReadings, Origin, OutliersReport, RangeReport,
-    StatusCsv, StatusReport, Style, WindowReport, brief_document, fit_csv, fit_document, fit_json,
-    fit_script, guarantee_document, h_representation, linearity_csv, linearity_document, linearity_json,
+    Document, EndRounding, InverseLine, LONGEST_FRACTION, NewReadings, NextReadingReport, Origin,
+    OutliersReport, RangeReport, StatusCsv, StatusReport, Style, WindowReport, brief_document, fit_csv,
+    fit_document, fit_json, fit_script, guarantee_document, h_representation, linearity_csv,
+    linearity_document, linearity_json, next_reading_csv, next_reading_document, next_reading_json,
     outliers_csv, outliers_document, outliers_json, range_csv, range_document, range_json, region_script,
     region_wkt, status_document, sweep_document, v_representation, vertices_csv, x_error_csv,
     x_error_document, x_error_json, x_error_wkt,

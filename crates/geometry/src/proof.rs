@@ -20,7 +20,7 @@ pub struct Multiplier {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ProofError {
     /// An index beyond the system.
-    #[error("there is no inequality with index {0}")]
+    #[error("there is no inequality with index {0}: the proof is about another system")]
     UnknownInequality(usize),
     /// Multiplying by a negative number turns an inequality around.
     #[error("the multiplier of inequality {0} is not positive")]

@@ -4,6 +4,7 @@ use std::fs;
 
 use boundfit::check::check;
 use boundfit::num_rational::{BigRational, Ratio};
+use boundfit::questions::{Best, Goal, Next, NextReading};
 use boundfit::verify::{Extent, Falsehood, Found, VerifyError, verify};
 use boundfit::{
     Endpoint, Error, Fit, Interval, Number, NumberError, Observations, Problem, Rational, Reading,
@@ -122,6 +123,39 @@ fn a_line_is_that_of_the_program_from_every_type() {
         let epsilon = rational(epsilon).to_f64();
         assert_eq!(of_line(&doubles(&x), &doubles(&y), epsilon), in_binary64, "f64: {line}");
     }
+}
+
+#[test]
+fn every_type_of_integer_is_a_number() {
+    let signed: [&dyn Number; 6] = [&-7_i8, &-7_i16, &-7_i32, &-7_i64, &-7_i128, &-7_isize];
+    let unsigned: [&dyn Number; 6] = [&7_u8, &7_u16, &7_u32, &7_u64, &7_u128, &7_usize];
+    for (numbers, value) in [(signed, -7), (unsigned, 7)] {
+        for number in numbers {
+            assert_eq!(number.exact(), Ok(Rational::from(value)));
+        }
+    }
+    assert_eq!(u128::MAX.exact().unwrap().to_string(), u128::MAX.to_string());
+    // A fraction that is not needed any more goes by value, too.
+    let third: BigRational = rational("1/3").into();
+    assert_eq!(third, BigRational::new(1.into(), 3.into()));
+}
+
+#[test]
+fn the_next_reading_is_that_of_the_program() {
+    let line = "next fixtures/transducer/transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3";
+    let told = report(&root(), line, b"");
+    let [x, y] =
+        columns("fixtures/transducer/transducer.csv", ["Vz", "z"]).map(|cells| cells[13..36].to_vec());
+    let problem = Observations::line(&x, &y).unwrap().error_bound("0.5e-3").unwrap();
+    let (fit, epsilon) = (problem.fit(), rational("0.5e-3"));
+    let next = NextReading::of(&problem, &fit, &epsilon, None, &[Goal::Theta1]).unwrap();
+    let unsure = next.unsure.unwrap();
+    let [below, above] = [unsure.lower(), unsure.upper()].map(|end| end.value().cloned());
+    assert_eq!(below, exact_or_null(&told["certain"][0]["upper"]));
+    assert_eq!(above, exact_or_null(&told["certain"][1]["lower"]));
+    let best: &Best = &next.best[0];
+    let now = Next::new(fit.fps.polyhedron(), epsilon).unwrap().now(Goal::Theta1);
+    assert_eq!(best.now, now);
 }
 
 #[test]
@@ -254,6 +288,9 @@ fn what_is_no_problem_is_refused_with_its_place() {
     ] {
         assert!(error.to_string().starts_with(message), "{error}");
     }
+    let law = fit(&[0.0], &["1"], "1%*|y|").to_string();
+    let ways = " (a law is for error_bounds, a multiple of the least bound for with_multiple_of_least)";
+    assert!(law.ends_with(ways), "{law}");
     let line = || Observations::line(&[0, 1], &[0, 1]).unwrap();
     let bounds = line().error_bounds(&[1, -1]).unwrap_err();
     assert_eq!(bounds, Error::NegativeBound { row: Some(2) });

@@ -118,9 +118,8 @@ impl Predict {
         let at = ValueKey { key: "at", numbers: if is_line { 1 } else { 2 }, second: 1 };
         let from = ValueKey { key: "from", numbers: 1, second: 0 };
         let (at, from) = (Values::read(at, &self.at, asked)?, Values::read(from, &self.from, asked)?);
-        let table = &asked.options.table;
         let at = match &self.grid {
-            Some(grid) => at.with_grid(grid, &table.limits, table.sizes.rows)?,
+            Some(grid) => at.with_grid(grid, asked)?,
             None => at,
         };
         Ok([at, from])
@@ -207,6 +206,13 @@ impl Ask for Predict {
             }
         }
         Ok(Written::of_set(fit.is_empty()))
+    }
+
+    fn refuse_vain(&self, form: Form) -> Result<(), Refusal> {
+        match self.proofs && matches!(form, Form::Csv | Form::Json) {
+            true => Err(Refusal::Misuse(Misuse::VainProofs)),
+            false => Ok(()),
+        }
     }
 
     fn theorem(

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use boundfit_exact::{Column, Limit, Limits, Rational, Reading, Work};
-use boundfit_formats::{Batch, ColumnSelector, HeldRows, ScanOptions, scan};
+use boundfit_exact::{Column, Limit, Rational, Reading, Work};
+use boundfit_formats::{Batch, ColumnSelector, HeldRows, ScanOptions, TableOptions, scan};
 
 use crate::asked::Asked;
 use crate::given;
@@ -88,11 +88,13 @@ impl Values {
     }
 
     /// Puts values in equal steps before the others.
-    pub(super) fn with_grid(mut self, text: &str, limits: &Limits, most: usize) -> Result<Self, Refusal> {
+    pub(super) fn with_grid(mut self, text: &str, asked: &Asked) -> Result<Self, Refusal> {
         const EXPECTED: &str =
             "expected FROM..TO/N with FROM < TO and N steps between them, such as 0..10/100";
         let refuse = |problem| Refusal::Value { key: "grid", text: text.to_owned(), problem };
         let bad = || refuse(ValueProblem::Expected(EXPECTED));
+        let TableOptions { limits, sizes, .. } = &asked.options.table;
+        let most = sizes.rows;
         // The last stroke stands before N: both ends may be fractions.
         let (ends, count) = text.rsplit_once('/').ok_or_else(bad)?;
         let (from, to) = given::ends(ends).ok_or_else(bad)?;
@@ -105,7 +107,10 @@ impl Values {
         let (from, to) = (number(from)?, number(to)?);
         let steps: usize = count.trim().parse().map_err(|_| bad())?;
         if steps >= MOST_STEPS && most > MOST_STEPS {
-            let problem = "refused: more than 100000 values (expected fewer, or FILE:COL)";
+            let problem = match asked.tables {
+                Some(_) => "refused: more than 100000 values (expected fewer, or FILE:COL)",
+                None => "refused: more than 100000 values (expected fewer)",
+            };
             return Err(refuse(ValueProblem::Expected(problem)));
         }
         if steps >= most {

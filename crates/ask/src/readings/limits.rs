@@ -41,8 +41,11 @@ pub fn resolve_limits(asked: &AskedLimits) -> Result<(Limits, SizeLimits), Refus
     for (name, &most) in asked {
         let limit = limits_of_files().find(|limit| limit.name() == name);
         let limit = limit.ok_or_else(|| {
-            let names = limits_of_files().map(|limit| limit.name().to_owned()).collect();
-            Refusal::Value { key: "limits", text: name.clone(), problem: ValueProblem::OneOf(names) }
+            let problem = match name.as_str() {
+                "sets" | "steps" => ValueProblem::Other(format!("'outliers' has a key for it, max_{name}")),
+                _ => ValueProblem::OneOf(limits_of_files().map(|limit| limit.name().to_owned()).collect()),
+            };
+            Refusal::Value { key: "limits", text: name.clone(), problem }
         })?;
         let range = range_of_limit(limit);
         if !range.contains(&most) {

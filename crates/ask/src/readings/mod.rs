@@ -17,7 +17,7 @@ use crate::given::Given;
 use crate::misuse::Misuse;
 use crate::refusal::{Refusal, ValueProblem};
 
-pub use common::{AnswerWords, Common};
+pub use common::{AnswerWords, Common, Digits};
 pub use keys::take_key;
 pub use limits::{AskedLimits, limits_of_files, range_of_limit, resolve_limits};
 pub use rows::{OfRows, Rows};

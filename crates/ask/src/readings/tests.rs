@@ -1,5 +1,5 @@
 use boundfit_formats::Source;
-use boundfit_report::Style;
+use boundfit_report::{EndRounding, Style};
 
 use super::*;
 use crate::form::Form;
@@ -66,6 +66,10 @@ fn words_that_exclude_or_need_each_other_are_refused_by_their_keys() {
         (format!("{line}, \"where\": [\"theta3 > 0\"]"), "<where> theta3 > 0: neither a number"),
         (format!("{line}, \"missing\": \"drop\""), "<missing> drop: expected one of \"refuse\", \"skip\""),
         (format!("{line}, \"header\": true"), "<header>: true: expected a text"),
+        (
+            format!("{line}, \"limits\": {{\"sets\": 3}}"),
+            "<limits> sets: 'outliers' has a key for it, max_sets",
+        ),
         (format!("{line}, \"limits\": {{\"depth\": 1}}"), "<limits> depth: expected one of \"digits\""),
         (
             format!("{line}, \"limits\": {{\"nesting\": 121}}"),
@@ -155,12 +159,64 @@ fn errors_of_x_are_refused_where_every_x_is_exact() {
 }
 
 #[test]
+fn tables_that_are_not_at_hand_are_no_way_out() {
+    let grid = asked("predict", r#", "grid": "0..1/1000000000""#).unwrap_err();
+    assert_eq!(grid, "<grid> 0..1/1000000000: refused: more than 100000 values (expected fewer)");
+    let new = asked("status", r#", "new": "a.csv""#).unwrap_err();
+    assert!(new.ends_with("<at> and <from> take values themselves, and <new> takes a table alone"), "{new}");
+}
+
+#[test]
+fn keys_that_a_form_has_no_place_for_are_refused() {
+    let refused = |json: &str, form: Form, style: Style| {
+        let request = Request::parse(json).unwrap();
+        request.refuse_vain(form, &style).map_err(|refusal| refusal.words(&Keys))
+    };
+    let usual = Style::default();
+    for (json, forms, words) in [
+        (r#"{"ask": "fit", "sweep": "1..2"}"#, [Form::Csv, Form::Wkt], "<sweep> needs the format text, "),
+        (r#"{"ask": "fit", "confidence": "0.9"}"#, [Form::Wkt, Form::M], "<confidence> needs the format "),
+        (r#"{"ask": "fit", "brief": true}"#, [Form::Json, Form::Csv], "<brief>, <full> and <inverse> need "),
+        (r#"{"ask": "fit", "brief": true, "full": true}"#, [Form::Text, Form::Latex], "<brief> reports ten "),
+        (r#"{"ask": "status", "repair": true}"#, [Form::Csv; 2], "<repair> needs another format than csv"),
+        (r#"{"ask": "status", "all": true}"#, [Form::Csv, Form::Json], "<all> needs the format text, latex "),
+        (
+            r#"{"ask": "predict", "proofs": true}"#,
+            [Form::Csv, Form::Json],
+            "<proofs> needs the format text, ",
+        ),
+        (r#"{"ask": "outliers", "most": 2}"#, [Form::Csv; 2], "<most> is no part of csv: "),
+    ] {
+        for form in forms {
+            let problem = refused(json, form, usual).unwrap_err();
+            assert!(problem.starts_with(words), "{json} as {}: {problem}", form.name());
+        }
+        let has_place = json.contains("full") || refused(json, Form::Text, usual).is_ok();
+        assert!(has_place, "{json}");
+    }
+    let styles = [
+        ("<digits>", Style { digits: Some(3), ..usual }),
+        ("<rounding>", Style { ends: EndRounding::Nearest, ..usual }),
+        ("<exact>", Style { exact: true, ..usual }),
+    ];
+    for (key, style) in styles {
+        let problem = refused(r#"{"ask": "fit"}"#, Form::Csv, style).unwrap_err();
+        assert!(problem.starts_with(&format!("{key} is about decimals in text, ")), "{problem}");
+        for form in [Form::Text, Form::Json, Form::Proof] {
+            assert_eq!(refused(r#"{"ask": "fit"}"#, form, style), Ok(()));
+        }
+        // Lines of many sets are decimals in every form.
+        assert_eq!(refused(r#"{"ask": "window", "window": 3}"#, Form::Csv, style), Ok(()));
+    }
+}
+
+#[test]
 fn a_request_says_which_question_and_which_readings() {
     let json = r#"{"x": "V", "step": 2, "y": null, "ask": "window", "window": 5, "digits": 3}"#;
     let (request, Common { readings, answer }) = Request::with_readings(json).unwrap();
     assert_eq!(request.name(), "window");
     assert_eq!(readings, Readings { x: Some(Regressors::One("V".to_owned())), ..Readings::default() });
-    assert_eq!(answer, AnswerWords { digits: Some(3), ..AnswerWords::default() });
+    assert_eq!(answer, AnswerWords { digits: Some(Digits(3)), ..AnswerWords::default() });
     for (json, words) in [
         (r#"{"ask": "rnge"}"#, "<ask> rnge: expected one of \"fit\", \"fit-x-errors\""),
         (r#"{"x": "V"}"#, "<ask>: it names the question"),
@@ -174,13 +230,18 @@ fn a_request_says_which_question_and_which_readings() {
             r#"{"ask": "window", "step": -1, "window": 3}"#,
             "<step>: -1: expected an integer that is at least 0",
         ),
-        (r#"{"ask": "fleet", "x": "V"}"#, "<by>: it is missing"),
+        (r#"{"ask": "fleet", "x": "V"}"#, "<by>: it is missing: 'fleet' needs it"),
         (r#"{"ask": "range", "by": ["x"]}"#, "<by>: an array: expected a text"),
         (r#"{"ask": "next", "within": ["1"]}"#, "<within>: an array of 1: expected an array of two"),
         (r#"{"ask": "next", "within": ["1", "2", "3"]}"#, "<within>: an array of 3: expected fewer elements"),
         (r#"{"ask": "window", "window_x": true}"#, "<window_x>: expected a number as text"),
         (r#"{"ask": "range", "x": 5}"#, "<x>: expected the name or number of a column"),
-        (r#"{"ask": "range", "digits": 1e9}"#, "<digits>: 1000000000.0: expected an integer from 0 to 65535"),
+        (r#"{"ask": "range", "digits": 1e9}"#, "<digits>: 1000000000.0: expected an integer from 1 to 1000"),
+        (r#"{"ask": "range", "digits": 3.5}"#, "<digits>: 3.5: expected an integer from 1 to 1000"),
+        (r#"{"ask": "range", "digits": "3"}"#, "<digits>: \"3\": expected an integer from 1 to 1000"),
+        (r#"{"ask": "range", "digits": -1}"#, "<digits>: -1: expected an integer from 1 to 1000"),
+        (r#"{"ask": "range", "digits": 0}"#, "<digits>: 0: expected an integer from 1 to 1000"),
+        (r#"{"ask": "range", "digits": 1001}"#, "<digits>: 1001: expected an integer from 1 to 1000"),
         ("[]", "request: invalid type"),
     ] {
         let refused = Request::with_readings(json).unwrap_err().words(&Keys);

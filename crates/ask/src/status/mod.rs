@@ -15,7 +15,7 @@ use serde::Deserialize;
 
 use crate::asked::Asked;
 use crate::form::{Form, Paper, Shows, Written};
-use crate::misuse::NoProof;
+use crate::misuse::{Misuse, NoProof};
 use crate::question::{Ask, Out, document, put};
 use crate::refusal::Refusal;
 pub use looks::Judgeable;
@@ -241,6 +241,14 @@ impl Ask for Status {
             }
         }
         Ok(Written::of_set(answer.fit.is_empty()))
+    }
+
+    fn refuse_vain(&self, form: Form) -> Result<(), Refusal> {
+        match form {
+            Form::Csv if self.repair => Err(Refusal::Misuse(Misuse::VainRepair)),
+            Form::Csv | Form::Json if self.all => Err(Refusal::Misuse(Misuse::VainAll)),
+            _ => Ok(()),
+        }
     }
 
     fn theorem(

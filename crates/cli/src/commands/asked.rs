@@ -90,6 +90,7 @@ impl<'a> Job<'a> {
         if !Q::FORMS.contains(&form) {
             return Err(failed(Q::no_form(form)));
         }
+        question.refuse_vain(form).map_err(failed)?;
         let data = data.open_for(Q::HAS_BOUNDS)?.holding(memory::OF_A_READING);
         let paper = Paper { origin: data.origin, style };
         let (asked, source) = data.scan();

@@ -6,7 +6,7 @@ use boundfit_questions::OutlierLimits;
 use clap::Args;
 
 use super::asked::Job;
-use crate::exit::{CommandResult, Failure};
+use crate::exit::CommandResult;
 use crate::options::{
     BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, ProofArguments, TableFormat, ThreadArguments,
     limits, whole,
@@ -69,10 +69,6 @@ impl OutliersArguments {
 /// Reads the data, finds the outliers and writes the report.
 pub(super) fn run(arguments: &OutliersArguments) -> CommandResult {
     arguments.threads.set()?;
-    if arguments.most.is_some() && arguments.output.format()? == TableFormat::Csv {
-        let problem = "'--most' is no part of csv: a table has a row for each set of outliers, and no room for how the set grows";
-        return Err(Failure::Usage(problem.to_owned()));
-    }
     let job = Job::proving(arguments.data.words(), &arguments.output, &arguments.proof)?;
     let job = Job { style: arguments.data.table.limits.limited(job.style), ..job };
     let mut guard = job.guard(&arguments.output.file.replace, &[])?;

@@ -145,11 +145,6 @@ fn check_usage(
             "'--format csv' writes one table: ask '--at' or '--grid', and '--from', in runs of their own",
         );
     }
-    if question.proofs && matches!(format, TableFormat::Csv | TableFormat::Json) {
-        return refuse(
-            "'--proofs' needs the format text, latex or markdown; JSON has the proofs anyway, and CSV has no room for them",
-        );
-    }
     let inputs = files.iter().copied().chain([arguments.data.path()]).filter(|file| *file == "-").count();
     if inputs > 1 {
         return refuse("standard input is read once: give one of the tables a file");

@@ -76,28 +76,12 @@ impl StatusArguments {
 /// Finds the set, judges every reading by it and writes.
 pub(super) fn run(arguments: &StatusArguments) -> CommandResult {
     arguments.threads.set()?;
-    check_usage(arguments, arguments.output.format()?)?;
+    if arguments.new.as_deref() == Some("-") && arguments.data.path() == "-" {
+        let problem = "DATA and '--new' would both be read from standard input: give one of them a file";
+        return Err(Failure::Usage(problem.to_owned()));
+    }
     let job = Job::proving(arguments.data.words(), &arguments.output, &arguments.proof)?;
     let beside: Vec<&str> = arguments.new.as_deref().into_iter().collect();
     let mut guard = job.guard(&arguments.output.file.replace, &beside)?;
     job.run(&arguments.question(), &mut guard)
-}
-
-/// Refuses what only some formats have, and files that are named twice.
-fn check_usage(arguments: &StatusArguments, format: TableFormat) -> Result<(), Failure> {
-    let refuse = |problem: &str| Err(Failure::Usage(problem.to_owned()));
-    if arguments.repair && format == TableFormat::Csv {
-        return refuse(
-            "'--repair' needs another format than csv, which has a row for each reading and no room for it",
-        );
-    }
-    if arguments.all && matches!(format, TableFormat::Json | TableFormat::Csv) {
-        return refuse(
-            "'--all' needs the format text, latex or markdown; other formats list every reading anyway",
-        );
-    }
-    if arguments.new.as_deref() == Some("-") && arguments.data.path() == "-" {
-        return refuse("DATA and '--new' would both be read from standard input: give one of them a file");
-    }
-    Ok(())
 }

@@ -1,6 +1,6 @@
 //! The arguments of several commands.
 
-use boundfit_ask::{Form, Regressors};
+use boundfit_ask::{Form, Refusal, Regressors};
 use boundfit_exact::{DecimalMark, Foreign, Reading};
 use boundfit_formats::{DELIMITERS, Header, Missing};
 use boundfit_report::EndRounding;
@@ -207,19 +207,8 @@ impl<F: NamedFormat + ValueEnum + Send + Sync> OutputArguments<F> {
 
     /// Refuses options about decimals where an answer in this form has none.
     pub(crate) fn check_decimals(&self, form: Form) -> Result<(), Failure> {
-        let has_decimals = matches!(form, Form::Text | Form::Latex | Form::Markdown | Form::Json);
-        let has_digits = has_decimals || matches!(form, Form::Vertices | Form::Wkt);
-        let asked = [
-            ("--digits", self.digits.is_some() && !has_digits),
-            ("--rounding", self.rounding != EndRounding::Outward && !has_decimals),
-            ("--exact", self.exact && !has_decimals),
-        ];
-        match asked.into_iter().find(|(_, is_refused)| *is_refused) {
-            Some((option, _)) => Err(Failure::Usage(format!(
-                "'{option}' is about decimals in text, latex, markdown and json; this format has doubles, exact numbers or both"
-            ))),
-            None => Ok(()),
-        }
+        let vain = |misuse| Failure::misused(Refusal::Misuse(misuse));
+        form.refuse_vain_style(&self.style()).map_err(vain)
     }
 }
 

@@ -161,7 +161,7 @@ macro_rules! from_primitive {
     )*};
 }
 
-from_primitive!(i32, i64, i128, u32, u64, u128, usize);
+from_primitive!(i8, i16, i32, i64, i128, isize, u8, u16, u32, u64, u128, usize);
 
 impl From<Wide> for Integer {
     #[inline]

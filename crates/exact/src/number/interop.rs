@@ -65,6 +65,12 @@ impl From<&Rational> for BigRational {
     }
 }
 
+impl From<Rational> for BigRational {
+    fn from(value: Rational) -> Self {
+        BigRational::from(&value)
+    }
+}
+
 /// Exact, and in lowest terms, as for a `BigRational`.
 ///
 /// # Panics

@@ -233,15 +233,8 @@ fn next_words(step: &NextStep) -> Option<String> {
 
 /// Refuses what only some formats have.
 fn check_usage_of_parts(arguments: &FitArguments, format: ReportFormat) -> Result<(), Failure> {
-    let is_document = matches!(format, ReportFormat::Text | ReportFormat::Latex | ReportFormat::Markdown);
     let problem = if arguments.vertices && format != ReportFormat::Csv {
         "'--vertices' needs '--format csv'; other formats contain the vertices anyway"
-    } else if (arguments.brief || arguments.full || arguments.inverse) && !is_document {
-        "'--brief', '--full' and '--inverse' need the format text, latex or markdown; other formats contain everything"
-    } else if arguments.sweep.is_some() && !is_document && format != ReportFormat::Json {
-        "'--sweep' needs the format text, latex, markdown or json; other formats have no place for many sets"
-    } else if arguments.confidence.is_some() && !is_document && format != ReportFormat::Json {
-        "'--confidence' needs the format text, latex, markdown or json; other formats have no place for a guarantee"
     } else if arguments.no_eui && arguments.by.is_some() {
         "'--no-eui' is about one set: '--by' reads each group once, and no EUI needs another look"
     } else {
