@@ -275,6 +275,14 @@ fn a_theorem_about_other_rows_is_none() {
             "\"feasible\" is defined once more behind what the rows say",
         ),
         (
+            own.replacen(
+                "Definition vertices ",
+                "Definition is_range (_ : Q * Q -> Prop) (_ _ : option Q) := True.\nDefinition vertices ",
+                1,
+            ),
+            "behind what the rows say \"is_range\" is defined, which boundfit does not do there",
+        ),
+        (
             format!("{own}#[local] Notation rows := (List.nil).\n"),
             "behind what the rows say \"#[local] Notation ro\" begins a sentence that could change it",
         ),

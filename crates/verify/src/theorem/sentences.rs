@@ -7,6 +7,10 @@ use crate::shape::NotAProof;
 /// The words that begin boundfit's sentences outside proofs. Those that name something come first.
 const BEGINNINGS: [&str; 6] = ["Definition", "Lemma", "Theorem", "Proof", "Qed", "Print"];
 const NAMING: usize = 3;
+/// The names that boundfit defines there. Another definition could give a name of the theory another meaning.
+const DEFINED: &str = "against always bases beyond boundary boundary_base data deciding ends entries evidence feasibleR \
+                       feasible_part feasible_partR feasible_without feasible_withoutR forms key lonely_rows objective \
+                       outliers points rays row_form runs sets value vertices";
 
 /// Refuses sentences that could change what a name stands for: Coq's kernel accepts a second definition, in a module or not, and the
 /// theorems behind it would be about other rows. `definitions` are the sentences whose names must keep their meaning.
@@ -28,11 +32,19 @@ pub(super) fn refuse_new_meanings(definitions: &str, behind: &str) -> Result<(),
                 "behind what the rows say {start:?} begins a sentence that could change it"
             )));
         }
+        let name = words.next();
         if let Some(name) =
-            words.next().filter(|name| known < Some(NAMING) && known.is_some() && names.contains(name))
+            name.filter(|name| known < Some(NAMING) && known.is_some() && names.contains(name))
         {
             return Err(NotAProof::new(format_args!(
                 "{name:?} is defined once more behind what the rows say"
+            )));
+        }
+        if let Some(name) =
+            name.filter(|name| first == "Definition" && DEFINED.split(' ').all(|own| own != *name))
+        {
+            return Err(NotAProof::new(format_args!(
+                "behind what the rows say {name:?} is defined, which boundfit does not do there"
             )));
         }
     }
