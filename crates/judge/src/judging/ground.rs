@@ -10,8 +10,8 @@ use crate::certificate::value_of;
 ///
 /// - of a row or bound: the larger of the violated bound and the sum of the sizes of the row's terms at the optimum. A column
 ///   that is 0 there counts as large as the smallest row that it is in lets it be;
-/// - of the objective: the sum of the sizes of its terms at the optimum, or how much it varies over the feasible set where that
-///   is less and not 0;
+/// - of the objective: the sum of the sizes of its terms at the optimum, without its constant, which no solver computes, or
+///   how much it varies over the feasible set where that is less and not 0;
 /// - of a reduced cost: the larger of the column's cost and the sum of the sizes of the terms that the exact duals
 ///   take from it. A dual has the size of its contribution to these.
 #[derive(Debug, Clone)]
@@ -125,10 +125,10 @@ fn cost_sizes(model: &Model, answer: &Answer) -> Vec<Rational> {
 
 /// The sum of the sizes of the objective's terms at the optimum, the largest of all optimal vertices.
 fn objective_terms(model: &Model, answer: &Answer) -> Rational {
-    let Answer::Optimal { face, .. } = answer else { return model.constant.abs() };
+    let Answer::Optimal { face, .. } = answer else { return Rational::zero() };
     let at = |point: &Vec<Rational>| {
         let terms = model.columns.iter().zip(point).map(|(column, value)| (&column.cost * value).abs());
-        terms.fold(model.constant.abs(), |sum, term| sum + term)
+        terms.fold(Rational::zero(), |sum, term| sum + term)
     };
     face.vertices.iter().chain(&face.points).map(at).max().unwrap_or_default()
 }
