@@ -417,10 +417,20 @@ fn a_file_of_scip_without_a_status_claims_an_optimum() {
         assert_eq!(status.unwrap()["verdict"], expected, "{text}: {solution}");
         assert_eq!(refuted(&solution).contains(&"optimality"), verdict == "refuted", "{text}: {solution}");
     }
-    let right = fs::read_to_string(root().join(fixture("vertex-third", "scip"))).unwrap();
-    let (_, text) = right.split_once('\n').unwrap();
-    let (status, solution) = judged_text("vertex-third", text);
-    assert!(status == 0 && solution["claimed_status"] == "optimal", "{text}: {solution}");
+    let right = "objective value: -0.666666666666667\nX1 0.333333333333333\nX2 0.333333333333333\n";
+    let (status, solution) = judged_text("vertex-third", right);
+    assert!(status == 0 && solution["verdict"] == "rounded", "{solution}");
+}
+
+#[test]
+fn the_optimum_of_the_opposite_sense_is_called_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("own.json");
+    fs::write(&path, r#"{"status": "optimal", "objective": 0, "x": [0, 0]}"#).unwrap();
+    let text = judge("vertex-third", path.to_str().unwrap(), &[]).stdout;
+    let said = "which is the maximum, but the program asks for the minimum";
+    let words: Vec<&str> = text.split_whitespace().collect();
+    assert_eq!(words.join(" ").matches(said).count(), 2, "{text}");
 }
 
 #[test]

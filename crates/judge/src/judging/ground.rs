@@ -24,6 +24,8 @@ pub struct Ground<'a> {
     costs: Vec<Rational>,
     /// The measure of the objective.
     objective: Rational,
+    /// The optimum of the opposite sense, if there is one.
+    pub(super) opposite: Option<Rational>,
 }
 
 impl<'a> Ground<'a> {
@@ -33,9 +35,14 @@ impl<'a> Ground<'a> {
         let columns = column_sizes(model, answer);
         let costs = cost_sizes(model, answer);
         let terms = objective_terms(model, answer);
-        let range = objective_range(model, answer).filter(|range| *range < terms || terms.is_zero());
+        let opposite = opposite_optimum(model, answer);
+        let range = match (answer, &opposite) {
+            (Answer::Optimal { value, .. }, Some(other)) => Some((other - value).abs()),
+            _ => None,
+        };
+        let range = range.filter(|range| range.is_positive() && (*range < terms || terms.is_zero()));
         let objective = range.or(Some(terms).filter(Rational::is_positive)).unwrap_or_else(Rational::one);
-        Ground { model, answer, columns, costs, objective }
+        Ground { model, answer, columns, costs, objective, opposite }
     }
 
     /// The measure of the objective.
@@ -133,15 +140,15 @@ fn objective_terms(model: &Model, answer: &Answer) -> Rational {
     face.vertices.iter().chain(&face.points).map(at).max().unwrap_or_default()
 }
 
-/// Returns how much the objective varies over the feasible set, where that is finite and not 0.
-fn objective_range(model: &Model, answer: &Answer) -> Option<Rational> {
-    let Answer::Optimal { value, .. } = answer else { return None };
+/// Returns the optimum of the opposite sense, where both are finite.
+fn opposite_optimum(model: &Model, answer: &Answer) -> Option<Rational> {
+    let Answer::Optimal { .. } = answer else { return None };
     let sense = match model.sense {
         ObjectiveSense::Minimize => ObjectiveSense::Maximize,
         ObjectiveSense::Maximize => ObjectiveSense::Minimize,
     };
     match Answer::of(&Model { sense, ..model.clone() }).ok()? {
-        Answer::Optimal { value: other, .. } => Some((other - value).abs()).filter(Rational::is_positive),
+        Answer::Optimal { value, .. } => Some(value),
         _ => None,
     }
 }

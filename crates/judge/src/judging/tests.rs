@@ -367,6 +367,27 @@ fn numbers_that_are_not_finite_are_no_answer() {
 }
 
 #[test]
+fn a_wrong_objective_names_the_program_that_it_answers() {
+    use super::OtherProgram::{OppositeSense, OtherConstant};
+    let model = Model { constant: number("3"), ..textbook() };
+    for (objective, x, expected) in [
+        ("33", "[2, 6]", [Some(OtherConstant), None]),
+        ("3", "[0, 0]", [Some(OppositeSense), Some(OppositeSense)]),
+        ("34", "[0, 1]", [None, None]),
+    ] {
+        let text = format!(r#"{{"status": "optimal", "objective": {objective}, "x": {x}}}"#);
+        let findings = judged(&model, &text);
+        let answers = [Aspect::Objective, Aspect::Optimality].map(|aspect| {
+            match &findings.about(aspect).unwrap().fault {
+                Some(Fault::Value { answers, .. }) => *answers,
+                _ => None,
+            }
+        });
+        assert_eq!(answers, expected, "{text}");
+    }
+}
+
+#[test]
 fn the_constant_of_the_objective_excuses_nothing() {
     // The least x + 10⁹ with x ≥ 1: nothing limits x above.
     let model = Model {
