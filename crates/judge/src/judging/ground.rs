@@ -10,8 +10,8 @@ use crate::certificate::value_of;
 ///
 /// - of a row or bound: the larger of the violated bound and the sum of the sizes of the row's terms at the optimum. A column
 ///   that is 0 there counts as large as the smallest row that it is in lets it be;
-/// - of the objective: the sum of the sizes of its terms at the optimum, without its constant, which no solver computes, or
-///   how much it varies over the feasible set where that is less and not 0;
+/// - of the objective: the sum of the sizes of its terms at the optimum, or how much it varies over the feasible set where that
+///   is less and not 0. Its constant is no term;
 /// - of a reduced cost: the larger of the column's cost and the sum of the sizes of the terms that the exact duals
 ///   take from it. A dual has the size of its contribution to these.
 #[derive(Debug, Clone)]

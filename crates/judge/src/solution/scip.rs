@@ -1,5 +1,5 @@
 //! SCIP: what `write solution` writes, a list of variables after a line with the status. Zeros are left out.
-//! Files that a program writes for its best point lack that line. What they list claims to be optimal, as in a file of Gurobi.
+//! Files that a program writes for its best point lack that line. Their values claim to be optimal, as those of Gurobi do.
 //!
 //! Source: SCIP, `SCIPprintSol`, numbers as `%20.15g`, none below `numerics/epsilon` (10⁻⁹).
 

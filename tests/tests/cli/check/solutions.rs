@@ -141,7 +141,7 @@ fn statuses() {
         exact(STRIP, &text);
         assert_eq!(verdict(EMPTY, 4, "theta1-min.sol", &text).0, "wrong status", "{file}");
     }
-    // What lacks its status claims an optimum.
+    // A file of SCIP that lacks its status claims an optimum.
     let scip = solution("transducer/scip/theta1-min.sol");
     let without = scip.split_once('\n').map(|(_, rest)| rest).unwrap();
     assert_eq!(
