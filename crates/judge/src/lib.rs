@@ -24,7 +24,9 @@ mod solve;
 
 pub use answer::{Answer, Basis, BasisStatus, Face, Item, Prices, Side, SideMultiplier};
 pub use error::SolveError;
-pub use judging::{Aspect, Excuse, Fault, Finding, Findings, Ground, JudgedSolution, Tolerances, Worth};
+pub use judging::{
+    Aspect, Excuse, Fault, Finding, Findings, Ground, JudgedSolution, OtherProgram, Tolerances, Worth,
+};
 pub use plane::Plane;
 pub use solution::{
     Announced, Entry, Figure, Given, NotFinite, Part, Reference, Solution, SolutionError, SolutionFile,

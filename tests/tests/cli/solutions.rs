@@ -403,6 +403,37 @@ fn words_that_only_begin_like_optimal_are_no_answer() {
 }
 
 #[test]
+fn a_file_of_scip_without_a_status_claims_an_optimum() {
+    for (text, verdict) in [
+        ("objective value: -99\nX1 77 (obj:-2)\n", "refuted"),
+        ("objective value: -0.666666666666667\n", "refuted"),
+        ("solution status: unknown\nobjective value: -99\nX1 77 (obj:-2)\n", "no answer"),
+        ("solution status: unknown\nno solution available\n", "no answer"),
+    ] {
+        let (_, solution) = judged_text("vertex-third", text);
+        assert_eq!(solution["writer"], "SCIP", "{solution}");
+        let status = solution["findings"].as_array().unwrap().iter().find(|own| own["aspect"] == "status");
+        let expected = if verdict == "refuted" { "exact" } else { "no answer" };
+        assert_eq!(status.unwrap()["verdict"], expected, "{text}: {solution}");
+        assert_eq!(refuted(&solution).contains(&"optimality"), verdict == "refuted", "{text}: {solution}");
+    }
+    let right = "objective value: -0.666666666666667\nX1 0.333333333333333\nX2 0.333333333333333\n";
+    let (status, solution) = judged_text("vertex-third", right);
+    assert!(status == 0 && solution["verdict"] == "rounded", "{solution}");
+}
+
+#[test]
+fn the_optimum_of_the_opposite_sense_is_called_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("own.json");
+    fs::write(&path, r#"{"status": "optimal", "objective": 0, "x": [0, 0]}"#).unwrap();
+    let text = judge("vertex-third", path.to_str().unwrap(), &[]).stdout;
+    let said = "which is the maximum, but the program asks for the minimum";
+    let words: Vec<&str> = text.split_whitespace().collect();
+    assert_eq!(words.join(" ").matches(said).count(), 2, "{text}");
+}
+
+#[test]
 fn reduced_costs_without_duals_are_said_to_be_passed_over() {
     let right = r#""objective": "-2/3", "x": ["1/3", "1/3"]"#;
     let (_, solution) = judged_text("vertex-third", &format!("{{{right}, \"reduced_costs\": [5, 5]}}"));

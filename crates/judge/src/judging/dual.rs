@@ -221,7 +221,7 @@ impl Ground<'_> {
             rounding: explained,
             scale: self.objective_scale(),
             line: solution.status_line,
-            fault: Fault::Value { exact: &claimed - gap, claimed },
+            fault: Fault::Value { exact: &claimed - gap, claimed, answers: None },
             excuse: None,
         });
         measure.finding(Aspect::DualityGap, solution.status_line)

@@ -110,6 +110,15 @@ impl Worth {
     }
 }
 
+/// A program for which solvers often take another one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OtherProgram {
+    /// The one whose objective has a constant of the other sign, as GLPK and lp_solve read it in MPS.
+    OtherConstant,
+    /// The one of the opposite sense, which readers of MPS take that ignore `OBJSENSE`.
+    OppositeSense,
+}
+
 /// The fault, where it is known.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Fault {
@@ -133,6 +142,8 @@ pub enum Fault {
         claimed: Rational,
         /// The truth.
         exact: Rational,
+        /// The other question that the claim answers, if one is known.
+        answers: Option<OtherProgram>,
     },
     /// The point is beyond a bound.
     Beyond {

@@ -11,7 +11,7 @@ use crate::certificate::value_of;
 /// - of a row or bound: the larger of the violated bound and the sum of the sizes of the row's terms at the optimum. A column
 ///   that is 0 there counts as large as the smallest row that it is in lets it be;
 /// - of the objective: the sum of the sizes of its terms at the optimum, or how much it varies over the feasible set where that
-///   is less and not 0;
+///   is less and not 0. Its constant is no term;
 /// - of a reduced cost: the larger of the column's cost and the sum of the sizes of the terms that the exact duals
 ///   take from it. A dual has the size of its contribution to these.
 #[derive(Debug, Clone)]
@@ -24,6 +24,8 @@ pub struct Ground<'a> {
     costs: Vec<Rational>,
     /// The measure of the objective.
     objective: Rational,
+    /// The optimum of the opposite sense, if there is one.
+    pub(super) opposite: Option<Rational>,
 }
 
 impl<'a> Ground<'a> {
@@ -33,9 +35,14 @@ impl<'a> Ground<'a> {
         let columns = column_sizes(model, answer);
         let costs = cost_sizes(model, answer);
         let terms = objective_terms(model, answer);
-        let range = objective_range(model, answer).filter(|range| *range < terms || terms.is_zero());
+        let opposite = opposite_optimum(model, answer);
+        let range = match (answer, &opposite) {
+            (Answer::Optimal { value, .. }, Some(other)) => Some((other - value).abs()),
+            _ => None,
+        };
+        let range = range.filter(|range| range.is_positive() && (*range < terms || terms.is_zero()));
         let objective = range.or(Some(terms).filter(Rational::is_positive)).unwrap_or_else(Rational::one);
-        Ground { model, answer, columns, costs, objective }
+        Ground { model, answer, columns, costs, objective, opposite }
     }
 
     /// The measure of the objective.
@@ -125,23 +132,23 @@ fn cost_sizes(model: &Model, answer: &Answer) -> Vec<Rational> {
 
 /// The sum of the sizes of the objective's terms at the optimum, the largest of all optimal vertices.
 fn objective_terms(model: &Model, answer: &Answer) -> Rational {
-    let Answer::Optimal { face, .. } = answer else { return model.constant.abs() };
+    let Answer::Optimal { face, .. } = answer else { return Rational::zero() };
     let at = |point: &Vec<Rational>| {
         let terms = model.columns.iter().zip(point).map(|(column, value)| (&column.cost * value).abs());
-        terms.fold(model.constant.abs(), |sum, term| sum + term)
+        terms.fold(Rational::zero(), |sum, term| sum + term)
     };
     face.vertices.iter().chain(&face.points).map(at).max().unwrap_or_default()
 }
 
-/// Returns how much the objective varies over the feasible set, where that is finite and not 0.
-fn objective_range(model: &Model, answer: &Answer) -> Option<Rational> {
-    let Answer::Optimal { value, .. } = answer else { return None };
+/// Returns the optimum of the opposite sense, where both are finite.
+fn opposite_optimum(model: &Model, answer: &Answer) -> Option<Rational> {
+    let Answer::Optimal { .. } = answer else { return None };
     let sense = match model.sense {
         ObjectiveSense::Minimize => ObjectiveSense::Maximize,
         ObjectiveSense::Maximize => ObjectiveSense::Minimize,
     };
     match Answer::of(&Model { sense, ..model.clone() }).ok()? {
-        Answer::Optimal { value: other, .. } => Some((other - value).abs()).filter(Rational::is_positive),
+        Answer::Optimal { value, .. } => Some(value),
         _ => None,
     }
 }

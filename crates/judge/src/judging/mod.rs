@@ -15,7 +15,7 @@ use boundfit_lp::Model;
 use crate::answer::{Answer, Item};
 use crate::solution::{NotFinite, Part, Solution, SolverStatus};
 
-pub use finding::{Aspect, Excuse, Fault, Finding, Tolerances, Worth};
+pub use finding::{Aspect, Excuse, Fault, Finding, OtherProgram, Tolerances, Worth};
 pub use ground::Ground;
 use measure::Measure;
 

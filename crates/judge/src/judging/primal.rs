@@ -5,7 +5,7 @@ use boundfit_lp::{Bounds, End};
 
 use super::ground::objective_at;
 use super::measure::{Measured, rounding};
-use super::{Aspect, Excuse, Fault, Finding, Ground, Measure, Tolerances, value_at};
+use super::{Aspect, Excuse, Fault, Finding, Ground, Measure, OtherProgram, Tolerances, value_at};
 use crate::answer::{Answer, Item, Side};
 use crate::solution::{Given, Solution};
 
@@ -30,16 +30,32 @@ impl Ground<'_> {
     pub(super) fn objective(&self, solution: &Solution, tolerances: &Tolerances) -> Option<Finding> {
         let Answer::Optimal { value, .. } = self.answer else { return None };
         let claimed = solution.objective.as_ref().filter(|_| self.claims_optimum(solution))?;
+        let number = &claimed.number.value;
+        let rounding = rounding(&claimed.number, tolerances);
+        let constant = &self.model.constant;
+        let other = value - constant - constant;
+        let is_other = !constant.is_zero() && (number - other).abs() <= rounding;
+        let answers = is_other.then_some(OtherProgram::OtherConstant);
         let mut measure = Measure::new(tolerances);
         measure.take(Measured {
-            error: (&claimed.number.value - value).abs(),
-            rounding: rounding(&claimed.number, tolerances),
+            error: (number - value).abs(),
             scale: self.objective_scale(),
             line: claimed.line,
-            fault: Fault::Value { claimed: claimed.number.value.clone(), exact: value.clone() },
+            fault: Fault::Value {
+                claimed: number.clone(),
+                exact: value.clone(),
+                answers: answers.or_else(|| self.of_opposite_sense(number, &rounding)),
+            },
+            rounding,
             excuse: None,
         });
         Some(measure.finding(Aspect::Objective, claimed.line))
+    }
+
+    /// Returns whether a number is the optimum of the opposite sense.
+    fn of_opposite_sense(&self, value: &Rational, rounding: &Rational) -> Option<OtherProgram> {
+        let opposite = self.opposite.as_ref()?;
+        ((value - opposite).abs() <= *rounding).then_some(OtherProgram::OppositeSense)
     }
 
     fn claims_optimum(&self, solution: &Solution) -> bool {
@@ -122,14 +138,16 @@ impl Ground<'_> {
         let (point, roundings) = (values(given), roundings(given, tolerances));
         let claimed = objective_at(self.model, &point);
         let costs = self.model.columns.iter().zip(&roundings);
+        let rounding = costs.fold(Rational::zero(), |sum, (column, own)| sum + column.cost.abs() * own);
+        let answers = self.of_opposite_sense(&claimed, &rounding);
         let line = given.first().map_or(solution.status_line, |given| given.line);
         let mut measure = Measure::new(tolerances);
         measure.take(Measured {
             error: (&claimed - value).abs(),
-            rounding: costs.fold(Rational::zero(), |sum, (column, own)| sum + column.cost.abs() * own),
+            rounding,
             scale: self.objective_scale(),
             line,
-            fault: Fault::Value { claimed, exact: value.clone() },
+            fault: Fault::Value { claimed, exact: value.clone(), answers },
             excuse: None,
         });
         Some(measure.finding(Aspect::Optimality, line))

@@ -365,3 +365,43 @@ fn numbers_that_are_not_finite_are_no_answer() {
     let infeasible = plain.replace("f f 36", "n i nan");
     assert_eq!(unanswered(&judged(&textbook(), &infeasible)), []);
 }
+
+#[test]
+fn a_wrong_objective_names_the_program_that_it_answers() {
+    use super::OtherProgram::{OppositeSense, OtherConstant};
+    let model = Model { constant: number("3"), ..textbook() };
+    for (objective, x, expected) in [
+        ("33", "[2, 6]", [Some(OtherConstant), None]),
+        ("3", "[0, 0]", [Some(OppositeSense), Some(OppositeSense)]),
+        ("34", "[0, 1]", [None, None]),
+    ] {
+        let text = format!(r#"{{"status": "optimal", "objective": {objective}, "x": {x}}}"#);
+        let findings = judged(&model, &text);
+        let answers = [Aspect::Objective, Aspect::Optimality].map(|aspect| {
+            match &findings.about(aspect).unwrap().fault {
+                Some(Fault::Value { answers, .. }) => *answers,
+                _ => None,
+            }
+        });
+        assert_eq!(answers, expected, "{text}");
+    }
+}
+
+#[test]
+fn the_constant_of_the_objective_excuses_nothing() {
+    // The least x + 10⁹ with x ≥ 1: nothing limits x above.
+    let model = Model {
+        constant: number("1e9"),
+        columns: vec![column("x", "1", bounds(Some("0"), None))],
+        rows: vec![ModelRow {
+            name: "c".into(),
+            coefficients: vec![(0, number("1"))],
+            bounds: bounds(Some("1"), None),
+        }],
+        ..Model::default()
+    };
+    let findings = judged(&model, r#"{"status": "optimal", "objective": 1000000500, "x": {"x": 500}}"#);
+    assert_eq!(refuted(&findings), [Aspect::Objective, Aspect::Optimality]);
+    let findings = judged(&model, r#"{"status": "optimal", "objective": 1000000001.0000001, "x": {"x": 1}}"#);
+    assert_eq!(findings.worst(), Worth::Rounded);
+}

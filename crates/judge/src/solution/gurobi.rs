@@ -41,7 +41,7 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
             ["=unbd="] => (file.status, file.status_line) = (SolverStatus::Unbounded, line.number),
             [first, ..] if first.starts_with('#') => comment(&mut file, line, limits)?,
             [name, value] => {
-                file.columns.push(line.entry(*name, Some(line.figure(value, DIGITS, limits)?), None))
+                file.columns.push(line.entry(*name, Some(line.figure(value, DIGITS, limits)?), None));
             }
             _ => return Err(line.expected("\"NAME VALUE\"")),
         }

@@ -142,6 +142,9 @@ pub enum ModelErrorKind {
     /// A sense of the objective that is none.
     #[error("not a sense")]
     Sense,
+    /// A comment that asks for a maximum in a file that is minimized without `OBJSENSE`.
+    #[error("only a comment asks for the maximum, and MPS without OBJSENSE means the minimum")]
+    SenseInComment,
     /// An objective that is not a row of type N.
     #[error("the row is not of type N, so it is no objective")]
     NotAnObjective,
@@ -295,11 +298,14 @@ impl ModelErrorKind {
             ModelErrorKind::RowType => "N, L, G or E",
             ModelErrorKind::BoundType => "LO, UP, FX, FR, MI or PL",
             ModelErrorKind::Sense => "MIN or MAX",
+            ModelErrorKind::SenseInComment => {
+                "the section OBJSENSE with MAX or MIN; PuLP writes it with writeMPS(..., with_objsense=True)"
+            }
             ModelErrorKind::NotAnObjective => "a row of type N",
             ModelErrorKind::Dollar => "another name: what begins with $ may be a comment",
             ModelErrorKind::ColumnAgain { .. } => "all of a column together",
             ModelErrorKind::UnknownRow { .. } => "a row of the section ROWS",
-            ModelErrorKind::UnknownColumn { .. } => "a column that has coefficients",
+            ModelErrorKind::UnknownColumn { .. } => "a column that has coefficients; they may be 0",
             ModelErrorKind::EntryTwice { .. } | ModelErrorKind::SideTwice { .. } => "one",
             ModelErrorKind::BoundTwice { .. } => "one; FX and FR are both bounds",
             ModelErrorKind::NoBound => "a number behind the column; FR, MI and PL have none",

@@ -34,7 +34,7 @@ fn one_finding(model: &Model, finding: &Finding, style: &Style) -> FindingJson {
         Some(Fault::NotFinite { item, .. }) => {
             (item.map(|item| Side { item, end: boundfit_lp::End::Lower }), None, None)
         }
-        Some(Fault::Value { claimed, exact }) => (None, number(claimed), number(exact)),
+        Some(Fault::Value { claimed, exact, .. }) => (None, number(claimed), number(exact)),
         Some(Fault::Beyond { side, bound, value }) => (Some(*side), number(value), number(bound)),
         Some(Fault::NoSuchBound { side, price } | Fault::Slack { side, price, .. }) => {
             (Some(*side), number(price), None)

@@ -1,8 +1,8 @@
 //! The finding about one aspect, as a sentence.
 
 use boundfit_exact::{Foreign, Rational, Rounding};
-use boundfit_judge::{Excuse, Fault, Finding, Item, Part, Side, Worth};
-use boundfit_lp::{End, Model};
+use boundfit_judge::{Excuse, Fault, Finding, Item, OtherProgram, Part, Side, Worth};
+use boundfit_lp::{End, Model, ObjectiveSense};
 
 /// Significant digits up to which a number is shown in full.
 const FULL: usize = 20;
@@ -32,8 +32,10 @@ pub(super) fn sentence(model: &Model, finding: &Finding) -> String {
             let of = item.map(|item| format!(" of {}", name(model, Side { item, end: End::Lower })));
             format!("{}{} is not a finite number", part_name(*part), of.unwrap_or_default())
         }
-        Fault::Value { claimed, exact } => {
-            format!("off by {relative} of its size: {} instead of {}", number(claimed), number(exact))
+        Fault::Value { claimed, exact, answers } => {
+            let answers = answers.filter(|_| finding.worth == Worth::Refuted);
+            let other = answers.map_or("", |other| other_program(other, model.sense));
+            format!("off by {relative} of its size: {} instead of {}{other}", number(claimed), number(exact))
         }
         Fault::Beyond { side, bound, value } => format!(
             "off by {relative} of its size: {} is {}, {error} {} its {} bound {}",
@@ -78,6 +80,21 @@ pub(super) fn sentence(model: &Model, finding: &Finding) -> String {
     match &finding.excuse {
         Some(excuse) if finding.worth >= Worth::WithinTolerance => format!("{what}; {}", excuse_text(excuse)),
         _ => what,
+    }
+}
+
+/// The program that a wrong number is the optimum of.
+fn other_program(other: OtherProgram, sense: ObjectiveSense) -> &'static str {
+    match (other, sense) {
+        (OtherProgram::OtherConstant, _) => {
+            ", the optimum if the constant of the objective has the other sign, as GLPK reads it in MPS"
+        }
+        (OtherProgram::OppositeSense, ObjectiveSense::Minimize) => {
+            ", which is the maximum, but the program asks for the minimum"
+        }
+        (OtherProgram::OppositeSense, ObjectiveSense::Maximize) => {
+            ", which is the minimum, but the program asks for the maximum"
+        }
     }
 }
 

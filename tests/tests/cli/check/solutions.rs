@@ -141,6 +141,13 @@ fn statuses() {
         exact(STRIP, &text);
         assert_eq!(verdict(EMPTY, 4, "theta1-min.sol", &text).0, "wrong status", "{file}");
     }
+    // A file of SCIP that lacks its status claims an optimum.
+    let scip = solution("transducer/scip/theta1-min.sol");
+    let without = scip.split_once('\n').map(|(_, rest)| rest).unwrap();
+    assert_eq!(
+        verdict(TRANSDUCER, 0, "theta1-min.sol", without),
+        verdict(TRANSDUCER, 0, "theta1-min.sol", &scip)
+    );
     // With presolve GLPK says nothing about infeasible programs.
     let undefined = solution("statuses/glpk-plain-undefined.sol");
     nothing(EMPTY, &undefined, "the solver's status is UNDEFINED");

@@ -325,7 +325,7 @@ impl<'a, I: Iterator<Item = Result<Line<'a>, ModelError>>> Reader<'a, I> {
             if name.kind != Kind::Word || is_keyword(name.field.text) {
                 return Err(unexpected(name, A_BOUND));
             }
-            let column = self.program.known_column(name.field)?;
+            let column = self.program.bounded_column(name.field)?;
             let is_free =
                 left.is_none() && self.tokens.peek(0)?.is_some_and(|token| token.is_word(&["free"]));
             let right = match self.relation()? {

@@ -129,12 +129,19 @@ impl<'a> Program<'a> {
         }
     }
 
-    /// The place of a variable that has a term.
-    pub(super) fn known_column(&self, name: Field<'a>) -> Result<usize, ModelError> {
-        self.column_names.find(name.text).ok_or_else(|| {
-            let meant = self.column_names.nearest(name.text).map(Foreign::from);
-            name.error(ModelErrorKind::UnknownColumn { meant })
-        })
+    /// The place of a variable that has a bound. HiGHS and SCIP write bounds of variables without a term, too: their
+    /// coefficients are 0. A name like that of another variable is refused, unless they differ in digits alone.
+    pub(super) fn bounded_column(&mut self, name: Field<'a>) -> Result<usize, ModelError> {
+        if let Some(place) = self.column_names.find(name.text) {
+            return Ok(place);
+        }
+        let letters = |text: &str| text.replace(|c: char| c.is_ascii_digit(), "");
+        match self.column_names.nearest(name.text) {
+            Some(meant) if letters(meant) != letters(name.text) => {
+                Err(name.error(ModelErrorKind::UnknownColumn { meant: Some(meant.into()) }))
+            }
+            _ => self.column(name),
+        }
     }
 
     fn coefficient(&self, is_negative: bool, number: Option<Field<'a>>) -> Result<Rational, ModelError> {

@@ -12,7 +12,7 @@ use crate::model::{Model, ObjectiveSense};
 
 use program::Program;
 use record::{Blanks, Layout, Record, fields_with_blanks};
-use section::{Section, is_comment, is_marker};
+use section::{Section, is_comment, is_marker, is_maximize_comment};
 
 /// Reads either form. A file is fixed if its lines of data are in the columns of that form, names in it contain
 /// blanks, and it can be read so. A file that can be read either way with different meanings is refused.
@@ -53,6 +53,9 @@ fn read_as(text: &str, layout: Layout, limits: &ModelLimits) -> Result<Model, Mo
     for line in lines(text, limits) {
         let line = line?;
         if is_comment(line) || line.text.trim().is_empty() {
+            if reader.section.is_none() && is_maximize_comment(line) {
+                reader.program.maximize_comment = Some(line.whole());
+            }
             continue;
         }
         reader.last = Some(line);

@@ -16,6 +16,8 @@ use crate::read::text::Field;
 pub(super) struct Program<'a> {
     pub(super) name: &'a str,
     pub(super) sense: Option<ObjectiveSense>,
+    /// A comment that asks for a maximum, which only OBJSENSE can.
+    pub(super) maximize_comment: Option<Field<'a>>,
     /// The row that OBJNAME names.
     pub(super) objective_name: Option<Field<'a>>,
     row_names: Names<'a>,
@@ -64,6 +66,7 @@ impl<'a> Program<'a> {
         Program {
             name: "",
             sense: None,
+            maximize_comment: None,
             objective_name: None,
             row_names: Names::default(),
             rows: Vec::new(),
@@ -286,6 +289,9 @@ impl<'a> Program<'a> {
 
     /// The program that all lines make.
     pub(super) fn finish(self) -> Result<Model, ModelError> {
+        if let Some(comment) = self.maximize_comment.filter(|_| self.sense.is_none()) {
+            return Err(comment.error(ModelErrorKind::SenseInComment));
+        }
         let objective = match self.objective_name {
             None => self.rows.iter().position(|row| row.kind == Kind::Free),
             Some(name) => {

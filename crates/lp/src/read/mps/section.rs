@@ -61,6 +61,11 @@ pub(super) fn is_comment(line: Line<'_>) -> bool {
     line.text.starts_with(['*', '$'])
 }
 
+/// Returns whether a comment says that the objective is to be maximized, as PuLP writes in place of `OBJSENSE`.
+pub(super) fn is_maximize_comment(line: Line<'_>) -> bool {
+    line.text.trim_end().eq_ignore_ascii_case("*SENSE:Maximize")
+}
+
 /// Returns whether a line begins or ends integer columns.
 pub(super) fn is_marker(line: Line<'_>) -> bool {
     line.text.contains("'MARKER'")

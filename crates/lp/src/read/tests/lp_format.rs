@@ -103,6 +103,14 @@ fn bounds_are_meant_as_cplex_means_them() {
 }
 
 #[test]
+fn a_bound_makes_a_column_without_terms() {
+    let text = "min c11 bounds\n c10 <= 5\n -3 <= t <= 9\n c10 >= 1\nend";
+    assert_eq!(shown(text), "min obj 0; c11 1 [0, -]; c10 0 [1, 5]; t 0 [-3, 9]");
+    let text = "min bounds\n x <= 5\nst\n x >= 1\nend";
+    assert_eq!(shown(text), "min obj 0; x 0 [0, 5]; c1: 1 x [1, -]");
+}
+
+#[test]
 fn refusals_say_what_would_be_accepted() {
     let file = "a linear program in LP format: minimize or maximize, subject to, bounds, end";
     let values = "columns that may have any value between two bounds";
@@ -146,7 +154,7 @@ fn refusals_say_what_would_be_accepted() {
         ("min x bounds\n 2 x <= 4\nend", format!("line 2, column 2: \"2\": {bound}")),
         ("min x bounds\n x 4\nend", format!("line 2, column 4: \"4\": {bound}")),
         ("min x bounds\n x <= 4 y <= 5\nend", format!("line 2, column 9: \"y\": {bound}")),
-        ("min xx1 bounds\n xx2 <= 4\nend", "line 2, column 2: \"xx2\": there is no such column; did you mean \"xx1\"? (expected a column that has coefficients)".to_owned()),
+        ("min demand bounds\n demnd <= 4\nend", "line 2, column 2: \"demnd\": there is no such column; did you mean \"demand\"? (expected a column that has coefficients; they may be 0)".to_owned()),
         ("min x bounds\n x <= 1e99999\nend", "line 2, column 7: \"1e99999\": refused: exponent beyond 10000 (the limit) at character 3".to_owned()),
         ("min x\ngenerals\n x\nend", format!("line 3, column 2: \"x\": the column is integer (expected {values})")),
         ("min x\nBinaries\n x\nend", format!("line 3, column 2: \"x\": the column is integer (expected {values})")),

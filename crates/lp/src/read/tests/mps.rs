@@ -184,6 +184,20 @@ fn files_that_mean_two_programs_are_refused() {
 }
 
 #[test]
+fn a_sense_in_a_comment_wants_its_section() {
+    let comment = "*SENSE:Maximize\n";
+    assert_eq!(
+        message(&format!("{comment}{PLAIN}"), MPS),
+        "line 1, column 1: \"*SENSE:Maximize\": only a comment asks for the maximum, and MPS without OBJSENSE means the minimum (expected the section OBJSENSE with MAX or MIN; PuLP writes it with writeMPS(..., with_objsense=True))"
+    );
+    for (section, sense) in [("MAX", ObjectiveSense::Maximize), ("MIN", ObjectiveSense::Minimize)] {
+        let stated = PLAIN.replacen("ROWS", &format!("OBJSENSE\n {section}\nROWS"), 1);
+        assert_eq!(read(&format!("{comment}{stated}"), MPS).sense, sense);
+    }
+    assert_eq!(read(&format!("*SENSE:Minimize\n{PLAIN}"), MPS), read(PLAIN, MPS));
+}
+
+#[test]
 fn refusals_say_what_would_be_accepted() {
     let with = |old: &str, new: &str| {
         assert!(PLAIN.contains(old), "{old}");
@@ -227,7 +241,7 @@ fn refusals_say_what_would_be_accepted() {
         (with("UP BND x 3", "UI BND x 3"), format!("line 16, column 9: \"x\": the column is integer (expected {values})")),
         (with("UP BND x 3", "SC BND x 3"), format!("line 16, column 9: \"x\": the column is semi-continuous (expected {values})")),
         (with("UP BND x 3", "UB BND x 3"), "line 16, column 2: \"UB\": not a type of bound (expected LO, UP, FX, FR, MI or PL)".to_owned()),
-        (with("UP BND x 3", "UP BND z 3"), "line 16, column 9: \"z\": there is no such column (expected a column that has coefficients)".to_owned()),
+        (with("UP BND x 3", "UP BND z 3"), "line 16, column 9: \"z\": there is no such column (expected a column that has coefficients; they may be 0)".to_owned()),
         (with("UP BND x 3", "UP x"), "line 16, column 2: \"UP x\": the bound is missing (expected a number behind the column; FR, MI and PL have none)".to_owned()),
         (with("UP BND x 3", "UP BND x 3\n FX BND x 2"), "line 17, column 9: \"x\": the column has its upper bound on line 16 already (expected one; FX and FR are both bounds)".to_owned()),
         (with("UP BND x 3", "UP BND x 3\n UP B2 y 2"), "line 17, column 5: \"B2\": a second vector in BOUNDS, after \"BND\"; some solvers take the first alone, some take both (expected one vector, under one name)".to_owned()),
