@@ -195,6 +195,7 @@ fn of_input(kind: &InputErrorKind) -> Named {
     let limit = |kind, limit: u64| (kind, Some(json!({"limit": limit})));
     match kind {
         InputErrorKind::NotANumber(error) => of_number(&error.kind),
+        InputErrorKind::UnitBehind => ("number-unit", None),
         InputErrorKind::Comma => ("number-comma", None),
         InputErrorKind::Time => ("time", None),
         InputErrorKind::AnotherDecimalMark { before: DecimalMark::Comma } => ("mark-point", None),
@@ -271,6 +272,8 @@ fn of_bound(kind: &ParseBoundErrorKind) -> Named {
         Kind::Digits => ("bound-digits", None),
         Kind::Negative => ("bound-minus", None),
         Kind::NoPlus => ("bound-plus", None),
+        Kind::FactorBehind => ("bound-factor", None),
+        Kind::UnitBehind => ("bound-unit", None),
         Kind::NoBelow => ("bound-below", None),
         Kind::LeastAlone => ("bound-least", None),
     }
