@@ -1,4 +1,4 @@
-//! Edits of plain tables: each of them that gives another answer is told.
+//! Edits of plain tables: the report names each edit that changes the answer.
 
 use boundfit_tests::generate::seeded;
 use rand::RngExt;
