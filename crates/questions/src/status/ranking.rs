@@ -79,11 +79,13 @@ impl Ranking {
     }
 
     /// The margin beyond which a reading of the set that is inner comes after all that this ranking lists; never negative.
+    #[cfg(feature = "files")]
     pub(super) fn beyond(&self) -> f64 {
         self.beyond
     }
 
     /// Takes over what another ranking of as many readings found, which will be merged with this one.
+    #[cfg(feature = "files")]
     pub(super) fn learn_beyond(&mut self, beyond: f64) {
         self.beyond = self.beyond.min(beyond);
     }
