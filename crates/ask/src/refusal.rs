@@ -127,7 +127,11 @@ impl Refusal {
             | Refusal::Readings(problem) => problem.clone(),
             Refusal::Key { key, problem } => format!("{}: {problem}", surface.key(key)),
             Refusal::Value { key, text, problem } => {
-                format!("{}: {}", surface.value(key, text), problem.words())
+                let column = match *key == "eps" && problem.may_name_a_column(text) {
+                    true => format!("; {} names a column of bounds", surface.key("eps_column")),
+                    false => String::new(),
+                };
+                format!("{}: {}{column}", surface.value(key, text), problem.words())
             }
             Refusal::Misuse(misuse) => misuse.words(surface),
             Refusal::Input(error) => error.to_string(),

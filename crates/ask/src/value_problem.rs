@@ -80,6 +80,13 @@ impl ValueProblem {
         }
     }
 
+    /// Returns whether the text may be the name of a column, in place of an error bound.
+    pub(crate) fn may_name_a_column(&self, text: &str) -> bool {
+        let is_no_term =
+            matches!(self, ValueProblem::Bound(error) if error.kind == ParseBoundErrorKind::NotATerm);
+        is_no_term && text.chars().all(|letter| letter.is_alphanumeric() || letter == '_')
+    }
+
     /// Says the problem in words.
     pub fn words(&self) -> String {
         match self {

@@ -6,6 +6,7 @@ use boundfit_exact::{Foreign, Limit};
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, FromArgMatches};
+use strsim::osa_distance;
 
 use crate::commands::{Arguments, alone, with_short_help};
 
@@ -75,6 +76,45 @@ fn suggest(error: &mut clap::Error, tip: &str) {
     error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![StyledStr::from(tip.to_owned())]));
 }
 
+/// The name that was typed wrongly, by at most a third of its letters. Neighbours that were exchanged are one letter,
+/// which the measure of clap does not know: it takes `--esp` for `--help`.
+fn nearest(typed: &str, names: impl Iterator<Item = String>) -> Option<String> {
+    let typed = typed.to_lowercase();
+    let near = names.map(|name| (osa_distance(&typed, &name), name)).min();
+    near.filter(|(distance, _)| 3 * distance <= typed.chars().count()).map(|(_, name)| name)
+}
+
+/// Suggests the option of this command that is nearest to the one that was typed.
+fn suggest_option(error: &mut clap::Error, typed: &str) {
+    let name = typed.trim_start_matches('-').split('=').next().unwrap_or_default();
+    let command = std::env::args_os().nth(1).and_then(|command| alone(command.to_str()?));
+    let Some(mut command) = command else { return };
+    command.build();
+    let Some(command) = command.get_subcommands_mut().next() else { return };
+    let shown = command.get_arguments().filter(|argument| !argument.is_hide_set());
+    let options = shown.filter_map(|argument| argument.get_long().map(str::to_owned));
+    let is_help = |value: &ContextValue| matches!(value, ContextValue::String(option) if option == "--help");
+    match nearest(name, options) {
+        Some(option) => error.insert(ContextKind::SuggestedArg, ContextValue::String(format!("--{option}"))),
+        // Nobody means the help.
+        None if error.get(ContextKind::SuggestedArg).is_some_and(is_help) => {
+            error.remove(ContextKind::SuggestedArg)
+        }
+        None => return,
+    };
+    // The usage of clap contains its own suggestion.
+    error.insert(ContextKind::Usage, ContextValue::StyledStr(command.render_usage()));
+}
+
+/// Suggests the command that is nearest to the one that was typed.
+fn suggest_command(error: &mut clap::Error, typed: &str) {
+    let commands = Arguments::command();
+    let names = commands.get_subcommands().map(|command| command.get_name().to_owned());
+    if let Some(name) = nearest(typed, names) {
+        error.insert(ContextKind::SuggestedSubcommand, ContextValue::Strings(vec![name]));
+    }
+}
+
 /// An error with tips that lead on, in place of those that do not.
 fn with_tips(mut error: clap::Error) -> clap::Error {
     let asked = |kind: ContextKind| match error.get(kind) {
@@ -87,6 +127,7 @@ fn with_tips(mut error: clap::Error) -> clap::Error {
             if asked.starts_with("--") {
                 // The suggestion of clap to take an option for a value: no command has such values.
                 error.remove(ContextKind::Suggested);
+                suggest_option(&mut error, &asked);
             }
             if let Some((_, meant)) = MEANT.iter().find(|(short, _)| *short == asked) {
                 // Nobody wants such a value.
@@ -119,6 +160,8 @@ fn with_tips(mut error: clap::Error) -> clap::Error {
                     Foreign::of(&asked)
                 );
                 suggest(&mut error, &tip);
+            } else {
+                suggest_command(&mut error, &asked);
             }
         }
         ErrorKind::MissingRequiredArgument => {

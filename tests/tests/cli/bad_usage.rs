@@ -33,7 +33,7 @@ fn options_that_say_nothing_sensible() {
             "--x Vz --y z --eps abc".to_owned(),
             "invalid value 'abc' for '--eps <NUM>': neither a number nor one of |y|, |x|, range(y), written and min at \
              character 1 (expected a number such as 0.5e-3, or a law such as \"0.05%*|y| + 2e-3\", \"written\" or \
-             \"+0.2/-0.1\")"
+             \"+0.2/-0.1\"); '--eps-column' names a column of bounds"
                 .to_owned(),
         ),
         ("--x Vz --y z --eps 0x10".to_owned(), eps("0x10", "unexpected character 'x' at character 2")),
@@ -149,6 +149,15 @@ fn options_that_are_missing_unknown_or_too_many() {
         ("fit -x x --y y --eps 1", "a similar argument exists: '--x'"),
         ("fit --x x -y y --eps 1", "a similar argument exists: '--y'"),
         ("check --x x --y y -e 1", "a similar argument exists: '--eps'"),
+        // Two neighbours that are exchanged are one letter.
+        ("fit readings.csv --x x --y y --esp 0.5", "a similar argument exists: '--eps'"),
+        (
+            "fit readings.csv --x x --y y --eps 1 --throuhg-origin",
+            "a similar argument exists: '--through-origin'",
+        ),
+        ("fit readings.csv --x x --y y --epsilon 1", "a similar argument exists: '--eps'"),
+        ("fti readings.csv", "a similar subcommand exists: 'fit'"),
+        ("oultiers readings.csv", "a similar subcommand exists: 'outliers'"),
         ("fit --x x --y y --eps 1 --predict 3", "'boundfit predict ... --at X' answers this"),
         (
             "fit readings.csv --x x --y y",
@@ -161,6 +170,10 @@ fn options_that_are_missing_unknown_or_too_many() {
         assert!(said.contains(&format!("\n  tip: {tip}\n")), "{said}");
         assert_eq!(said.matches("tip:").count(), 1, "{said}");
     }
+    let said = boundfit(&root(), "fit readings.csv --x x --y y --esp 0.5").stderr;
+    assert!(said.contains("\nUsage: boundfit fit [OPTIONS] --x <COL[,COL2]>"), "{said}");
+    let said = boundfit(&root(), "fit readings.csv --x x --y y --eps 1 --hlpx").stderr;
+    assert!(!said.contains("tip:") && !said.contains("--hlpx --help"), "{said}");
     let topic = boundfit(&root(), "man frobnicate");
     let start = "error: invalid value 'frobnicate' for '[TOPIC]': expected one of fit, ";
     assert_eq!((topic.status, topic.stdout.as_str()), (2, ""));

@@ -58,7 +58,7 @@ pub(super) const NOTES: Notes = Notes {
 /// against the doubles that a solver receives.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string(), mut_arg("tolerance", |arg| arg.help(
-    "How far a bound may be off to either side, in widths of the interval, and how far outside a point, in units of eps"
+    "The distance by which a bound may be off to either side, in widths of the interval, and a point outside, in units of eps"
 )))]
 pub(crate) struct CheckArguments {
     #[command(flatten)]
