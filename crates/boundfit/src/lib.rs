@@ -99,6 +99,9 @@
 //!
 //! # Features
 //!
+//! `cargo add --path CLONE/crates/boundfit --features questions,report` adds this crate from a clone of its repository to a
+//! program, with two of these features:
+//!
 //! | feature | what it adds |
 //! |---|---|
 //! | none | all of the above, and [`polygon`] for any half-planes |
@@ -106,6 +109,7 @@
 //! | `matlab`, `packed` (default) | MATLAB's `.mat` and Octave's text; files packed by gzip or Zstandard |
 //! | `nalgebra` (default) | readings in matrices of nalgebra, vertices as its points; without it no linear algebra is compiled |
 //! | `parallel` (default) | all processors at once for large files |
+//! | `spreadsheets` | sheets of `.xlsx` and `.ods` workbooks |
 //! | `arrow` | Parquet and Arrow IPC files |
 //! | `lp` | the module `check`: claims about the intervals, judged exactly |
 //! | `judge` | the module `judge`: linear programs of any two variables, read from MPS and LP and solved exactly |

@@ -86,6 +86,8 @@ fn screen_lines(text: &str) -> usize {
 fn the_short_help_fits_a_screen_in_groups() {
     let program = printed(&root(), "-h");
     assert!(screen_lines(&program) <= 40, "{program}");
+    assert!(program.contains("\n  boundfit fit readings.csv --x V --y z --eps 0.5e-3\n"), "{program}");
+    assert!(printed(&root(), "playground --help").contains("\n  1  the page cannot be written\n"));
     for command in COMMANDS {
         let help = printed(&root(), &format!("{command} -h"));
         assert!(screen_lines(&help) <= 40, "{command}: {} lines\n{help}", screen_lines(&help));

@@ -25,7 +25,7 @@ pub(super) const NOTES: Notes = Notes {
             "boundfit convert transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --to mps -o programs",
         ),
         (
-            "What GLPK makes of them, judged exactly",
+            "The answers of GLPK to them, judged exactly",
             "for f in programs/*.mps; do glpsol --freemps $f -w ${f%.mps}.sol; done\n\
              boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --claim programs",
         ),

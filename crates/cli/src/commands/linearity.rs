@@ -26,7 +26,7 @@ pub(super) const NOTES: Notes = Notes {
             "Readings below each other, with a column that says up or down; percent of a stated full scale",
             "boundfit linearity cycles.csv --x mm --y mV --direction dir --full-scale 4",
         ),
-        ("Readings of which no direction is known", "boundfit linearity transducer.csv --x Vz --y z"),
+        ("Readings without a known direction", "boundfit linearity transducer.csv --x Vz --y z"),
     ],
     statuses: &[(0, "an answer was found"), BAD_DATA, BAD_USAGE],
 };

@@ -34,11 +34,16 @@ pub(crate) use short::with_short_help;
 ///
 /// All results are exact rational numbers with proofs; decimals are only for display.
 #[derive(Debug, Parser)]
-#[command(name = "boundfit", bin_name = "boundfit", version, max_term_width = 100)]
+#[command(name = "boundfit", bin_name = "boundfit", version, max_term_width = 100, after_help = BEGIN)]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,
 }
+
+/// The end of the help without a command: the first one to type.
+const BEGIN: &str = "A first fit, of columns V and z of a table whose z are right to 0.0005:
+  boundfit fit readings.csv --x V --y z --eps 0.5e-3
+'boundfit fit -h' lists the options most used, 'boundfit help fit' explains all of them.";
 
 /// A command by its name, for what is not its run.
 pub(crate) struct Named {

@@ -9,7 +9,7 @@ use crate::output;
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[("A page for people who have no boundfit", "boundfit playground -o boundfit.html")],
-    statuses: &[(0, "the page is written"), BAD_USAGE],
+    statuses: &[(0, "the page is written"), (1, "the page cannot be written"), BAD_USAGE],
 };
 
 /// Write a web page on which readings are typed or pasted, for people who have only a browser

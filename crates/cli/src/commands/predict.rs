@@ -20,7 +20,7 @@ pub(super) const NOTES: Notes = Notes {
             "boundfit predict transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --at 3.7,9/2",
         ),
         (
-            "Which x a reading may come from, with the rows that prove it",
+            "The x that a reading may come from, with the rows that prove it",
             "boundfit predict transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --from 0.012 --proofs",
         ),
         (

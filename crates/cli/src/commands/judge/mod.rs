@@ -33,7 +33,7 @@ pub(super) const NOTES: Notes = Notes {
         ),
         ("Everything as fractions, for a program", "boundfit judge model.lp --format json -o answer.json"),
         (
-            "What solvers wrote about it, each aspect judged on its own; for a code host",
+            "Files that solvers wrote about it, each aspect judged on its own; for a code host",
             "boundfit judge model.mps --solution highs.sol --solution glpk.sol --format sarif",
         ),
     ],
