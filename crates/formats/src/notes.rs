@@ -195,7 +195,12 @@ impl TableNotes {
         // The blocks account for lines that begin blocks.
         let unsaid = if self.block.is_some() { 0 } else { comments };
         let found = [
-            self.header.has_row_names.then(|| "names of rows in column 1".to_owned()),
+            self.header.has_row_names.then(|| {
+                // Without quotes `0,1,5` is the row 0 of R, or 0 and 1,5.
+                let is_open = self.dialect.delimiter == b',' && !self.is_sheet && !self.is_records;
+                let unless = if is_open { " (unless commas are decimal marks)" } else { "" };
+                format!("names of rows in column 1{unless}")
+            }),
             counted(comments.min(unsaid), "comment line between rows", "comment lines between rows"),
             counted(headers, "header repeated", "headers repeated"),
             counted(short_rows, "row shorter than the first", "rows shorter than the first"),

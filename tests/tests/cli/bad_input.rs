@@ -14,7 +14,7 @@ fn files_that_cannot_be_opened() {
         let file = words(line)[1].clone();
         refuses(&root(), line, 1, &format!("{file}: cannot read: {absent}"));
     }
-    let message = "fixtures: is a directory (expected a file, or - for standard input)";
+    let message = "fixtures: is a directory (expected a file)";
     refuses(&root(), "fit fixtures --x x --y y --eps 1", 1, message);
     refuses(&root(), "polygon fixtures", 1, message);
     let message = "standard input: the file is empty (expected at least one row of numbers)";
@@ -32,8 +32,14 @@ fn tables_of_the_wrong_shape() {
             ("empty.csv", &format!(": the file is empty {at_least_one}")),
             ("blank.csv", &format!(": the file is empty {at_least_one}")),
             ("header-only.csv", &format!(": the file has a header but no data rows {at_least_one}")),
-            ("row-too-short.csv", ": line 3: the row has 1 cell where the first row has 2"),
-            ("row-too-long.csv", ": line 3: the row has 3 cells where the first row has 2"),
+            (
+                "row-too-short.csv",
+                ": line 3: the row has 1 cell where the first row has 2 (expected as many cells in every row, also where a value is missing)",
+            ),
+            (
+                "row-too-long.csv",
+                ": line 3: the row has 3 cells where the first row has 2 (expected as many cells in every row, also where a value is missing)",
+            ),
             (
                 "same-name-twice.csv",
                 ": line 1: there are several columns \"x\" (expected a name that occurs once, or the column's number)",
@@ -41,7 +47,7 @@ fn tables_of_the_wrong_shape() {
         ],
     );
     // The ragged row counts even where its cells are not asked for.
-    let message = ": line 3: the row has 1 cell where the first row has 2";
+    let message = ": line 3: the row has 1 cell where the first row has 2 (expected as many cells in every row, also where a value is missing)";
     refuses_files("fit", "--x x --y y --eps 1 --rows 1..1", &[("row-too-short.csv", message)]);
     // Told apart by number, the columns can be used.
     printed(&root(), "fit fixtures/bad-input/same-name-twice.csv --x 2 --y y --eps 1");

@@ -68,7 +68,7 @@ fn damaged_tables_are_refused_and_advice_works() {
         ),
         (
             "fit longer.json --x 1 --y 2 --eps 1",
-            "longer.json: line 2: the row has 3 cells where the first row has 2",
+            "longer.json: line 2: the row has 3 cells where the first row has 2 (expected as many cells in every row, also where a value is missing)",
         ),
         (
             "fit longer.json --x 1 --y 2 --eps 1 --units-row",

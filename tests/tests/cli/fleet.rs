@@ -333,7 +333,7 @@ fn bad_data_is_one_message_and_nothing_else() {
             "fit bound.csv --by key --x x --y y --eps-column e".to_owned(),
             "bound.csv: line 3, column 4 (e): \"-1\": the error bound is negative (expected a number that is at least 0)".to_owned(),
         ),
-        (fleet("ragged.csv"), "ragged.csv: line 3: the row has 2 cells where the first row has 3".to_owned()),
+        (fleet("ragged.csv"), "ragged.csv: line 3: the row has 2 cells where the first row has 3 (expected as many cells in every row, also where a value is missing)".to_owned()),
         (
             fleet("word.csv").replace("--by key", "--by unit"),
             "word.csv: line 1: there is no column \"unit\" (expected one of \"key\", \"x\", \"y\" or a number from 1 to 3)".to_owned(),

@@ -158,7 +158,10 @@ fn a_file_cut_within_a_row_is_refused_with_its_line() {
     // Before the separator the row is too short; after it the number is missing.
     let separator = last_line + text[last_line..].find(',').unwrap();
     for (end, problem) in [
-        (separator, "the row has 1 cell where the first row has 2"),
+        (
+            separator,
+            "the row has 1 cell where the first row has 2 (expected as many cells in every row, also where a value is missing)",
+        ),
         (separator + 1, "column 2 (y): \"\": the value is missing, in this row only"),
     ] {
         fs::write(&file, &text[..end]).unwrap();

@@ -12,4 +12,5 @@ mod python;
 mod solvers;
 mod statuses;
 mod tables;
+mod terminal;
 mod tikz;

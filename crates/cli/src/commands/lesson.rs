@@ -56,6 +56,7 @@ pub(super) fn run(arguments: &LessonArguments) -> CommandResult {
     let guard = arguments.file.replace.guard([arguments.data.path()]);
     guard.check(output)?;
     told_by_name(output, &[("html", ()), ("htm", ())], None)?;
+    output::refuse_terminal("page", output)?;
     let most = arguments.data.table.limits.readings();
     let data = arguments.data.words().open()?.at_most(most);
     let reading = data.origin.reading;

@@ -33,6 +33,7 @@ pub(super) fn run(arguments: &PlaygroundArguments) -> CommandResult {
     let guard = arguments.file.replace.guard([]);
     guard.check(output)?;
     told_by_name(output, &[("html", ()), ("htm", ())], None)?;
+    output::refuse_terminal("page", output)?;
     output::write(playground(arguments.language).map_err(Failure::data)?, output, &guard)?;
     Ok(Exit::Answer)
 }

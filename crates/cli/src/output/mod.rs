@@ -5,7 +5,7 @@ mod marks;
 mod text;
 
 use std::fs;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::{Mutex, PoisonError};
@@ -17,6 +17,16 @@ use crate::exit::Failure;
 
 pub(crate) use guard::{Guard, is_read};
 pub(crate) use text::written;
+
+/// Refuses to print on a terminal what no person reads there, such as a PNG or a page of a megabyte.
+pub(crate) fn refuse_terminal(kind: &str, file: Option<&str>) -> Result<(), Failure> {
+    match file.is_none() && io::stdout().is_terminal() {
+        true => Err(Failure::Usage(format!(
+            "a {kind} is nothing for a terminal: name a file with '--output', or pipe it on"
+        ))),
+        false => Ok(()),
+    }
+}
 
 /// Writes several answers, each to its own file that the guard lets be written, or to standard output without one or
 /// for `-`. All files are written whole and are on the disk before the first of them appears, and an interruption

@@ -43,7 +43,7 @@ impl InputErrorKind {
     /// The accepted form of a file and its columns.
     fn in_files(&self) -> Option<&'static str> {
         Some(match self {
-            InputErrorKind::IsDirectory => "a file, or - for standard input",
+            InputErrorKind::IsDirectory => "a file",
             InputErrorKind::Empty
             | InputErrorKind::NothingBehind(_)
             | InputErrorKind::NoRows
@@ -67,6 +67,7 @@ impl InputErrorKind {
             }
             InputErrorKind::DifferentLengths { .. } => "columns of one length",
             InputErrorKind::NoNumberInFirstRow => "a row of numbers",
+            InputErrorKind::RaggedRow { .. } => "as many cells in every row, also where a value is missing",
             InputErrorKind::ColumnType { expected, .. } => expected,
             _ => return None,
         })

@@ -156,7 +156,7 @@ fn a_remark_names_no_columns() {
     );
     assert_eq!(
         said("integers-in-r.csv", &["x", "y"], &auto()),
-        "x y: 2 5 and 2 more; names of rows in column 1"
+        "x y: 2 5 and 2 more; names of rows in column 1 (unless commas are decimal marks)"
     );
 }
 

@@ -101,7 +101,10 @@ fn the_first_bad_row_is_named() {
     for (bad, message) in [
         ("0x10,1\n", "data.csv: line 200002, column 1 (x): \"0x10\": not a number: "),
         ("1,\"2\"\n3,\"4\nz\n", "data.csv: line 200003: a quote that opens in this row is never closed"),
-        ("1,2,3\nx,y\n", "data.csv: line 200002: the row has 3 cells where the first row has 2"),
+        (
+            "1,2,3\nx,y\n",
+            "data.csv: line 200002: the row has 3 cells where the first row has 2 (expected as many cells in every row, also where a value is missing)",
+        ),
     ] {
         let text = format!("{text}{bad}");
         let expected = by_reference(text.as_bytes(), &columns, &options);

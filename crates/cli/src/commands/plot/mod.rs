@@ -2,7 +2,6 @@
 
 mod several;
 
-use std::io::{self, IsTerminal};
 use std::path::Path;
 
 use boundfit_ask::{Factors, Misuse, Refusal, common_bound};
@@ -162,7 +161,7 @@ impl Figures {
         let one =
             |figure: Figure| (PossibleValue::new(figure.name()).help(figure.title()), Figures::One(figure));
         let all = (
-            PossibleValue::new(ALL).help("Each of the figures of a fit, without status, range and next"),
+            PossibleValue::new(ALL).help("Each of the figures of a fit, without status, outliers, range and next"),
             Figures::All,
         );
         Figure::ALL.into_iter().map(one).chain([all])
@@ -446,11 +445,8 @@ fn destination(arguments: &PlotArguments) -> Result<(Destination<'_>, PictureFor
     };
     let Some(file) = file else {
         let format = asked.unwrap_or(PictureFormat::Svg);
-        if matches!(format, PictureFormat::Png | PictureFormat::Pdf) && io::stdout().is_terminal() {
-            let kind = format.name().to_uppercase();
-            let problem =
-                format!("a {kind} is nothing for a terminal: name a file with '--output', or pipe it on");
-            return Err(Failure::Usage(problem));
+        if matches!(format, PictureFormat::Png | PictureFormat::Pdf) {
+            output::refuse_terminal(&format.name().to_uppercase(), None)?;
         }
         return Ok((Destination::One(figure, None), format));
     };
