@@ -62,6 +62,14 @@ def readings(
     return _boundfit.readings_of_columns(columns, question)
 
 
+def file_name(path: str | os.PathLike[str]) -> str:
+    """The name of a file. The engine would take ``-`` for standard input, which is empty where a question reads the data again."""
+    name = os.fsdecode(path)
+    if name == "-":
+        raise ValueError('path="-": the data are read again for each question, and standard input cannot be (expected the path of a file)')
+    return name
+
+
 def readings_of_file(
     path: str | os.PathLike[str],
     x: Name | Sequence[Name],
@@ -107,7 +115,7 @@ def readings_of_file(
         "strong": flag(strong, "strong"),
         **table(**how),
     }
-    return _boundfit.readings_of_file(os.fsdecode(path), [name for name in roles if name is not None], question)
+    return _boundfit.readings_of_file(file_name(path), [name for name in roles if name is not None], question)
 
 
 def ask(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 from . import _boundfit
 from ._answers import Answer, number, point, value
 from ._bounds import Point, decimal
-from ._asking import Name, Table, ask, exact
+from ._asking import Name, Table, ask, exact, file_name
 from ._cells import cells
 from ._columns import Column, Missing, Number, Reading, named, quoted, several, table
 from ._keywords import knows
@@ -179,7 +179,7 @@ def linearity_file(
     given = {key: str(own) for key, own in {"x": x, "y": y, "up": up, "down": down, "direction": direction}.items() if own is not None}
     own: dict[str, Any] = {key: given.pop(key) for key in ("x", "y") if key in given}
     words: dict[str, Any] = {"ask": "linearity", "reading": reading, "missing": missing, **own, **table(**how)}
-    readings = _boundfit.readings_of_file(os.fsdecode(path), list(own.values()), words)
+    readings = _boundfit.readings_of_file(file_name(path), list(own.values()), words)
     return _answer(readings, full_scale, through, given)
 
 

@@ -187,6 +187,13 @@ def test_a_file_that_is_not_there_is_not_found(read: Callable[..., Any], tmp_pat
         boundfit.polygon_file(path)
 
 
+@pytest.mark.parametrize("read", [boundfit.fit_file, boundfit.linearity_file, boundfit.reduce_file])
+def test_standard_input_is_no_file_that_is_read_again(read: Callable[..., Any]) -> None:
+    bound = {} if read is boundfit.linearity_file else {"eps": 1}
+    with pytest.raises(ValueError, match='^path="-": the data are read again for each question'):
+        read("-", x="x", y="y", **bound)
+
+
 class Array(Quantity):
     """As those of xarray: an array around one of any kind."""
 
