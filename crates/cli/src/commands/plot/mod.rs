@@ -161,7 +161,8 @@ impl Figures {
         let one =
             |figure: Figure| (PossibleValue::new(figure.name()).help(figure.title()), Figures::One(figure));
         let all = (
-            PossibleValue::new(ALL).help("Each of the figures of a fit, without status, outliers, range and next"),
+            PossibleValue::new(ALL)
+                .help("Each of the figures of a fit, without status, outliers, range and next"),
             Figures::All,
         );
         Figure::ALL.into_iter().map(one).chain([all])
