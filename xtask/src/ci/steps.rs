@@ -220,10 +220,11 @@ cargo test --workspace --locked --no-run --quiet
         holds: "no command costs more per row where there are more rows, nor 5 % more than xtask/growth.txt says",
         changes: "everything that reads input or computes",
         needs: &[VALGRIND],
+        // One program after the other is counted.
+        beside: true,
         script: "\
 cargo build --release --locked
 cargo xtask growth",
-        ..PLAIN
     },
     Step {
         name: "small-inputs",
@@ -284,10 +285,10 @@ target/python/bin/python -m pyright --pythonpath target/python/bin/python python
         holds: "the checked-in WebAssembly module answers as the program does",
         changes: "answers, wasm, crates/lesson/engine",
         needs: &[NODE],
+        beside: true,
         script: "\
 cargo build --release --locked
 BOUNDFIT_PROGRAM=$built/release/boundfit node --test wasm/test.mjs",
-        ..PLAIN
     },
     Step {
         name: "page",
