@@ -8,7 +8,8 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::oracle::Row;
 
-/// One generated case in this many is tried: all of them where `ALL_CASES` is set, as continuous integration does.
+/// One generated case in this many is tried: all of them where `ALL_CASES` is set, as the step `tests` of
+/// continuous integration does.
 pub fn one_in() -> usize {
     if std::env::var_os("ALL_CASES").is_some() { 1 } else { 8 }
 }

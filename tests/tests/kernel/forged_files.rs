@@ -8,7 +8,7 @@ use boundfit_estimation::fit;
 use boundfit_exact::{Rational, Reading};
 use boundfit_judge::{Answer, SolveError};
 use boundfit_report::{Theory, kernel_fit, kernel_program};
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{one_in, seeded, share};
 use boundfit_tests::models::model;
 use boundfit_tests::oracle::{Row, solve};
 use boundfit_tests::proofs::{bounded, generated, questions};
@@ -304,13 +304,16 @@ pub fn with_forgeries(
     cases
 }
 
-/// Has Coq read all, and the oracle what Coq accepts.
+/// Has Coq read each file and a share of the forgeries of each kind, and the oracle what Coq accepts.
 pub fn none_is_false(name: &str, cases: &[(&'static str, String)]) {
+    let (own, mut forged): (Vec<_>, Vec<_>) = cases.iter().partition(|(kind, _)| kind.is_empty());
+    forged.sort_by_key(|(kind, _)| *kind);
+    let cases: Vec<_> = own.into_iter().chain(forged.into_iter().step_by(one_in())).collect();
     let texts: Vec<&str> = cases.iter().map(|(_, text)| text.as_str()).collect();
     // The toplevel keeps every state, so that long runs are slow.
     let verdicts: Vec<bool> = texts.chunks(24).flat_map(|texts| accepted(name, texts)).collect();
     let mut counts = BTreeMap::<_, [usize; 2]>::new();
-    for ((kind, text), is_accepted) in cases.iter().zip(verdicts) {
+    for ((kind, text), is_accepted) in cases.into_iter().zip(verdicts) {
         counts.entry(*kind).or_default()[usize::from(is_accepted)] += 1;
         assert!(!is_accepted || is_true(text) == Some(true), "accepted, and false ({kind}):\n{text}");
         assert!(is_accepted || !kind.is_empty(), "refused, and true:\n{text}");
@@ -318,8 +321,8 @@ pub fn none_is_false(name: &str, cases: &[(&'static str, String)]) {
     println!("{name}, refused and accepted: {counts:?}");
     let forgeries = || counts.iter().filter(|(kind, _)| !kind.is_empty()).map(|(_, own)| own);
     let [refused, agreed] = [0, 1].map(|place| forgeries().map(|own| own[place]).sum::<usize>());
-    assert_eq!(refused + agreed, FILES * FORGERIES);
-    assert!(refused > agreed && agreed > 20, "{counts:?}");
+    assert_eq!(refused + agreed, share(FILES * FORGERIES));
+    assert!(refused > agreed && agreed >= share(16), "{counts:?}");
 }
 
 pub const FILES: usize = 30;

@@ -8,7 +8,7 @@ use boundfit_estimation::{Fit, fit};
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_geometry::Direction;
 use boundfit_report::{Theory, kernel_fit};
-use boundfit_tests::generate::seeded;
+use boundfit_tests::generate::{seeded, share};
 use boundfit_tests::proofs::{
     Question, bounded, generated, questions, statuses_in_python, tampered, verdict,
 };
@@ -16,7 +16,7 @@ use serde_json::Value;
 
 use crate::coq::{body, compiled};
 
-/// Mutants of one proof, and of all.
+/// Mutants of one proof, and of all; a share of them is tried.
 const OF_EACH: usize = 30;
 const ALL: usize = 3_000;
 
@@ -244,7 +244,7 @@ fn three_judges_agree_about_changed_proofs() {
     // (the proof, the mutant, its evidence, whether it is the proof itself)
     let mut cases: Vec<(usize, Value, Evidence, bool)> = Vec::new();
     for own in questions().into_iter().chain(bounded()).chain(more).filter_map(Proved::of) {
-        let Some(evidence) = own.evidence(&own.proof).filter(|_| cases.len() < ALL) else { continue };
+        let Some(evidence) = own.evidence(&own.proof).filter(|_| cases.len() < share(ALL)) else { continue };
         let is_about_evidence = |place: &str| {
             ["/vertices", "/sides", "/farkas", "/bounds"].iter().any(|start| place.starts_with(start))
         };
@@ -253,7 +253,7 @@ fn three_judges_agree_about_changed_proofs() {
             .filter(|(place, mutant)| is_about_evidence(place) && own.evidence(mutant).is_some())
             .map(|(_, mutant)| mutant)
             .collect();
-        let step = mutants.len().div_ceil(OF_EACH).max(1);
+        let step = mutants.len().div_ceil(share(OF_EACH)).max(1);
         mutants = mutants.into_iter().step_by(step).collect();
         cases.push((proved.len(), own.proof.clone(), evidence, true));
         for mutant in mutants {
@@ -300,5 +300,5 @@ fn three_judges_agree_about_changed_proofs() {
         *counts.entry((*is_original, python == 0, kernel)).or_default() += 1;
     }
     println!("mutants, by (true proof, accepted by verify and Python, by the kernel): {counts:?}");
-    assert!(cases.len() >= ALL && counts[&(false, false, false)] > ALL / 5, "{counts:?}");
+    assert!(cases.len() >= share(ALL) && counts[&(false, false, false)] > share(ALL) / 5, "{counts:?}");
 }
