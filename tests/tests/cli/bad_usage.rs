@@ -59,6 +59,13 @@ fn options_that_say_nothing_sensible() {
             format!("{base} --where 'theta1 >= 0' --where slope"),
             when("slope", "neither a number nor theta1 nor theta2 at character 1"),
         ),
+        (
+            format!("{base} --where theta2/3>=1"),
+            when(
+                "theta2/3>=1",
+                "a factor or divisor behind a parameter at character 7: write 3*theta2 for theta2*3, 1/3*theta2 for theta2/3",
+            ),
+        ),
         (format!("{base} --where theta1"), when("theta1", "neither <=, >= nor = nor another term at character 7")),
         (format!("{base} --rows 40..20"), rows("40..20")),
         (format!("{base} --rows 0..3"), rows("0..3")),
@@ -149,6 +156,10 @@ fn options_that_are_missing_unknown_or_too_many() {
         ("fit -x x --y y --eps 1", "a similar argument exists: '--x'"),
         ("fit --x x -y y --eps 1", "a similar argument exists: '--y'"),
         ("check --x x --y y -e 1", "a similar argument exists: '--eps'"),
+        (
+            "fit a.csv --x x --y y --eps 1 --format mps",
+            "'boundfit convert ... --to lp' and '--to mps' write the linear programs behind a fit",
+        ),
         ("fit --x x --y y --eps 1 --predict 3", "'boundfit predict ... --at X' answers this"),
         (
             "fit readings.csv --x x --y y",
