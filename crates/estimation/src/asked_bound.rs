@@ -126,7 +126,7 @@ mod tests {
             ("|z|", 0, Kind::NotATerm),
             ("2*", 2, Kind::NotATerm),
             ("2*3", 2, Kind::NotATerm),
-            ("2%*3", 3, Kind::NotATerm),
+            ("2%*3", 0, of_what("2%")),
             ("1 |z|", 2, Kind::NotANumber(UnexpectedCharacter('|'))),
             ("|y| |x|", 4, Kind::NoPlus),
             ("+0.2/0.1", 5, Kind::NoBelow),
