@@ -468,34 +468,6 @@ fn two_rows_below_the_names_lead_to_columns_by_number() {
 }
 
 #[test]
-fn a_file_of_another_command_is_sent_there() {
-    let program = "min x + y\nst\n x + y >= 1\n x <= 3\nend\n";
-    let matrix = "H-representation\nbegin\n1 3 rational\n1 1 0\nend\n";
-    let directory = directory_with(&[
-        ("p.lp", program.as_bytes()),
-        ("p.mps", b"NAME P\nROWS\n N c\nENDATA\n"),
-        ("h.ine", matrix.as_bytes()),
-    ]);
-    for (line, says) in [
-        ("polygon p.mps", "'boundfit judge' solves the linear program in such a file\n"),
-        ("polygon p.lp", "'boundfit judge' solves the linear program in such a file\n"),
-        ("fit p.lp --x x --y y --eps 1", "'boundfit judge' solves the linear program in such a file\n"),
-        (
-            "status h.ine --x x --y y --eps 1",
-            "'boundfit polygon' reads the half-planes or generators in such a file\n",
-        ),
-        (
-            "judge h.ine",
-            "h.ine: no linear program; 'boundfit polygon' reads the half-planes or generators in such a file\n",
-        ),
-    ] {
-        let run = boundfit(directory.path(), line);
-        assert!(run.status == 1 && run.stderr.ends_with(says), "{line}: {}", run.stderr);
-        assert!(!run.stderr.contains("--delimiter"), "{line}: {}", run.stderr);
-    }
-}
-
-#[test]
 fn times_in_records_are_called_so() {
     let said =
         message("", r#"[{"x":"2024-05-01T00:00:00.000Z","y":1},{"x":"2024-05-02T00:00:00.000Z","y":2}]"#);
