@@ -100,6 +100,8 @@ test("a link that is typed by hand is followed, about the page's own readings or
   await page.waitForFunction(() => document.querySelector("#link").value.includes("&x=%22true%22&y=%22[V]%22&"));
   const link = parsed(new URL(await page.locator("#link").inputValue()).hash.slice(1));
   assert.deepEqual([link.request, link.table, link.page.title], [own, csv, "Spring"]);
+  const below = `ask=fit&x=a&y=b&eps=1&skip_lines=1&table=${encodeURIComponent("note\na,b\n1,2\n2,3.9\n")}`;
+  assert.deepEqual((await follow(`#${below}`)).filter((_, place) => place !== 1), ["", "a,b\n1,2\n2,3.9\n"]);
   const limited = 'ask=fit&x=Vz&y=z&eps=1&limits={"digits":20000}';
   const [, , cells] = await follow(`#${limited}`);
   const command = await page.evaluate(() => boundfit.editor.command());

@@ -200,7 +200,7 @@ fn of_input(kind: &InputErrorKind) -> Named {
         InputErrorKind::Time => ("time", None),
         InputErrorKind::AnotherDecimalMark { before: DecimalMark::Comma } => ("mark-point", None),
         InputErrorKind::AnotherDecimalMark { before: DecimalMark::Point } => ("mark-comma", None),
-        InputErrorKind::NoNumberInFirstRow => ("units", None),
+        InputErrorKind::NoNumberInFirstRow { .. } => ("units", None),
         InputErrorKind::NumbersAsUnits => ("numbers-as-units", None),
         InputErrorKind::Missing { rows, .. } => ("missing", Some(json!({"count": rows}))),
         InputErrorKind::AllMissing { .. } => ("all-missing", None),
@@ -286,6 +286,7 @@ fn of_condition(kind: &ParseConditionErrorKind) -> Named {
         Kind::NotATerm => ("condition-term", None),
         Kind::NotANumber(number) => of_number(number),
         Kind::NoRelation => ("condition-relation", None),
+        Kind::FactorBehind => ("condition-factor", None),
         Kind::WrongRelation => ("condition-strict", None),
         Kind::SecondRelation => ("condition-second", None),
     }

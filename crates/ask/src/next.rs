@@ -58,7 +58,7 @@ impl Next {
 
     /// The error bound that was asked for.
     fn bound(&self, limits: &Limits) -> Result<Option<Rational>, Refusal> {
-        const EXPECTED: &str = "expected a number that is not negative, such as 0.5";
+        const EXPECTED: &str = "expected one number for both sides that is not negative, such as 0.5";
         let Some(given) = &self.new_eps else { return Ok(None) };
         let number = given.exact("new_eps", EXPECTED, limits)?;
         match number.is_negative() {

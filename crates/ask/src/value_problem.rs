@@ -109,10 +109,14 @@ impl ValueProblem {
                 format!("expected one of {}", names.join(", "))
             }
             ValueProblem::Range { name, range } if *range.end() == u64::MAX => {
-                format!("no limit of {name} (expected an integer from {})", range.start())
+                format!("no value of the limit {name} (expected an integer from {})", range.start())
             }
             ValueProblem::Range { name, range } => {
-                format!("no limit of {name} (expected an integer from {} to {})", range.start(), range.end())
+                format!(
+                    "no value of the limit {name} (expected an integer from {} to {})",
+                    range.start(),
+                    range.end()
+                )
             }
             ValueProblem::Expected(expected) => (*expected).to_owned(),
             ValueProblem::TooMany { most, .. } => format!("refused: more than {most} values"),

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use boundfit_ask::{Refusal, Surface};
 use boundfit_check::ClaimFileError;
 use boundfit_exact::{Foreign, Limit};
-use boundfit_formats::{InputError, Setting, Way};
+use boundfit_formats::{InputError, InputErrorKind, Setting, Way};
 use boundfit_judge::SolutionError;
 use boundfit_lp::ModelError;
 use std::io::Write;
@@ -34,11 +34,31 @@ pub(crate) type CommandResult = Result<Exit, Failure>;
 /// A refusal, with the settings that would avoid it.
 pub(crate) trait Refused: Display {
     fn ways(&self) -> Vec<Way>;
+
+    /// Returns the command for such a file, if another one reads it.
+    fn elsewhere(&self) -> Option<&'static str> {
+        None
+    }
 }
 
 impl Refused for InputError {
     fn ways(&self) -> Vec<Way> {
         InputError::ways(self)
+    }
+
+    fn elsewhere(&self) -> Option<&'static str> {
+        let is_no_table = matches!(self.kind, InputErrorKind::NoDelimiter { .. });
+        is_no_table.then(|| command_for(self.file.raw()))?
+    }
+}
+
+impl<T: Refused> Refused for &T {
+    fn ways(&self) -> Vec<Way> {
+        (*self).ways()
+    }
+
+    fn elsewhere(&self) -> Option<&'static str> {
+        (*self).elsewhere()
     }
 }
 
@@ -57,6 +77,15 @@ impl Refused for SolutionError {
 impl Refused for ClaimFileError {
     fn ways(&self) -> Vec<Way> {
         raised(self.problem.limit())
+    }
+}
+
+/// Returns the command that reads files with the ending of this name, with what it reads.
+pub(crate) fn command_for(name: &str) -> Option<&'static str> {
+    match name.rsplit_once('.')?.1.to_ascii_lowercase().as_str() {
+        "mps" | "lp" => Some("'boundfit judge' solves the linear program in such a file"),
+        "ine" | "ext" => Some("'boundfit polygon' reads the half-planes or generators in such a file"),
+        _ => None,
     }
 }
 
@@ -146,6 +175,9 @@ impl Failure {
 
     /// Reports a refusal, with this program's remedy.
     pub(crate) fn refused(problem: impl Refused) -> Self {
+        if let Some(command) = problem.elsewhere() {
+            return Failure::Data(format!("{problem}; {command}"));
+        }
         let ways: Vec<String> = problem.ways().iter().map(words).collect();
         let ways = if ways.is_empty() { String::new() } else { format!("; {}", ways.join(", ")) };
         Failure::Data(format!("{problem}{ways}"))
@@ -163,6 +195,7 @@ impl Failure {
     pub(crate) fn of(refusal: &Refusal, file: Foreign<&str>) -> Self {
         let words = refusal.words(&Options);
         match refusal {
+            Refusal::Input(error) if error.elsewhere().is_some() => Failure::refused(error),
             Refusal::Input(_) => Failure::Data(words),
             refusal if refusal.is_misuse() => Failure::Usage(words),
             _ => Failure::Data(format!("{file}: {words}")),

@@ -20,6 +20,9 @@ const PREDICTED: &str = "'boundfit predict ... --at X' answers this";
 /// The answer to a range of x where none is asked for.
 const WITHIN: &str = "'--x-range LO..HI' is the x that a figure shows; 'boundfit next ... --within LO..HI' looks for the best x";
 
+/// The answer to a format of linear programs.
+const PROGRAMS: &str = "'boundfit convert ... --to lp' and '--to mps' write the linear programs behind a fit";
+
 /// The answer to a fit without an error bound.
 const UNBOUNDED: &str = "--eps 0.5 says that no error exceeds 0.5; if you know no bound, --eps '1.2*min' takes one from the readings, \
                          which guarantees nothing";
@@ -149,6 +152,16 @@ fn with_tips(mut error: clap::Error) -> clap::Error {
             if asked.starts_with("--predict") {
                 error.remove(ContextKind::SuggestedArg);
                 suggest(&mut error, PREDICTED);
+            }
+        }
+        ErrorKind::InvalidValue => {
+            let is_program =
+                asked(ContextKind::InvalidValue).is_some_and(|value| value == "lp" || value == "mps");
+            let is_format =
+                asked(ContextKind::InvalidArg).is_some_and(|option| option.starts_with("--format"));
+            if is_program && is_format {
+                error.remove(ContextKind::SuggestedValue);
+                suggest(&mut error, PROGRAMS);
             }
         }
         ErrorKind::InvalidSubcommand => {

@@ -126,7 +126,7 @@ mod tests {
             ("|z|", 0, Kind::NotATerm),
             ("2*", 2, Kind::NotATerm),
             ("2*3", 2, Kind::NotATerm),
-            ("2%*3", 3, Kind::NotATerm),
+            ("2%*3", 0, of_what("2%")),
             ("1 |z|", 2, Kind::NotANumber(UnexpectedCharacter('|'))),
             ("|y| |x|", 4, Kind::NoPlus),
             ("+0.2/0.1", 5, Kind::NoBelow),
@@ -150,7 +150,7 @@ mod tests {
         for (text, message) in [
             (
                 "2%",
-                "2% of what? Write 2%*|y| for that share of each reading, 2%*range(y) for that share of the span of all readings"
+                "2% of what? Write 2%*|y| for that share of each reading, 2%*range(y) for that share of the span of all readings; a share of a full scale is a number: 0.2 for 2% of 10"
                     .to_owned(),
             ),
             (

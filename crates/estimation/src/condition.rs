@@ -29,6 +29,9 @@ pub enum ParseConditionErrorKind {
     /// No `<=`, `>=` or `=` where one belongs.
     #[error("neither <=, >= nor = nor another term")]
     NoRelation,
+    /// A factor or a divisor behind a parameter.
+    #[error("a factor or divisor behind a parameter")]
+    FactorBehind,
     /// A strict inequality.
     #[error("a strict inequality")]
     WrongRelation,
@@ -46,6 +49,9 @@ impl TextProblem for ParseConditionErrorKind {
         match self {
             ParseConditionErrorKind::WrongRelation => {
                 Some("< and > leave out the boundary, which is part of every set here; <= and >= keep it")
+            }
+            ParseConditionErrorKind::FactorBehind => {
+                Some("write 3*theta2 for theta2*3, 1/3*theta2 for theta2/3")
             }
             _ => None,
         }
@@ -209,12 +215,17 @@ impl Parser<'_> {
         }
     }
 
-    /// The error at what is neither a relation nor another term; a comma between digits is meant as a decimal one.
+    /// The error at what is neither a relation nor another term; a comma between digits is meant as a decimal one. A slash behind a
+    /// number belongs to the number.
     fn no_relation(&mut self) -> ParseConditionError {
         let mut around = self.scanner.rest().chars();
-        let is_comma = around.next() == Some(',') && around.next().is_some_and(|next| next.is_ascii_digit());
-        let kind =
-            if is_comma { ParseNumberErrorKind::Comma.into() } else { ParseConditionErrorKind::NoRelation };
+        let kind = match around.next() {
+            Some('*' | '/') => ParseConditionErrorKind::FactorBehind,
+            Some(',') if around.next().is_some_and(|next| next.is_ascii_digit()) => {
+                ParseNumberErrorKind::Comma.into()
+            }
+            _ => ParseConditionErrorKind::NoRelation,
+        };
         self.scanner.error(kind)
     }
 }
@@ -291,7 +302,8 @@ mod tests {
             ("2*3 >= 0", 2, Kind::NotATerm),
             ("0 <= theta1 <= 1", 12, Kind::SecondRelation),
             ("theta1 >= 10%", 12, Kind::NoRelation),
-            ("theta1 * 2 <= 1", 7, Kind::NoRelation),
+            ("theta1 * 2 <= 1", 7, Kind::FactorBehind),
+            ("theta2/3 >= 1", 6, Kind::FactorBehind),
             ("1.2.3 <= theta1", 3, Kind::NotANumber(ParseNumberErrorKind::UnexpectedCharacter('.'))),
             ("1e999999 <= theta1", 2, Kind::NotANumber(ParseNumberErrorKind::ExponentTooLarge(10_000))),
         ] {

@@ -61,7 +61,7 @@ pub enum ParseBoundErrorKind {
     NegativeNumber,
     /// A percentage, or parts per million, of nothing.
     #[error(
-        "{0} of what? Write {0}*|y| for that share of each reading, {0}*range(y) for that share of the span of all readings"
+        "{0} of what? Write {0}*|y| for that share of each reading, {0}*range(y) for that share of the span of all readings; a share of a full scale is a number: 0.2 for 2% of 10"
     )]
     PercentOfWhat(Foreign),
     /// Digits, as multimeters state them.
@@ -194,7 +194,9 @@ impl Parser<'_> {
             Some(Quantity::X) => &mut terms.of_x,
             Some(Quantity::Range) => &mut terms.of_range,
             Some(Quantity::Written) => &mut terms.written,
-            None if is_share && !is_product => {
+            None if is_share
+                && (!is_product || self.scanner.rest().starts_with(|c: char| c.is_ascii_digit())) =>
+            {
                 let kind = ParseBoundErrorKind::PercentOfWhat(share.into());
                 return Err(ParseBoundError { position: start, kind });
             }

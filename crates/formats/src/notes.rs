@@ -40,6 +40,8 @@ pub struct HeaderNote {
     pub has_numbers: bool,
     /// `true` if the rows have a cell more than the header, which is their name.
     pub has_row_names: bool,
+    /// The line of the units that were passed over, where that was asked for.
+    pub units: Option<u64>,
 }
 
 /// A sheet of a workbook.
@@ -138,12 +140,13 @@ impl TableNotes {
     /// Returns words for the unusual properties of the table. The usual table has names in its first line,
     /// numbers with points, and commas, semicolons or tabs between them.
     pub fn words(&self) -> Option<String> {
-        let words: Vec<String> = [self.sheet_words(), self.header_words(), self.block_words()]
-            .into_iter()
-            .flatten()
-            .chain(self.skipped_words())
-            .chain(self.looks.words())
-            .collect();
+        let words: Vec<String> =
+            [self.sheet_words(), self.header_words(), self.units_words(), self.block_words()]
+                .into_iter()
+                .flatten()
+                .chain(self.skipped_words())
+                .chain(self.looks.words())
+                .collect();
         let words: Vec<String> = words.into_iter().chain(self.written_words()).collect();
         (!words.is_empty()).then(|| words.join(", "))
     }
@@ -179,6 +182,11 @@ impl TableNotes {
             Some(line) if has_numbers || self.skipped.lines > 0 => Some(format!("header in {what} {line}")),
             Some(_) => None,
         }
+    }
+
+    fn units_words(&self) -> Option<String> {
+        let what = if self.is_sheet { "row" } else { "line" };
+        self.header.units.map(|line| format!("units in {what} {line}"))
     }
 
     fn block_words(&self) -> Option<String> {

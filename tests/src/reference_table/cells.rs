@@ -44,7 +44,7 @@ impl Reader<'_> {
                     if is_units.as_ref().is_some_and(|texts| texts.iter().all(|&is_text| is_text))
                         && !columns.places.iter().all(|&place| begins_with_digits(cell_at(place))) =>
                 {
-                    return Err(wrong(InputErrorKind::NoNumberInFirstRow.into()));
+                    return Err(wrong(InputErrorKind::NoNumberInFirstRow { behind_units: false }.into()));
                 }
                 Err(error) => return Err(wrong(error)),
             }

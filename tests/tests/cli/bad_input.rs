@@ -456,3 +456,26 @@ fn messages_name_only_ways_that_help() {
     assert_eq!(passed, problem);
     assert!(message("--skip-lines 9", "").contains("the file is empty"));
 }
+
+/// The first rows of a data logger: names, units, and how each number was made of many.
+#[test]
+fn two_rows_below_the_names_lead_to_columns_by_number() {
+    let logged = "\"TOA5\",\"CR1000\",\"CPU:a.CR1\"\n\"TIMESTAMP\",\"U\",\"T\"\n\"TS\",\"Volts\",\"Deg C\"\n\"\",\"Avg\",\"Min\"\n\
+                  \"2024-05-01 00:00:00\",12.5,15.1\n\"2024-05-01 00:10:00\",12.6,15.3\n";
+    let asked = "--x U --y T";
+    let first = message(asked, logged);
+    assert!(first.contains("line 3, column 2 (U): \"Volts\"") && first.contains("--units-row"), "{first}");
+    let second = message(&format!("{asked} --units-row"), logged);
+    let ways = "; --skip-lines N passes over lines before the readings, --header no takes columns by number";
+    assert!(second.contains("line 4, column 2 (U): \"Avg\"") && second.ends_with(ways), "{second}");
+    let directory = directory_with(&[("a.dat", logged.as_bytes())]);
+    let run = boundfit(directory.path(), "fit a.dat --x 2 --y 3 --eps 1 --skip-lines 4 --header no");
+    assert_eq!(run.status, 0, "{}", run.stderr);
+}
+
+#[test]
+fn times_in_records_are_called_so() {
+    let said =
+        message("", r#"[{"x":"2024-05-01T00:00:00.000Z","y":1},{"x":"2024-05-02T00:00:00.000Z","y":2}]"#);
+    assert!(said.contains("\"2024-05-01T00:00:00.000Z\": a date or a time, not a number"), "{said}");
+}

@@ -3,7 +3,7 @@
 use boundfit_tests::program::root;
 
 use boundfit_tests::cli::refusals::{check_refusal, refuses, refuses_options};
-use boundfit_tests::cli::{FIT_TRANSDUCER, TRANSDUCER, boundfit, files_in};
+use boundfit_tests::cli::{FIT_TRANSDUCER, TRANSDUCER, boundfit, directory_with, files_in};
 
 #[test]
 fn options_that_say_nothing_sensible() {
@@ -58,6 +58,13 @@ fn options_that_say_nothing_sensible() {
         (
             format!("{base} --where 'theta1 >= 0' --where slope"),
             when("slope", "neither a number nor theta1 nor theta2 at character 1"),
+        ),
+        (
+            format!("{base} --where theta2/3>=1"),
+            when(
+                "theta2/3>=1",
+                "a factor or divisor behind a parameter at character 7: write 3*theta2 for theta2*3, 1/3*theta2 for theta2/3",
+            ),
         ),
         (format!("{base} --where theta1"), when("theta1", "neither <=, >= nor = nor another term at character 7")),
         (format!("{base} --rows 40..20"), rows("40..20")),
@@ -158,6 +165,10 @@ fn options_that_are_missing_unknown_or_too_many() {
         ("fit readings.csv --x x --y y --epsilon 1", "a similar argument exists: '--eps'"),
         ("fti readings.csv", "a similar subcommand exists: 'fit'"),
         ("oultiers readings.csv", "a similar subcommand exists: 'outliers'"),
+        (
+            "fit a.csv --x x --y y --eps 1 --format mps",
+            "'boundfit convert ... --to lp' and '--to mps' write the linear programs behind a fit",
+        ),
         ("fit --x x --y y --eps 1 --predict 3", "'boundfit predict ... --at X' answers this"),
         (
             "fit readings.csv --x x --y y",
@@ -255,4 +266,32 @@ fn outputs_that_cannot_be_written() {
 #[test]
 fn what_is_refused_here_would_do_with_good_data() {
     assert_eq!(boundfit(&root(), FIT_TRANSDUCER).status, 0);
+}
+
+#[test]
+fn a_file_of_another_command_is_sent_there() {
+    let program = "min x + y\nst\n x + y >= 1\n x <= 3\nend\n";
+    let matrix = "H-representation\nbegin\n1 3 rational\n1 1 0\nend\n";
+    let directory = directory_with(&[
+        ("p.lp", program.as_bytes()),
+        ("p.mps", b"NAME P\nROWS\n N c\nENDATA\n"),
+        ("h.ine", matrix.as_bytes()),
+    ]);
+    for (line, says) in [
+        ("polygon p.mps", "'boundfit judge' solves the linear program in such a file\n"),
+        ("polygon p.lp", "'boundfit judge' solves the linear program in such a file\n"),
+        ("fit p.lp --x x --y y --eps 1", "'boundfit judge' solves the linear program in such a file\n"),
+        (
+            "status h.ine --x x --y y --eps 1",
+            "'boundfit polygon' reads the half-planes or generators in such a file\n",
+        ),
+        (
+            "judge h.ine",
+            "h.ine: no linear program; 'boundfit polygon' reads the half-planes or generators in such a file\n",
+        ),
+    ] {
+        let run = boundfit(directory.path(), line);
+        assert!(run.status == 1 && run.stderr.ends_with(says), "{line}: {}", run.stderr);
+        assert!(!run.stderr.contains("--delimiter"), "{line}: {}", run.stderr);
+    }
 }

@@ -36,7 +36,11 @@ fn what_is_no_bound_is_refused_with_advice() {
     for (text, problem) in [
         (
             "2%",
-            "2% of what? Write 2%*|y| for that share of each reading, 2%*range(y) for that share of the span of all readings",
+            "2% of what? Write 2%*|y| for that share of each reading, 2%*range(y) for that share of the span of all readings; a share of a full scale is a number: 0.2 for 2% of 10",
+        ),
+        (
+            "1%*|y| + 0.1%*10",
+            "0.1% of what? Write 0.1%*|y| for that share of each reading, 0.1%*range(y) for that share of the span of all readings; a share of a full scale is a number: 0.2 for 2% of 10",
         ),
         (
             "1% + 3 digits",

@@ -204,6 +204,19 @@ fn a_picture_shows_set_and_optimum() {
             "a picture is SVG, PNG, PDF or TikZ (expected a name that ends in .svg, .png, .pdf, .tikz or .tex)",
         ),
         (DIET, "--plot a.svg -o a.svg", 2, "'--plot' and '--output' name the same file"),
+        (
+            "min x\nst\n c1: x >= 1\nend\n",
+            "--plot a.svg",
+            1,
+            "'--plot' draws two columns, and this model has one",
+        ),
+        ("/* Objective */\nmax: x;\nx <= 4;\n", "", 1, "this is lp_solve's own LP format"),
+        (
+            "min 2*x\nst\n x >= 1\nend\n",
+            "",
+            1,
+            "LP format has * in quadratic terms alone (expected a blank, as in 3 x)",
+        ),
         (&fixed, "--plot a.svg", 1, "'--plot' draws two columns, and bounds fix all but one of this model"),
     ] {
         let run = boundfit_with_input(directory.path(), &format!("judge - {line}"), model.as_bytes());

@@ -201,7 +201,7 @@ fn what_makes_no_question_is_refused() {
         ),
         (
             "--new-eps -1",
-            "invalid value '-1' for '--new-eps <NUM>': expected a number that is not negative, such as 0.5",
+            "invalid value '-1' for '--new-eps <NUM>': expected one number for both sides that is not negative, such as 0.5",
         ),
     ] {
         refuses(&root(), &format!("next {TRANSDUCER} {options}"), 2, message);

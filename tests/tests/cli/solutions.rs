@@ -433,6 +433,33 @@ fn the_optimum_of_the_opposite_sense_is_called_so() {
     assert_eq!(words.join(" ").matches(said).count(), 2, "{text}");
 }
 
+/// The lists of CBC's `printingOptions rows` leave small values out with their prices: that of z is 1.
+#[test]
+fn prices_that_a_list_of_cbc_leaves_out_are_not_taken_for_zero() {
+    let model = "min\n x + 2 y + 3 z\nst\n c1: x + y + z >= 3\n c2: x - y <= 0\nbounds\n z = 0\nend\n";
+    let row = "      1 c2                     0                    -0.5\n";
+    let list = format!(
+        "Optimal - objective value 4.50000000\n      0 c1                     3                     1.5\n{row}      0 x                    1.5                       0\n      1 y                    1.5                       0\n"
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    fs::write(path("m.lp"), model).unwrap();
+    let about = |list: &str| {
+        fs::write(path("cbc.sol"), list).unwrap();
+        let run = run(&["judge", &path("m.lp"), "--solution", &path("cbc.sol"), "--format", "json"]);
+        let report: Value = serde_json::from_str(&run.stdout).unwrap_or_else(|_| panic!("{run:?}"));
+        (run.status, report["solutions"][0].clone())
+    };
+    let (status, solution) = about(&list);
+    assert_eq!((status, solution["findings"].as_array().unwrap().len()), (0, 7), "{solution}");
+    let (status, solution) = about(&list.replace(row, ""));
+    let said = "the duals are not looked at: the file lists 1 row, the model has 2 rows";
+    assert_eq!((status, &solution["not_judged"]), (0, &format!("{said}; {ACTIVITIES}").into()), "{solution}");
+    let (status, solution) = about(&list.replace("-0.5", "0.5").replace("  1.5\n   ", " -1.5\n   "));
+    let said = solution["findings"][4]["message"].as_str().unwrap_or_default().to_owned();
+    assert!(status == 4 && said.contains("; all prices have the opposite sign,"), "{solution}");
+}
+
 #[test]
 fn reduced_costs_without_duals_are_said_to_be_passed_over() {
     let right = r#""objective": "-2/3", "x": ["1/3", "1/3"]"#;

@@ -111,6 +111,16 @@ fn nothing_is_said_of_a_plain_table() {
     }
 }
 
+/// A row of units is passed over as asked, which is no guess, but the report says which row that was.
+#[test]
+fn a_row_of_units_has_its_line_in_the_report() {
+    let directory = directory_with(&[("units.csv", b"x,y\nmV,degC\n1,2\n2,3\n3,5\n")]);
+    let line = "units.csv --x x --y y --units-row";
+    let report = boundfit(directory.path(), &format!("fit {line} --eps 1"));
+    assert!(report.stdout.contains("\n  table    units in line 2\n"), "{report:?}");
+    assert_eq!(boundfit(directory.path(), &format!("reduce {line}")).stderr, "");
+}
+
 #[test]
 fn what_was_said_by_an_option_is_no_guess() {
     for header in ["yes", "no"] {

@@ -39,6 +39,12 @@ fn small_plain_data_stand_in_the_theorem() {
     assert!(text.contains(says), "{text}");
     assert!(text.contains(&format!("Definition data : list text := [\"{DATA}\"]%text.\n")), "{text}");
     assert!(text.contains("What is outside: that 'data' below are the bytes of the file."), "{text}");
+    assert!(text.contains("\n   'boundfit verify FILE DATA' compares both.\n"), "{text}");
+    // A theorem without a question is compared with nothing.
+    fs::write(directory.path().join("p.lp"), "min x + y\nst\n x + 2 y >= 1\n x <= 3\nend\n").unwrap();
+    let text = theorem("judge p.lp", "");
+    let uncompared = "\n   No question stands here, so that 'boundfit verify' cannot compare both.\n";
+    assert!(text.contains(uncompared) && !text.contains("compares both"), "{text}");
     for (line, input) in [
         ("fit long.csv --x x --y y --eps 1", ""),
         ("fit - --x x --y y --eps 1", DATA),

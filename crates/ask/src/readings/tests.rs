@@ -73,7 +73,7 @@ fn words_that_exclude_or_need_each_other_are_refused_by_their_keys() {
         (format!("{line}, \"limits\": {{\"depth\": 1}}"), "<limits> depth: expected one of \"digits\""),
         (
             format!("{line}, \"limits\": {{\"nesting\": 121}}"),
-            "<limits> 121: no limit of nesting (expected an integer from 1 to 120)",
+            "<limits> 121: no value of the limit nesting (expected an integer from 1 to 120)",
         ),
     ] {
         let refused = range(&own).unwrap_err();

@@ -22,6 +22,11 @@ const MARKS: &[(&str, &str)] = &[
         "(* What is proved: the last theorems of this file.",
         "'boundfit verify FILE DATA' compares both where the question stands here.\n",
     ),
+    ("(* What is proved: the last theorems of this file.", "'boundfit verify FILE DATA' compares both.\n"),
+    (
+        "(* What is proved: the last theorems of this file.",
+        "No question stands here, so that 'boundfit verify' cannot compare both.\n",
+    ),
     ("LP answers about ", ", judged exactly\n"),
     ("verified: ", " is true of "),
     ("refuted: ", " is not true of "),

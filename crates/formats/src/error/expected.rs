@@ -66,7 +66,7 @@ impl InputErrorKind {
                 "a vector or matrix of real numbers: double, single, integer or logical, full"
             }
             InputErrorKind::DifferentLengths { .. } => "columns of one length",
-            InputErrorKind::NoNumberInFirstRow => "a row of numbers",
+            InputErrorKind::NoNumberInFirstRow { .. } => "a row of numbers",
             InputErrorKind::RaggedRow { .. } => "as many cells in every row, also where a value is missing",
             InputErrorKind::ColumnType { expected, .. } => expected,
             _ => return None,

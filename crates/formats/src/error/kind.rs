@@ -365,7 +365,10 @@ pub enum InputErrorKind {
     },
     /// The first row after the header has no number in any cell that is asked for.
     #[error("not a number, nor is any other cell of this row that is asked for")]
-    NoNumberInFirstRow,
+    NoNumberInFirstRow {
+        /// True if a row of units was passed over before this row.
+        behind_units: bool,
+    },
     /// A cell that goes on behind its closing quote.
     #[error("text stands behind a closing quote")]
     BehindQuotes,

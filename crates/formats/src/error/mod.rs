@@ -67,7 +67,7 @@ impl InputError {
     pub fn ways(&self) -> Vec<Way> {
         let text = self.place.text.as_ref().map(Foreign::raw);
         match (&self.kind, text.and_then(grouping_mark)) {
-            (InputErrorKind::NotANumber(_) | InputErrorKind::NoNumberInFirstRow, Some(mark)) => {
+            (InputErrorKind::NotANumber(_) | InputErrorKind::NoNumberInFirstRow { .. }, Some(mark)) => {
                 vec![Way::new(Setting::Thousands, mark, "reads digits in groups of three")]
             }
             _ => self.kind.ways(),
@@ -88,7 +88,9 @@ impl InputError {
         let is_formula = |text: &Foreign| text.raw().starts_with('=');
         let says = |is_it: &dyn Fn(&Foreign) -> bool| self.place.text.as_ref().is_some_and(is_it);
         match self.kind {
-            InputErrorKind::NotANumber(_) | InputErrorKind::NoNumberInFirstRow if says(&is_formula) => {
+            InputErrorKind::NotANumber(_) | InputErrorKind::NoNumberInFirstRow { .. }
+                if says(&is_formula) =>
+            {
                 self.kind = InputErrorKind::NoValue;
             }
             _ => {}

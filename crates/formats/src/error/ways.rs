@@ -133,7 +133,13 @@ impl InputErrorKind {
                 way(Setting::Decimal, "comma|point", "says which"),
                 way(Setting::Thousands, "CHARACTER", "says what groups digits"),
             ],
-            InputErrorKind::NoNumberInFirstRow => {
+            InputErrorKind::NoNumberInFirstRow { behind_units: true } => {
+                vec![
+                    way(Setting::SkipLines, "N", "passes over lines before the readings"),
+                    way(Setting::Header, "no", "takes columns by number"),
+                ]
+            }
+            InputErrorKind::NoNumberInFirstRow { .. } => {
                 vec![
                     way(Setting::UnitsRow, "", "passes over a row of units"),
                     way(Setting::SkipLines, "N", "passes over lines before the table"),

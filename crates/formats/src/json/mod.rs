@@ -26,6 +26,7 @@ use crate::notes::{HeaderNote, SheetLooks, Skipped, TableNotes};
 use crate::relations::refuse_beside;
 use crate::scan::check_rows;
 use crate::scan::{Consumer, ScanOptions, Scanned};
+use crate::times::or_time;
 use crate::wanted::WantedColumns;
 
 use records::Records;
@@ -236,13 +237,12 @@ fn other_shape(mut error: InputError, records: &Records) -> InputError {
     error
 }
 
-/// The error, that says rather that an object or array stands where a number belongs.
+/// The error, that says rather that an object, an array or a time stands where a number belongs.
 fn about_nested(error: InputError) -> InputError {
-    let is_nested = error.place.text.as_ref().is_some_and(|text| NESTED.contains(&text.raw()));
-    match error.kind {
-        InputErrorKind::NotANumber(_) if is_nested => {
-            InputError { kind: InputErrorKind::NestedJson, ..error }
-        }
-        kind => InputError { kind, ..error },
-    }
+    let Some(text) = error.place.text.as_ref().map(Foreign::raw) else { return error };
+    let kind = match error.kind {
+        InputErrorKind::NotANumber(_) if NESTED.contains(&text) => InputErrorKind::NestedJson,
+        kind => or_time(kind, text.as_bytes()),
+    };
+    InputError { kind, ..error }
 }

@@ -149,13 +149,14 @@ impl<'a> FirstRecord<'a> {
         let mut position = Position { rows: 0, lines: cursor.lines, line_feeds: preamble.line_feeds };
         position.line_feeds += line_feeds(reader.pending().get(..cursor.at).unwrap_or_default());
         reader.skip(cursor.at);
-        let units = units.as_ref().map(|(cells, _)| cells.as_slice());
-        let mut layout = layout.with(reader.encoding(), records_before, units);
+        let (units, units_line) = units.unzip();
+        let mut layout = layout.with(reader.encoding(), records_before, units.as_deref());
         layout.names_in = HeaderNote {
             line: if is_commented { Some(preamble.comment_line) } else { has_header.then_some(first.line) },
             is_comment: is_commented,
             is_open: heading.is_open,
             has_row_names,
+            units: units_line,
             ..HeaderNote::default()
         };
         layout.is_header_marked = is_marked;

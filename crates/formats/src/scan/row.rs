@@ -80,7 +80,8 @@ impl Layout<'_> {
                 Err(InputErrorKind::NotANumber(_))
                     if row == 1 && !is_time(cell) && self.has_no_number(record, *mark) =>
                 {
-                    return Err(error(InputErrorKind::NoNumberInFirstRow));
+                    let behind_units = self.options.table.dialect.units_row;
+                    return Err(error(InputErrorKind::NoNumberInFirstRow { behind_units }));
                 }
                 Err(problem) => return Err(error(problem)),
             }
@@ -152,7 +153,6 @@ impl Layout<'_> {
         };
         self.names_in.line.is_some()
             && !self.names_in.is_comment
-            && !self.options.table.dialect.units_row
             && self.places.iter().all(is_text)
             // Numbers with groups of digits, or with units behind them.
             && !self.places.iter().all(|place| begins_with_digits(cell(place)))

@@ -6,7 +6,7 @@ use boundfit_lp::{Bounds, End};
 use super::ground::objective_at;
 use super::measure::Measured;
 use super::primal::{items, roundings, values};
-use super::{Aspect, Excuse, Fault, Finding, Ground, Measure, Tolerances, value_at};
+use super::{Aspect, Excuse, Fault, Finding, Ground, Measure, Tolerances, Worth, value_at};
 use crate::answer::{Item, Side};
 use crate::certificate::sign_of;
 use crate::solution::{Given, Solution};
@@ -25,6 +25,16 @@ pub(super) fn leans_on<'a>(bounds: &'a Bounds, times: &Rational) -> (End, Option
     } else {
         (End::Lower, bounds.lower.as_ref())
     }
+}
+
+/// The solution with the opposite sign of each dual and reduced cost.
+fn with_negated_prices(solution: &Solution) -> Solution {
+    let mut negated = solution.clone();
+    let duals = negated.duals.iter_mut().flatten();
+    for price in duals.chain(negated.reduced_costs.iter_mut().flatten().flatten()) {
+        price.number.value = -&price.number.value;
+    }
+    negated
 }
 
 impl Ground<'_> {
@@ -53,6 +63,19 @@ impl Ground<'_> {
 
     /// Returns what is found about duals and reduced costs; nothing where the solution has none.
     pub(super) fn prices(&self, solution: &Solution, tolerances: &Tolerances) -> [Option<Finding>; 3] {
+        let mut found = self.prices_as_given(solution, tolerances);
+        let is_refuted = |own: &Option<Finding>| own.as_ref().is_some_and(|own| own.worth == Worth::Refuted);
+        if found.iter().any(is_refuted)
+            && !self.prices_as_given(&with_negated_prices(solution), tolerances).iter().any(is_refuted)
+        {
+            for own in found.iter_mut().flatten() {
+                own.is_negated = own.worth == Worth::Refuted;
+            }
+        }
+        found
+    }
+
+    fn prices_as_given(&self, solution: &Solution, tolerances: &Tolerances) -> [Option<Finding>; 3] {
         let Some(duals) = &solution.duals else { return [None, None, None] };
         let costs = self.model.columns.iter().map(|column| column.cost.clone());
         let left = self.left_of(costs, duals, tolerances, solution.status_line);
@@ -97,6 +120,7 @@ impl Ground<'_> {
     ) {
         let given = solution.reduced_costs.iter().flatten();
         for (column, (given, left)) in given.zip(left).enumerate() {
+            let Some(given) = given else { continue };
             let claimed = given.number.value.clone();
             let error = (&claimed - &left.value).abs();
             measure.take(Measured {

@@ -213,6 +213,8 @@ pub struct Finding {
     pub relative: Option<Rational>,
     /// The fault of the worst row or column; `None` where nothing is.
     pub fault: Option<Fault>,
+    /// True if duals and reduced costs with the opposite signs are right: solvers that maximize the negative objective write such.
+    pub is_negated: bool,
     /// The smallest tolerance that excuses all errors of the aspect, as solvers define theirs; where there is one.
     pub excuse: Option<Excuse>,
 }

@@ -73,6 +73,7 @@ impl<'a> Measure<'a> {
             error: Some(self.error),
             relative: Some(self.relative),
             fault,
+            is_negated: false,
             excuse: self.excuse,
         }
     }

@@ -117,6 +117,7 @@ impl Ground<'_> {
             error: None,
             relative: None,
             fault,
+            is_negated: false,
             excuse: excuse.and_then(|other| other.excuse.clone()),
         }
     }
@@ -138,6 +139,7 @@ fn no_number(not_finite: &NotFinite) -> Finding {
         error: None,
         relative: None,
         fault: Some(Fault::NotFinite { part: not_finite.part, item: not_finite.item }),
+        is_negated: false,
         excuse: None,
     }
 }

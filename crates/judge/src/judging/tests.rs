@@ -307,7 +307,8 @@ fn lists_of_another_program_are_refused() {
     let row = "(expected 3, one for each row of the program)";
     assert_eq!(other(&|own| own.duals = own.point.clone()), format!("the list of duals has 2 numbers {row}"));
     let reduced = format!("the list of reduced costs has 3 numbers {column}");
-    assert_eq!(other(&|own| own.reduced_costs = own.duals.clone()), reduced);
+    let priced = |own: &Solution| own.duals.clone().map(|duals| duals.into_iter().map(Some).collect());
+    assert_eq!(other(&|own| own.reduced_costs = priced(own)), reduced);
 }
 
 #[test]
@@ -384,6 +385,23 @@ fn a_wrong_objective_names_the_program_that_it_answers() {
             }
         });
         assert_eq!(answers, expected, "{text}");
+    }
+}
+
+#[test]
+fn prices_of_the_opposite_sign_are_called_so() {
+    let negated = RIGHT.replace("1.5, \"r3\": 1", "-1.5, \"r3\": -1");
+    let both = "\"reduced_costs\": {\"x\": 0.01";
+    for (text, expected) in [
+        (negated.clone(), vec![true]),
+        (negated.replace("\"reduced_costs\": {\"x\": 0", both), vec![false]),
+        (RIGHT.replace("\"reduced_costs\": {\"x\": 0", both), vec![false]),
+        (RIGHT.to_owned(), vec![]),
+    ] {
+        let findings = judged(&textbook(), &text);
+        let refuted = findings.findings.iter().filter(|finding| finding.worth == Worth::Refuted);
+        let said: Vec<bool> = refuted.map(|finding| finding.is_negated).collect();
+        assert_eq!(said, expected, "{text}: {findings:?}");
     }
 }
 

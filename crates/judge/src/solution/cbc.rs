@@ -1,5 +1,5 @@
-//! CBC and CLP: what `solution FILE` writes, a list of variables after the status. Values of at most 10⁻⁸ are left out, rows are there
-//! if asked for (`printingOptions all`), before the columns and counted from 0 as they are.
+//! CBC and CLP: what `solution FILE` writes, a list of variables after the status. Long lists leave values of at most 10⁻⁸ out, whatever their
+//! prices. Rows are there if asked for (`printingOptions rows` or `all`), before the columns and counted from 0 as they are.
 //!
 //! Source: CBC user guide, "solution"; `CbcSolver.cpp` and `ClpMain.cpp`: `%15.8g`, the objective in CBC 2 as `%.8f`.
 
@@ -62,7 +62,7 @@ fn entries<'a>(
     lines: impl Iterator<Item = Line<'a>>,
     limits: &Limits,
 ) -> Result<SolutionFile, SolutionError> {
-    (file.left_out, file.omits_zero_duals) = (Some(Rational::scientific(1, -8)), true);
+    file.left_out = Some(Rational::scientific(1, -8));
     let mut last = None;
     for line in lines {
         let mut words = line.words();

@@ -61,8 +61,8 @@ pub struct Solution {
     pub point: Option<Vec<Given>>,
     /// The dual of each row.
     pub duals: Option<Vec<Given>>,
-    /// The reduced cost of each column.
-    pub reduced_costs: Option<Vec<Given>>,
+    /// The reduced cost of each column; `None` for a column that a list without small values leaves out.
+    pub reduced_costs: Option<Vec<Option<Given>>>,
     /// An entry for each column.
     pub ray: Option<Vec<Given>>,
     /// A multiplier for each row.
@@ -100,6 +100,11 @@ impl Solution {
         let values = columns.fill(own_columns.iter().copied(), Entry::value_at)?;
         let reduced = columns.fill(own_columns.iter().copied(), Entry::price_at)?;
         let point = point(file, model, &values)?;
+        // A list without small values leaves the reduced costs of such columns out, too.
+        let is_known = values
+            .iter()
+            .zip(&reduced)
+            .map(|slots| file.omits_zero_duals || !matches!(slots, (Slot::Missing, Slot::Missing)));
         let has_prices = reduced.iter().any(|price| matches!(price, Slot::Given(_)));
         let by_number = own_rows.iter().any(|row| matches!(row.of, Reference::Place(_)));
         let is_other = by_number && file.announced.is_some() && own_rows.len() != model.rows.len();
@@ -126,7 +131,9 @@ impl Solution {
             objective: file.objective.as_ref().and_then(|(figure, line)| given(figure, *line)),
             point,
             duals: duals.as_ref().and_then(|duals| all(duals, zero)).filter(|_| is_optimal),
-            reduced_costs: all(&reduced, zero).filter(|_| is_optimal && has_prices),
+            reduced_costs: all(&reduced, zero).filter(|_| is_optimal && has_prices).map(|prices| {
+                prices.into_iter().zip(is_known).map(|(price, is)| is.then_some(price)).collect()
+            }),
             ray: ray.as_ref().and_then(|ray| all(ray, zero)),
             farkas: farkas.as_ref().and_then(|farkas| all(farkas, zero)),
             not_finite: not_finite.chain(objective_not_finite(file)).collect(),
@@ -142,15 +149,15 @@ impl Solution {
     /// [`SolutionError::Count`] with the first list of another length.
     pub fn of_size(self, model: &Model) -> Result<Self, SolutionError> {
         let (columns, rows) = (("column", model.columns.len()), ("row", model.rows.len()));
+        let length = |given: &Option<Vec<Given>>| given.as_ref().map(Vec::len);
         let lists = [
-            ("the point", &self.point, columns),
-            ("the list of duals", &self.duals, rows),
-            ("the list of reduced costs", &self.reduced_costs, columns),
-            ("the ray", &self.ray, columns),
-            ("the list of multipliers", &self.farkas, rows),
+            ("the point", length(&self.point), columns),
+            ("the list of duals", length(&self.duals), rows),
+            ("the list of reduced costs", self.reduced_costs.as_ref().map(Vec::len), columns),
+            ("the ray", length(&self.ray), columns),
+            ("the list of multipliers", length(&self.farkas), rows),
         ];
-        let counts =
-            lists.into_iter().filter_map(|(list, given, of)| Some((list, given.as_ref()?.len(), of)));
+        let counts = lists.into_iter().filter_map(|(list, count, of)| Some((list, count?, of)));
         for (list, count, (kind, expected)) in counts {
             if count != expected {
                 return Err(SolutionError::Count { list, count, expected, kind });

@@ -128,7 +128,8 @@ pub struct SolutionFile {
     pub has_slacks: bool,
     /// True if the file has duals of rows.
     pub has_duals: bool,
-    /// True if a row that the file does not list has the dual 0. The duals of any other file are whole, or not looked at.
+    /// True if a row or column that the file does not list has the price 0. The prices of rows of any other file are whole, or not
+    /// looked at.
     pub omits_zero_duals: bool,
     /// Columns that the writer leaves out are at most this large; `None` where it writes all of them.
     pub left_out: Option<Rational>,

@@ -70,6 +70,7 @@ fn kind(kind: &ParseConditionErrorKind) -> &'static str {
         ParseConditionErrorKind::NotANumber(kind) if kind.is_limit() => "number-too-long",
         ParseConditionErrorKind::NotANumber(_) => "not-a-number",
         ParseConditionErrorKind::NoRelation => "no-relation",
+        ParseConditionErrorKind::FactorBehind => "factor-behind",
         ParseConditionErrorKind::WrongRelation => "strict",
         ParseConditionErrorKind::SecondRelation => "second-relation",
     }
@@ -93,7 +94,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_read_has_a_place_and_a_name() {
-        let text = "x < 1\nz <= 1\nx <= 1e99\nx + 1\n0 <= x <= 1\nx <= 1.2.3\n1 <= y";
+        let text = "x < 1\nz <= 1\nx <= 1e99\nx + 1\n0 <= x <= 1\nx <= 1.2.3\n1 <= y\ny/3 <= 1";
         let read = read(text, &Limits { digits: 30, exponent: 30 });
         let errors: Vec<_> = read.errors.iter().map(|error| (error.line, error.column, error.kind)).collect();
         assert_eq!(
@@ -105,6 +106,7 @@ mod tests {
                 (4, 6, "no-relation"),
                 (5, 8, "second-relation"),
                 (6, 9, "not-a-number"),
+                (8, 2, "factor-behind"),
             ]
         );
         assert!(read.errors[0].message.starts_with("a strict inequality at character 3: "));

@@ -228,6 +228,9 @@ pub enum ModelErrorKind {
     /// A quadratic term.
     #[error("quadratic terms are not linear")]
     Quadratic,
+    /// A sign of multiplication, which quadratic terms alone have.
+    #[error("LP format has * in quadratic terms alone")]
+    Times,
     /// A variable for the second time in one expression.
     #[error("the variable has a term on line {first} already")]
     TermTwice {
@@ -315,6 +318,7 @@ impl ModelErrorKind {
             ModelErrorKind::NoEnd(ExchangeFormat::Mps) => "ENDATA as the last line; was the file cut off?",
             ModelErrorKind::NoEnd(ExchangeFormat::Lp) => "end as the last word; was the file cut off?",
             ModelErrorKind::Quadratic => "terms such as 3 x",
+            ModelErrorKind::Times => "a blank, as in 3 x",
             ModelErrorKind::Unexpected(expected) => expected,
             ModelErrorKind::MayBeTerm { .. } => "terms such as 1/3 x and 2 x, or another name",
             ModelErrorKind::TermTwice { .. } => "one term of each variable",

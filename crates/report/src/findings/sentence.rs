@@ -9,6 +9,9 @@ const FULL: usize = 20;
 /// Significant digits that tell binary64 numbers apart.
 const DOUBLE: usize = 17;
 
+/// The note on prices of the opposite sign.
+const NEGATED: &str = "all prices have the opposite sign, as of the opposite objective";
+
 /// The tolerances in words.
 fn excuse_text(excuse: &Excuse) -> String {
     format!(
@@ -77,6 +80,7 @@ pub(super) fn sentence(model: &Model, finding: &Finding) -> String {
             format!("the multiplied bounds add up to {}, which is no contradiction", number(total))
         }
     };
+    let what = if finding.is_negated { format!("{what}; {NEGATED}") } else { what };
     match &finding.excuse {
         Some(excuse) if finding.worth >= Worth::WithinTolerance => format!("{what}; {}", excuse_text(excuse)),
         _ => what,

@@ -73,11 +73,11 @@ impl Head<'_> {
              How to check: coqc FILE (Coq 8.16). It ends by printing what the theorem over the rational numbers assumes:\n   \
              nothing. The one over the real numbers assumes the axioms of Coq's real numbers.\n",
         );
-        let _ = writeln!(
-            text,
-            "   What is outside: {outside}\n   \
-             'boundfit verify FILE DATA' compares both where the question stands here."
-        );
+        let compared = match question {
+            Some(_) => "'boundfit verify FILE DATA' compares both.",
+            None => "No question stands here, so that 'boundfit verify' cannot compare both.",
+        };
+        let _ = writeln!(text, "   What is outside: {outside}\n   {compared}");
         if let Some(subject) = subject {
             let _ = writeln!(text, "   The theorems are about {subject}.");
         }

@@ -128,7 +128,7 @@ fn a_name_that_is_the_number_of_another_column_is_refused() {
     let units = with(|options| options.dialect.units_row = true);
     assert_eq!(
         said("scope.csv", &["x-axis", "\"1\""], &units),
-        "x-axis 1: -1/200 51/500 and 3 more; header in line 1"
+        "x-axis 1: -1/200 51/500 and 3 more; header in line 1, units in line 2"
     );
     for (columns, message) in [
         (

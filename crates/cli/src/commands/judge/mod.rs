@@ -17,7 +17,7 @@ use clap::{Args, ValueEnum};
 
 use self::solutions::SolutionArguments;
 use super::set_files::SetFiles;
-use crate::exit::{CommandResult, Exit, Failure};
+use crate::exit::{CommandResult, Exit, Failure, command_for};
 use crate::input;
 use crate::options::{
     BAD_DATA, BAD_USAGE, LimitArguments, NamedFormat, Notes, OutputArguments, PictureArguments,
@@ -216,9 +216,11 @@ fn picture(
 ) -> Result<Vec<u8>, Failure> {
     let [first, second] = plane.columns() else {
         let count = in_words(plane.columns().len());
-        return Err(Failure::data(format_args!(
-            "{file}: '--plot' draws two columns, and bounds fix all but {count} of this model"
-        )));
+        let problem = match model.columns.len() == plane.columns().len() {
+            true => format!("this model has {count}"),
+            false => format!("bounds fix all but {count} of this model"),
+        };
+        return Err(Failure::data(format_args!("{file}: '--plot' draws two columns, and {problem}")));
     };
     let name =
         |column: &usize| model.columns.get(*column).map_or_else(Foreign::default, |own| own.name.clone());
@@ -248,8 +250,14 @@ fn model_of(file: &WholeFile, limits: &LimitArguments) -> Result<Model, Failure>
         columns: sizes.columns,
         entries: sizes.elements,
     };
-    let format = format_of_name(file.name.raw()).unwrap_or_else(|| format_of_text(text));
-    read_model(text, format, &limits).map_err(fail)
+    let format = format_of_name(file.name.raw());
+    let is_other = format.is_none().then(|| command_for(file.name.raw())).flatten();
+    read_model(text, format.unwrap_or_else(|| format_of_text(text)), &limits).map_err(
+        |error| match is_other {
+            Some(command) => Failure::data(format_args!("{}: no linear program; {command}", file.name)),
+            None => fail(error),
+        },
+    )
 }
 
 /// The format that a file's name announces, packed or not.
@@ -260,11 +268,12 @@ fn format_of_name(name: &str) -> Option<ExchangeFormat> {
     ExchangeFormat::ALL.into_iter().find(|format| format.name() == ending)
 }
 
-/// The format of a text: LP begins with a comment behind `\` or with what is wanted of the objective.
+/// The format of a text: LP begins with a comment behind `\` or with what is wanted of the objective. A comment behind `/` is lp_solve's,
+/// whose format the reader of LP knows.
 fn format_of_text(text: &str) -> ExchangeFormat {
     let start = text.trim_start_matches('\u{feff}').trim_start();
     let word: String = start.chars().take(3).flat_map(char::to_lowercase).collect();
-    if start.starts_with('\\') || word == "min" || word == "max" {
+    if start.starts_with(['\\', '/']) || word == "min" || word == "max" {
         ExchangeFormat::Lp
     } else {
         ExchangeFormat::Mps

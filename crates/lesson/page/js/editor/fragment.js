@@ -10,6 +10,8 @@ const LONGEST = 8000;
 const READABLE = 300;
 const LONGEST_UNPACKED = 1_000_000;
 const PAGE = "page.";
+/** The key whose value is a whole number. Digits elsewhere are texts, which keep their decimals. */
+const WHOLE = "skip_lines";
 /** How links of older versions begin, which had keys of their own. */
 const OLDER = /^(?:readings-|(?:tab|layers|residual|straighten)=)/;
 const LOOKS_LIKE_JSON = /^(?:[[{"]|(?:true|false)$)/;
@@ -47,8 +49,9 @@ async function unpacked(letters) {
   return new TextDecoder().decode(await through(bytes, new DecompressionStream("deflate-raw")));
 }
 
-/** @param {string} text */
-function valueOf(text) {
+/** @param {string} key @param {string} text */
+function valueOf(key, text) {
+  if (key === WHOLE) return /^\d+$/.test(text) ? Number(text) : text;
   if (!LOOKS_LIKE_JSON.test(text)) return text;
   try {
     return JSON.parse(text);
@@ -96,7 +99,7 @@ export async function linkOf(fragment) {
   const part = (isOfPage) => Object.entries(said).filter(([key]) => key.startsWith(PAGE) === isOfPage);
   try {
     return {
-      request: Object.fromEntries(part(false).map(([key, text]) => [key, valueOf(text)])),
+      request: Object.fromEntries(part(false).map(([key, text]) => [key, valueOf(key, text)])),
       // What is packed is one line.
       table: table === undefined ? null : table.includes("\n") ? table : await unpacked(table),
       page: Object.fromEntries(part(true).map(([key, text]) => [key.slice(PAGE.length), text])),

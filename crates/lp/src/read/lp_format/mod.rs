@@ -113,6 +113,7 @@ struct Value<'a> {
 
 fn unexpected(token: Token<'_>, expected: &'static str) -> ModelError {
     token.field.error(match token.kind {
+        Kind::Quadratic if token.field.text == "*" => ModelErrorKind::Times,
         Kind::Quadratic => ModelErrorKind::Quadratic,
         Kind::Arrow => ModelErrorKind::NotLinear,
         _ => ModelErrorKind::Unexpected(expected),

@@ -131,7 +131,7 @@ fn refusals_say_what_would_be_accepted() {
         ("max: 3x + 2y", format!("line 1, column 4: \":\": {term}")),
         ("min x y end", format!("line 1, column 7: \"y\": {relation}")),
         ("min 3 4 end", format!("line 1, column 7: \"4\": {relation}")),
-        ("min 3 * x end", "line 1, column 7: \"*\": quadratic terms are not linear (expected terms such as 3 x)".to_owned()),
+        ("min 3 * x end", "line 1, column 7: \"*\": LP format has * in quadratic terms alone (expected a blank, as in 3 x)".to_owned()),
         ("min x + [ x^2 ]/2 end", "line 1, column 9: \"[\": quadratic terms are not linear (expected terms such as 3 x)".to_owned()),
         ("min x/3 st c: x >= 4\nend", "line 1, column 5: \"x/3\": the name may be a term of the variable \"x\" (expected terms such as 1/3 x and 2 x, or another name)".to_owned()),
         ("min x st c: 2 (x) >= 4\nend", "line 1, column 15: \"(x)\": the name may be a term of the variable \"x\" (expected terms such as 1/3 x and 2 x, or another name)".to_owned()),
