@@ -20,7 +20,7 @@ use crate::bound_name::BoundName;
 use crate::minimax::Minimax;
 use crate::problem::Problem;
 
-pub use area::{AreaGrowth, MovingArea};
+pub use area::{AreaGrowth, MovingArea, ShortAreas};
 pub use functions::{Linear, MovingBoundary, MovingVertex};
 pub use piece::Piece;
 pub use section::{Section, SectionBoundary, SectionVertex};
