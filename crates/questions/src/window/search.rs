@@ -64,14 +64,14 @@ type Active<'a> = Option<[&'a HalfPlane; 2]>;
 /// The positions of a chain at which the answer may lie, first and last.
 type Range = Option<[usize; 2]>;
 
-/// What a search has narrowed the chains down to, and the places that the answer lies between.
+/// The parts of the chains at which an answer may lie, and the places that it lies between.
 #[derive(Debug, Clone)]
 struct Narrowed {
     ranges: [Range; 4],
     between: [Option<Place>; 2],
 }
 
-/// What is seen at a place, whatever the goal is.
+/// The bounds on θ2 at a place, which every goal looks at.
 #[derive(Debug)]
 struct View<'a> {
     /// The place beside the bounds on θ1 from the left and from the right.
@@ -82,7 +82,7 @@ struct View<'a> {
     gap: Ordering,
     /// The trend of L - U to the right of the place.
     falls: Turn,
-    /// Its trend from the left up to the place.
+    /// The trend from the left up to the place.
     grows: Turn,
 }
 
@@ -103,8 +103,8 @@ impl<'a> Both<'a> {
         [of(|part| part.left), of(|part| part.right)]
     }
 
-    /// Narrows every chain down to what has the answer, for each goal. Goals look at the same places as long as their answers lie
-    /// on the same side. Cost: a squared logarithm of comparisons.
+    /// Narrows every chain down to the part with the answer, for each goal. Goals share places as long as their answers lie on the
+    /// same side. Cost: a squared logarithm of comparisons.
     pub(super) fn search<const N: usize>(&self, goals: [Goal; N]) -> [Found; N] {
         let whole = |(side, part): (Side, usize)| {
             let last = self.chain(side, part).ids().len().checked_sub(1)?;
@@ -270,7 +270,7 @@ fn place_of(f: &HalfPlane, g: &HalfPlane) -> Option<Place> {
 }
 
 impl Narrowed {
-    /// What is left on one side of a place, or at it, around which the chains are at these positions.
+    /// Drops the other side of a place, or both sides. Around the place the chains are at these positions.
     fn towards(mut self, way: Way, around: &[Range; 4], place: &Place) -> Self {
         for (index, (range, around)) in self.ranges.iter_mut().zip(around).enumerate() {
             let (Some([first, last]), Some([left, right])) = (range, *around) else { continue };
