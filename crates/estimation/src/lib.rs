@@ -83,7 +83,7 @@ pub use corridor::{Corridor, CorridorEdge};
 pub use deciding::DecidingRows;
 pub use family::{
     AreaGrowth, Breakpoint, Family, Linear, MovingArea, MovingBoundary, MovingVertex, Piece, Section,
-    SectionBoundary, SectionVertex,
+    SectionBoundary, SectionVertex, ShortAreas,
 };
 pub use feasibility::least_squares_is_feasible;
 #[cfg(feature = "files")]

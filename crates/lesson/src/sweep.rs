@@ -28,18 +28,21 @@ pub(crate) fn sweep(problem: &Problem, fit: &Fit) -> SweepJson {
     let family = Family::new(problem, Rational::zero(), to);
     let mut paths = Paths::default();
     let moving: Vec<Vec<usize>> = family.pieces().iter().map(|piece| paths.of_piece(piece)).collect();
-    let pieces = family.pieces().iter().zip(&moving);
+    let areas = family.short_areas(STYLE.longest_fraction);
+    let pieces = family.pieces().iter().zip(&moving).zip(&areas.pieces);
     let breakpoint = |(number, breakpoint): (usize, &Breakpoint)| {
         // Sets grow with the factor: below the first one that is not empty there are no vertices.
         let above = number.min(moving.len().saturating_sub(1));
         let beside = family.pieces().get(above).zip(moving.get(above));
         let vertices = beside.map_or_else(Vec::new, |(piece, moving)| met(breakpoint, piece, moving));
-        BreakpointJson::new(problem, breakpoint, vertices, &STYLE)
+        BreakpointJson::new(problem, breakpoint, vertices, areas.breakpoints[number].as_ref(), &STYLE)
     };
     SweepJson {
         least: family.least().map(|least| STYLE.upper_number(least)),
         breakpoints: family.breakpoints().iter().enumerate().map(breakpoint).collect(),
-        pieces: pieces.map(|(piece, moving)| PieceJson::new(piece, moving.clone(), &STYLE)).collect(),
+        pieces: pieces
+            .map(|((piece, moving), area)| PieceJson::new(piece, moving.clone(), area.as_ref(), &STYLE))
+            .collect(),
         vertices: paths.written,
     }
 }

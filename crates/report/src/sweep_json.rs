@@ -21,13 +21,15 @@ impl SweepJson {
         let end = |breakpoint: Option<&Breakpoint>| {
             style.upper_number(breakpoint.map_or(&Rational::default(), |breakpoint| &breakpoint.s))
         };
-        let pieces = family.pieces().iter();
+        let areas = family.short_areas(style.longest_fraction);
+        let breakpoint = |(own, area): (_, &Option<_>)| breakpoint_json(problem, own, area.as_ref(), style);
+        let pieces = family.pieces().iter().zip(&areas.pieces);
         SweepJson {
             from: end(breakpoints.first()),
             to: end(breakpoints.last()),
             least: family.least().map(|least| style.upper_number(least)),
-            breakpoints: breakpoints.iter().map(|own| breakpoint_json(problem, own, style)).collect(),
-            pieces: pieces.map(|piece| piece_json(piece, style)).collect(),
+            breakpoints: breakpoints.iter().zip(&areas.breakpoints).map(breakpoint).collect(),
+            pieces: pieces.map(|(piece, area)| piece_json(piece, area.as_ref(), style)).collect(),
         }
     }
 
@@ -39,28 +41,46 @@ impl SweepJson {
     }
 }
 
-fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) -> BreakpointJson {
+fn breakpoint_json(
+    problem: &Problem,
+    breakpoint: &Breakpoint,
+    area: Option<&Rational>,
+    style: &Style,
+) -> BreakpointJson {
     let vertex = |vertex: &SectionVertex| VertexJson {
         theta: style.numbers(&vertex.theta),
         active: listed(&vertex.active),
     };
-    BreakpointJson::new(problem, breakpoint, breakpoint.section.vertices.iter().map(vertex).collect(), style)
+    let vertices = breakpoint.section.vertices.iter().map(vertex).collect();
+    BreakpointJson::new(problem, breakpoint, vertices, area, style)
 }
 
-fn piece_json(piece: &Piece, style: &Style) -> PieceJson {
+fn piece_json(piece: &Piece, area: Option<&[Rational; 3]>, style: &Style) -> PieceJson {
     let vertex = |vertex: &Arc<MovingVertex>| VertexJson {
         theta: vertex.theta.each_ref().map(LinearJson::from),
         active: listed(&vertex.active),
     };
-    PieceJson::new(piece, piece.vertices.iter().map(vertex).collect(), style)
+    PieceJson::new(piece, piece.vertices.iter().map(vertex).collect(), area, style)
 }
 
 impl<V> BreakpointJson<V> {
-    /// A breakpoint with its vertices in the form of the caller.
-    pub fn new(problem: &Problem, breakpoint: &Breakpoint, vertices: Vec<V>, style: &Style) -> Self {
+    /// A breakpoint with its vertices in the form of the caller, and its area where it is known already.
+    pub fn new(
+        problem: &Problem,
+        breakpoint: &Breakpoint,
+        vertices: Vec<V>,
+        area: Option<&Rational>,
+        style: &Style,
+    ) -> Self {
         let Section { kind, vertices: _, rays, lines, boundaries, pui } = &breakpoint.section;
-        let measures = breakpoint.section.measures();
-        let area = measures.area().filter(|_| *kind != RegionKind::Empty);
+        let area = match area {
+            Some(area) => Some(style.number(area)),
+            None => {
+                let measures = breakpoint.section.measures();
+                let area = measures.area().filter(|_| *kind != RegionKind::Empty);
+                area.map(|area| style.measure_number(&area))
+            }
+        };
         let epsilon = problem.measurements.error_bound().uniform();
         let epsilon = epsilon.map(|epsilon| style.upper_number(&(epsilon * &breakpoint.s)));
         BreakpointJson {
@@ -79,7 +99,7 @@ impl<V> BreakpointJson<V> {
                 })
                 .collect(),
             pui: pui.as_ref().map(|pui| RangeJson::both(pui, style)),
-            area: area.map(|area| style.measure_number(&area)),
+            area,
             entering: names(&breakpoint.entering),
             leaving: names(&breakpoint.leaving),
         }
@@ -87,8 +107,8 @@ impl<V> BreakpointJson<V> {
 }
 
 impl<V> PieceJson<V> {
-    /// A piece with its vertices in the form of the caller.
-    pub fn new(piece: &Piece, vertices: Vec<V>, style: &Style) -> Self {
+    /// A piece with its vertices in the form of the caller, and its area where it is known already.
+    pub fn new(piece: &Piece, vertices: Vec<V>, area: Option<&[Rational; 3]>, style: &Style) -> Self {
         let range = |[lower, upper]: &[Option<Linear>; 2]| RangeJson {
             lower: lower.as_ref().map(LinearJson::from),
             upper: upper.as_ref().map(LinearJson::from),
@@ -110,7 +130,13 @@ impl<V> PieceJson<V> {
                 })
                 .collect(),
             pui: piece.pui.as_ref().map(|pui| pui.each_ref().map(range)),
-            area: piece.area().map(|area| quadratic(&area, style)),
+            area: match area {
+                Some(area) => {
+                    let [constant, slope, quadratic] = area.each_ref().map(|own| Some(own.to_string()));
+                    Some(QuadraticJson { constant, slope, quadratic, decimals: None })
+                }
+                None => piece.area().map(|area| quadratic(&area, style)),
+            },
         }
     }
 }

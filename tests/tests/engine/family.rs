@@ -58,7 +58,34 @@ fn shape(piece: &Piece) -> Piece {
     Piece { from: Rational::zero(), to: Rational::zero(), ..piece.clone() }
 }
 
+/// Areas that follow from each other are the sums over all corners, also in that a sum of more digits than asked for is not there.
+fn check_areas(family: &Family, case: usize) {
+    for digits in [0, 1, 2, 4, 8, 16, 40, 10_000] {
+        let areas = family.short_areas(digits);
+        assert_eq!(areas.pieces.len(), family.pieces().len());
+        for (piece, own) in family.pieces().iter().zip(&areas.pieces) {
+            let Some(own) = own else {
+                assert!(digits < 10_000 || piece.kind != RegionKind::Polygon, "case {case}");
+                continue;
+            };
+            let area = piece.area().unwrap();
+            let sums = [area.constant(), area.slope(), area.quadratic()].map(|sum| sum.exact_within(digits));
+            assert_eq!(sums, own.clone().map(Some), "case {case}, {digits} digits");
+        }
+        for (breakpoint, own) in family.breakpoints().iter().zip(&areas.breakpoints) {
+            let measures = breakpoint.section.measures();
+            match own {
+                Some(own) => assert_eq!(measures.area().unwrap().exact_within(digits).as_ref(), Some(own)),
+                None => {
+                    assert!(digits < 10_000 || breakpoint.section.kind != RegionKind::Polygon, "case {case}")
+                }
+            }
+        }
+    }
+}
+
 fn check_structure(family: &Family, case: usize) {
+    check_areas(family, case);
     let (breakpoints, pieces) = (family.breakpoints(), family.pieces());
     assert_eq!(breakpoints.len(), pieces.len() + 1, "case {case}");
     for (number, piece) in pieces.iter().enumerate() {

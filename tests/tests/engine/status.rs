@@ -4,13 +4,15 @@ use std::collections::BTreeMap;
 
 use boundfit_estimation::{BoundName, ErrorBound, Measurement, Measurements, Model, Problem, fit};
 use boundfit_exact::Rational;
-use boundfit_questions::{NoRepair, Repair, Standing, Statuses};
+use boundfit_questions::{NoRepair, Repair, RowStatus, Standing, Status, Statuses};
+use boundfit_report::{StatusCsv, StatusJson, Style};
 use boundfit_tests::generate::{seeded, share};
 use boundfit_tests::oracle::Row;
 use boundfit_tests::readings::parse_condition;
 use boundfit_tests::statuses::{Reading, least_total, statuses};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
+use serde_json::{Map, Value};
 
 const CASES: usize = 4_000;
 
@@ -195,4 +197,38 @@ fn the_least_total_widening_is_that_of_the_best_crossing_and_is_proved() {
         }
     }
     assert!(repaired > 500 && impossible > 500 && with_held > 50, "{repaired} {impossible} {with_held}");
+}
+
+/// Numbers of a reading that stands to both sets alike become text once: its row has the parts of rows that say them apart.
+#[test]
+fn rows_have_the_same_parts_whether_or_not_the_sets_differ() {
+    let style = Style::default();
+    let numbers = [Some(Rational::ratio(-3, 7)), Some(Rational::ratio(1, 4096)), None];
+    for (leverage, residual) in numbers.iter().flat_map(|one| numbers.iter().map(move |other| (one, other))) {
+        let own =
+            Standing { leverage: leverage.clone(), residual: residual.clone(), status: Status::Boundary };
+        let other = Standing { leverage: None, residual: None, status: Status::Outlier };
+        let row = |all: &Standing, without: &Standing| RowStatus {
+            row: 7,
+            all: Some(all.clone()),
+            without: Some(without.clone()),
+        };
+        let rows = [row(&own, &own), row(&own, &other), row(&other, &own)];
+        let [alike, with, without] = rows.each_ref().map(|row| -> Map<String, Value> {
+            serde_json::from_str(&StatusJson::row(row, &style)).unwrap()
+        });
+        let parts = with
+            .iter()
+            .map(|(key, with)| (key, if key.starts_with("without") { &without[key] } else { with }));
+        assert!(alike.iter().eq(parts), "{alike:?}");
+        let [alike, with, without] = rows.each_ref().map(StatusCsv::row);
+        let cells = |row: &str| row.split(',').map(str::to_owned).collect::<Vec<_>>();
+        let header = cells(StatusCsv::HEADER);
+        let parts = header
+            .iter()
+            .zip(cells(&with))
+            .zip(cells(&without))
+            .map(|((key, with), without)| if key.starts_with("without") { without } else { with });
+        assert_eq!(cells(&alike), parts.collect::<Vec<_>>());
+    }
 }

@@ -16,8 +16,8 @@ pub struct MovingArea<'a> {
 /// The growth of an area with s: `slope + 2·quadratic·s`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct AreaGrowth {
-    slope: LongSum,
-    quadratic: LongSum,
+    pub(super) slope: LongSum,
+    pub(super) quadratic: LongSum,
 }
 
 impl AreaGrowth {

@@ -13,8 +13,10 @@ mod neighbours;
 mod piece;
 mod section;
 mod shape;
+mod short_areas;
 
 use boundfit_exact::{Rational, Rounding};
+use boundfit_geometry::RegionKind;
 
 use crate::bound_name::BoundName;
 use crate::minimax::Minimax;
@@ -24,6 +26,7 @@ pub use area::{AreaGrowth, MovingArea};
 pub use functions::{Linear, MovingBoundary, MovingVertex};
 pub use piece::Piece;
 pub use section::{Section, SectionBoundary, SectionVertex};
+pub use short_areas::ShortAreas;
 
 use crossing::Crossing;
 use growing::GrowingSystem;
@@ -121,6 +124,15 @@ impl Family {
     /// Returns what lies between each breakpoint and the next: one fewer than breakpoints.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
+    }
+
+    /// The areas of the polygons of the family. Areas are continuous in s, so that one sum over corners gives those of all pieces.
+    /// `None` where a sum may have a denominator of more than so many digits, and for sets of other kinds. Exact. Cost: a common
+    /// divisor for each corner that moves along its own line.
+    pub fn short_areas(&self, digits: usize) -> ShortAreas {
+        let is_polygon = |own: &Breakpoint| own.section.kind == RegionKind::Polygon;
+        let breakpoints = self.breakpoints.iter().map(|own| (&own.s, is_polygon(own)));
+        ShortAreas::new(&self.pieces, breakpoints, digits)
     }
 
     /// The set at a factor; `None` outside the range. Exact: equal to a fit with every error bound multiplied by s.

@@ -43,6 +43,12 @@ impl Gap {
 
     /// Returns the gap of the set of two parts. Exact. Cost: a squared logarithm of comparisons.
     pub(super) fn of(both: &Both<'_>) -> Gap {
+        let [found] = both.search([Goal::Gap]);
+        Gap::at(both, found)
+    }
+
+    /// Returns the gap that a search has found.
+    pub(super) fn at(both: &Both<'_>, found: Found) -> Gap {
         if let Some(never) = both.parts.iter().find_map(|part| part.never) {
             return Gap::Crossed(vec![never]);
         }
@@ -57,7 +63,6 @@ impl Gap {
         if left.as_ref().zip(right.as_ref()).is_some_and(|(left, right)| left > right) {
             return Gap::Crossed(walls);
         }
-        let found = both.search(Goal::Gap);
         let (theta1, has_least) = lowest(both, &found, &left, &right);
         let bound = |side: Side| {
             let own = match (&found.place, side) {

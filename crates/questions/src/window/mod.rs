@@ -83,14 +83,12 @@ pub struct Window {
 impl Window {
     /// Finds the answer from few half-planes.
     fn known(&self) -> Known {
-        let gap = self.gap();
-        let least = gap.value().and_then(|value| self.least(value));
         let both = self.both();
+        let [gap, ends @ ..] = both.search([Goal::Gap, Goal::Left, Goal::Right, Goal::Bottom, Goal::Top]);
+        let gap = Gap::at(&both, gap);
+        let least = gap.value().and_then(|value| self.least(value));
         let mut ids = gap.ids();
-        for goal in [Goal::Left, Goal::Right, Goal::Bottom, Goal::Top] {
-            let found = both.search(goal);
-            ids.extend(found.lower.into_iter().chain(found.upper));
-        }
+        ids.extend(ends.into_iter().flat_map(|found| found.lower.into_iter().chain(found.upper)));
         let mut set = self.set_of(ids.clone());
         if set.polyhedron.region().kind() != RegionKind::Polygon {
             // The outermost ones tell in which directions the set goes on.

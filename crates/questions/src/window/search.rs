@@ -64,6 +64,28 @@ type Active<'a> = Option<[&'a HalfPlane; 2]>;
 /// The positions of a chain at which the answer may lie, first and last.
 type Range = Option<[usize; 2]>;
 
+/// The parts of the chains at which an answer may lie, and the places that it lies between.
+#[derive(Debug, Clone)]
+struct Narrowed {
+    ranges: [Range; 4],
+    between: [Option<Place>; 2],
+}
+
+/// The bounds on θ2 at a place, which every goal looks at.
+#[derive(Debug)]
+struct View<'a> {
+    /// The place beside the bounds on θ1 from the left and from the right.
+    walls: [Ordering; 2],
+    lower: Active<'a>,
+    upper: Active<'a>,
+    /// L beside U.
+    gap: Ordering,
+    /// The trend of L - U to the right of the place.
+    falls: Turn,
+    /// The trend from the left up to the place.
+    grows: Turn,
+}
+
 /// The chains: a side and a part of each.
 const CHAINS: [(Side, usize); 4] = [(Side::Lower, 0), (Side::Lower, 1), (Side::Upper, 0), (Side::Upper, 1)];
 
@@ -81,48 +103,64 @@ impl<'a> Both<'a> {
         [of(|part| part.left), of(|part| part.right)]
     }
 
-    /// Narrows every chain down to what has the answer. Cost: a squared logarithm of comparisons.
-    pub(super) fn search(&self, goal: Goal) -> Found {
+    /// Narrows every chain down to the part with the answer, for each goal. Goals share places as long as their answers lie on the
+    /// same side. Cost: a squared logarithm of comparisons.
+    pub(super) fn search<const N: usize>(&self, goals: [Goal; N]) -> [Found; N] {
         let whole = |(side, part): (Side, usize)| {
             let last = self.chain(side, part).ids().len().checked_sub(1)?;
             Some([0, last])
         };
-        let mut ranges: [Range; 4] = CHAINS.map(whole);
-        let mut found = Found::default();
-        let length = |range: &Range| range.map_or(0, |[first, last]| last - first);
-        while let Some(longest) =
-            (0..4).filter(|&index| length(&ranges[index]) > 0).max_by_key(|&index| length(&ranges[index]))
-        {
-            let (side, part) = CHAINS[longest];
-            let middle = ranges[longest].map_or(0, |[first, last]| first + (last - first) / 2);
-            let Some(place) = self.chain(side, part).boundary(self.store, middle) else { break };
+        let mut found = goals.map(|_| Found::default());
+        let mut open =
+            vec![((0..N).collect::<Vec<_>>(), Narrowed { ranges: CHAINS.map(whole), between: [None, None] })];
+        while let Some((asking, narrowed)) = open.pop() {
+            let Some(place) = self.next_place(&narrowed.ranges) else {
+                asking
+                    .into_iter()
+                    .for_each(|number| found[number] = self.found(goals[number], narrowed.clone(), None));
+                continue;
+            };
             let around: [Range; 4] = std::array::from_fn(|index| {
                 let (side, part) = CHAINS[index];
-                ranges[index].map(|range| self.chain(side, part).around(self.store, side, range, &place))
+                narrowed.ranges[index]
+                    .map(|range| self.chain(side, part).around(self.store, side, range, &place))
             });
-            let way = self.way(goal, &place, &around);
-            for (index, (range, around)) in ranges.iter_mut().zip(around).enumerate() {
-                let (Some([first, last]), Some([left, right])) = (range, around) else { continue };
-                match (way, CHAINS[index].0) {
-                    (Way::Here, _) => (*first, *last) = (left.min(right), left.max(right)),
-                    (Way::Right, Side::Lower) => *first = right,
-                    (Way::Left, Side::Lower) => *last = left,
-                    (Way::Right, Side::Upper) => *last = right,
-                    (Way::Left, Side::Upper) => *first = left,
+            let view = self.view(&place, &around);
+            let ways: Vec<Way> = asking.iter().map(|&number| view.way(goals[number])).collect();
+            for way in [Way::Left, Way::Here, Way::Right] {
+                let own = asking.iter().zip(&ways).filter(|(_, own)| **own == way).map(|(number, _)| *number);
+                let own: Vec<usize> = own.collect();
+                if own.is_empty() {
+                    continue;
                 }
-            }
-            match way {
-                Way::Left => found.between[1] = Some(place),
-                Way::Right => found.between[0] = Some(place),
-                Way::Here => {
-                    found.place = Some(place);
-                    break;
+                let next = narrowed.clone().towards(way, &around, &place);
+                match way {
+                    Way::Here => own.into_iter().for_each(|number| {
+                        found[number] = self.found(goals[number], next.clone(), Some(place.clone()));
+                    }),
+                    Way::Left | Way::Right => open.push((own, next)),
                 }
             }
         }
-        if goal == Goal::Gap && found.place.is_none() {
-            found.place = self.meeting(&ranges);
-        }
+        found
+    }
+
+    /// A corner in the middle of the longest chain; `None` where one half-plane of each chain is left.
+    fn next_place(&self, ranges: &[Range; 4]) -> Option<Place> {
+        let length = |range: &Range| range.map_or(0, |[first, last]| last - first);
+        let longest =
+            (0..4).filter(|&index| length(&ranges[index]) > 0).max_by_key(|&index| length(&ranges[index]))?;
+        let ((side, part), [first, last]) = (CHAINS[longest], ranges[longest]?);
+        self.chain(side, part).boundary(self.store, first + (last - first) / 2)
+    }
+
+    /// The result of a search that ends, with the place if it is known.
+    fn found(&self, goal: Goal, Narrowed { ranges, between }: Narrowed, place: Option<Place>) -> Found {
+        let place = match place {
+            None if goal == Goal::Gap => self.meeting(&ranges),
+            place => place,
+        };
+        let mut found = Found { place, between, ..Found::default() };
         for (&(side, part), range) in CHAINS.iter().zip(ranges) {
             let own = range.map_or(&[][..], |[first, last]| &self.chain(side, part).ids()[first..=last]);
             match side {
@@ -142,12 +180,12 @@ impl<'a> Both<'a> {
         };
         [[0, 1], [2, 3]].into_iter().find_map(|[older, newer]| {
             let place = place_of(only(older)?, only(newer)?)?;
-            (self.way(Goal::Gap, &place, ranges) == Way::Here).then_some(place)
+            (self.view(&place, ranges).way(Goal::Gap) == Way::Here).then_some(place)
         })
     }
 
-    /// Returns the direction of the answer from a place, around which the chains are at these positions.
-    fn way(&self, goal: Goal, place: &Place, around: &[Range; 4]) -> Way {
+    /// Looks at a place, around which the chains are at these positions.
+    fn view(&self, place: &Place, around: &[Range; 4]) -> View<'a> {
         let [left_walls, right_walls] = self.walls();
         let wall = |id: &Id| match self.store.half_plane(*id) {
             Some(wall) => compare_with_wall(place, wall),
@@ -155,18 +193,19 @@ impl<'a> Both<'a> {
         };
         let from_left = left_walls.iter().map(wall).min().unwrap_or(Ordering::Greater);
         let from_right = right_walls.iter().map(wall).max().unwrap_or(Ordering::Less);
-        match (from_left, from_right) {
-            (Ordering::Less, _) => return Way::Right,
-            (_, Ordering::Greater) => return Way::Left,
-            _ => {}
-        }
         let lower = self.active(Side::Lower, [around[0], around[1]], place);
         let upper = self.active(Side::Upper, [around[2], around[3]], place);
-        match way_between(goal, lower, upper, place) {
-            Way::Left if from_left == Ordering::Equal => Way::Here,
-            Way::Right if from_right == Ordering::Equal => Way::Here,
-            way => way,
-        }
+        // L - U and its trend: whether it falls to the right of here, or grows from the left up to here.
+        let (gap, falls, grows) = match (lower, upper) {
+            (Some([lower_left, lower_right]), Some([upper_left, upper_right])) => (
+                compare_at(lower_left, upper_left, place),
+                normal_turn(lower_right, upper_right),
+                normal_turn(lower_left, upper_left),
+            ),
+            // Without bounds from one side nothing is empty.
+            _ => (Ordering::Less, Turn::Half, Turn::Half),
+        };
+        View { walls: [from_left, from_right], lower, upper, gap, falls, grows }
     }
 
     /// The values of L or U just left and just right of a place.
@@ -230,45 +269,76 @@ fn place_of(f: &HalfPlane, g: &HalfPlane) -> Option<Place> {
     Some(Place { numerator, denominator: f.a1() * g.a2() - f.a2() * g.a1() })
 }
 
-/// Returns the direction of the answer from a place between the walls.
-fn way_between(goal: Goal, lower: Active<'_>, upper: Active<'_>, place: &Place) -> Way {
-    // L - U and its trend: whether it falls to the right of here, or grows from the left up to here.
-    let (gap, falls, grows) = match (lower, upper) {
-        (Some([lower_left, lower_right]), Some([upper_left, upper_right])) => (
-            compare_at(lower_left, upper_left, place),
-            normal_turn(lower_right, upper_right),
-            normal_turn(lower_left, upper_left),
-        ),
-        // Without bounds from one side nothing is empty.
-        _ => (Ordering::Less, Turn::Half, Turn::Half),
-    };
-    if goal == Goal::Gap || gap == Ordering::Greater {
-        return match (falls, grows) {
-            (Turn::Right, _) => Way::Right,
-            (_, Turn::Left) => Way::Left,
-            _ => Way::Here,
-        };
+impl Narrowed {
+    /// Drops the other side of a place, or both sides. Around the place the chains are at these positions.
+    fn towards(mut self, way: Way, around: &[Range; 4], place: &Place) -> Self {
+        for (index, (range, around)) in self.ranges.iter_mut().zip(around).enumerate() {
+            let (Some([first, last]), Some([left, right])) = (range, *around) else { continue };
+            match (way, CHAINS[index].0) {
+                (Way::Here, _) => (*first, *last) = (left.min(right), left.max(right)),
+                (Way::Right, Side::Lower) => *first = right,
+                (Way::Left, Side::Lower) => *last = left,
+                (Way::Right, Side::Upper) => *last = right,
+                (Way::Left, Side::Upper) => *first = left,
+            }
+        }
+        match way {
+            Way::Left => self.between[1] = Some(place.clone()),
+            Way::Right => self.between[0] = Some(place.clone()),
+            Way::Here => {}
+        }
+        self
     }
-    let is_last = |way: Way| {
-        gap == Ordering::Equal && if way == Way::Right { falls == Turn::Left } else { grows == Turn::Right }
-    };
-    let slope = |of: &HalfPlane| if of.a2().is_negative() { of.a1().sign() } else { (-of.a1()).sign() };
-    let way = match goal {
-        Goal::Gap => Way::Here,
-        Goal::Left => Way::Left,
-        Goal::Right => Way::Right,
-        Goal::Bottom => match lower.map(|own| own.map(slope)) {
-            Some([_, Sign::Negative]) => Way::Right,
-            Some([Sign::Positive, _]) => Way::Left,
-            _ => Way::Here,
-        },
-        Goal::Top => match upper.map(|own| own.map(slope)) {
-            Some([_, Sign::Positive]) => Way::Right,
-            Some([Sign::Negative, _]) => Way::Left,
-            _ => Way::Here,
-        },
-    };
-    if is_last(way) { Way::Here } else { way }
+}
+
+impl View<'_> {
+    /// Returns the direction of an answer.
+    fn way(&self, goal: Goal) -> Way {
+        let [from_left, from_right] = self.walls;
+        match (from_left, from_right) {
+            (Ordering::Less, _) => return Way::Right,
+            (_, Ordering::Greater) => return Way::Left,
+            _ => {}
+        }
+        match self.way_between(goal) {
+            Way::Left if from_left == Ordering::Equal => Way::Here,
+            Way::Right if from_right == Ordering::Equal => Way::Here,
+            way => way,
+        }
+    }
+
+    /// Returns the direction of an answer from a place between the walls.
+    fn way_between(&self, goal: Goal) -> Way {
+        let View { gap, falls, grows, .. } = *self;
+        if goal == Goal::Gap || gap == Ordering::Greater {
+            return match (falls, grows) {
+                (Turn::Right, _) => Way::Right,
+                (_, Turn::Left) => Way::Left,
+                _ => Way::Here,
+            };
+        }
+        let is_last = |way: Way| {
+            gap == Ordering::Equal
+                && if way == Way::Right { falls == Turn::Left } else { grows == Turn::Right }
+        };
+        let slope = |of: &HalfPlane| if of.a2().is_negative() { of.a1().sign() } else { (-of.a1()).sign() };
+        let way = match goal {
+            Goal::Gap => Way::Here,
+            Goal::Left => Way::Left,
+            Goal::Right => Way::Right,
+            Goal::Bottom => match self.lower.map(|own| own.map(slope)) {
+                Some([_, Sign::Negative]) => Way::Right,
+                Some([Sign::Positive, _]) => Way::Left,
+                _ => Way::Here,
+            },
+            Goal::Top => match self.upper.map(|own| own.map(slope)) {
+                Some([_, Sign::Positive]) => Way::Right,
+                Some([Sign::Negative, _]) => Way::Left,
+                _ => Way::Here,
+            },
+        };
+        if is_last(way) { Way::Here } else { way }
+    }
 }
 
 /// Compares the bounds on θ2 of two half-planes at a place.

@@ -32,12 +32,18 @@ impl StatusCsv {
             number.as_ref().map_or_else(String::new, |number| number.to_f64().to_string())
         };
         let exact = |number: &Option<Rational>| number.as_ref().map_or_else(String::new, ToString::to_string);
-        let (own, others) = (numbers(all), numbers(without));
+        let texts = |own: Option<&Standing>| {
+            let numbers = numbers(own);
+            [numbers.each_ref().map(double), numbers.each_ref().map(exact)]
+        };
+        let [doubles, fractions] = texts(all);
+        // Few readings decide. To all others both sets are alike, and digits are most of the work.
+        let [other_doubles, other_fractions] =
+            if all == without { [doubles.clone(), fractions.clone()] } else { texts(without) };
         let mut cells = vec![of.to_owned(), row.to_string(), name(all).to_owned()];
-        cells.extend(own.iter().map(double));
+        cells.extend(doubles);
         cells.push(name(without).to_owned());
-        cells.extend(others.iter().map(double));
-        cells.extend(own.iter().chain(&others).map(exact));
+        cells.extend(other_doubles.into_iter().chain(fractions).chain(other_fractions));
         cells.join(",") + "\n"
     }
 }

@@ -99,6 +99,10 @@ impl StatusJson {
 
     /// A reading of the set.
     pub fn row(status: &RowStatus, style: &Style) -> String {
+        // Few readings decide. To all others both sets are alike, and digits are most of the work.
+        if let Some(all) = status.all.as_ref().filter(|_| status.all == status.without) {
+            return line_of_alike(status.row, all, style);
+        }
         let ([leverage, residual], name) = parts(status.all.as_ref(), style);
         let ([without_leverage, without_residual], without) = parts(status.without.as_ref(), style);
         let row = status.row;
@@ -128,8 +132,22 @@ fn parts(standing: Option<&Standing>, style: &Style) -> Parts {
     (numbers, Some(status.name()))
 }
 
+/// A [`StatusRowJson`] of a reading that stands to both sets alike: each number becomes text once.
+fn line_of_alike(row: usize, both: &Standing, style: &Style) -> String {
+    let (numbers, _) = parts(Some(both), style);
+    let ([leverage, residual], status) = (numbers.map(|number| json(&number)), both.status.name());
+    format!(
+        "    {{\"row\":{row},\"leverage\":{leverage},\"residual\":{residual},\"status\":\"{status}\",\"without\":\"{status}\",\
+         \"without_leverage\":{leverage},\"without_residual\":{residual}}}"
+    )
+}
+
 /// Writes a row on one line, so that many rows stay readable.
 fn line(row: &impl Serialize) -> String {
+    format!("    {}", json(row))
+}
+
+fn json(value: &impl Serialize) -> String {
     // Strings, numbers and nulls only: there is nothing that cannot be written.
-    format!("    {}", serde_json::to_string(row).expect("a row that is not JSON"))
+    serde_json::to_string(value).expect("a row that is not JSON")
 }
