@@ -59,7 +59,7 @@ pub(crate) struct Look {
 }
 
 impl Look {
-    /// Section 2: the hash of the data, and that all wanted rows can be read. The number of rows, and the names of columns.
+    /// Checks section 2: the hash of the data, and that all wanted rows can be read. Returns the number of rows and the names of columns.
     pub(crate) fn first(self) -> Result<(u64, BTreeMap<u64, Foreign>), Failure> {
         if !self.is_same {
             return Err(Falsehood::OtherData.into());
@@ -67,7 +67,7 @@ impl Look {
         self.by_rows()
     }
 
-    /// The same as [`Look::first`], but a falsehood about a row comes before another hash.
+    /// Checks what [`Look::first`] does, but a falsehood about a row comes before another hash.
     pub(crate) fn by_rows(self) -> Result<(u64, BTreeMap<u64, Foreign>), Failure> {
         self.found?;
         match self.is_same {
@@ -76,7 +76,7 @@ impl Look {
         }
     }
 
-    /// That data which were read before are the same once more, and that their rows were taken.
+    /// Checks that data which were read before are the same once more, and that their rows were taken.
     pub(crate) fn again(self) -> Result<(), Failure> {
         match self.is_same {
             true => self.found,
