@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use boundfit::ask::{self, Ask, Fittable, Form, Paper, Refusal};
+use boundfit::ask::{self, Ask, Fittable, Form, Refusal};
 use boundfit::engine::estimation::{Measurements, least_squares_is_feasible};
 use boundfit::engine::exact::Foreign;
 use boundfit::report::{NextStep, Origin, Style};
@@ -99,10 +99,8 @@ impl Fitted {
         origin: Origin<'_>,
         style: Style,
     ) -> Result<String, Refusal> {
-        let mut text = Vec::new();
         let Answered { asked, answer } = self.whole();
-        question.write(asked, answer, form, &Paper { origin, style }, &mut text)?;
-        Ok(String::from_utf8_lossy(&text).into_owned())
+        Ok(question.text(asked, answer, form, origin, style)?.text)
     }
 
     /// Returns the source as [`Fitted::origin`] does, for people: readings without a file do not come from standard

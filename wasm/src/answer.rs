@@ -1,13 +1,13 @@
 //! The way from a table and a question to the words of the answer.
 
 use boundfit::Problem;
-use boundfit::ask::{self, Ask, Asked, Fittable, Form, Misuse, Paper, Request};
+use boundfit::ask::{self, Ask, Asked, Fittable, Form, Misuse, Request};
 use boundfit::engine::estimation::Selection;
 use boundfit::engine::exact::Foreign;
 use boundfit::engine::formats::{InputError, ReductionError};
 use boundfit::files::{InputErrorKind, Measurements, Question, Source, TableOptions};
 use boundfit::lesson::{check_work, lesson_json};
-use boundfit::report::Origin;
+use boundfit::report::{Origin, Style};
 
 use crate::options::Options;
 use crate::refusal::Refusal;
@@ -23,7 +23,7 @@ pub(crate) fn run(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
     let origin = Origin { file, reading: asked.options.table.reading, is_stored: source.is_stored() };
     let refused = |refusal| Refusal::of_file(options.file(), refusal);
     if options.numbering()?.is_some() {
-        return numbered(&request, &asked, source, &options, form, &Paper { origin, style });
+        return numbered(&request, &asked, source, &options, form, (origin, style));
     }
     // Unreachable code is left out of the module; both modules have the same names, and one script of JavaScript.
     let answer = match &request {
@@ -41,7 +41,7 @@ fn numbered(
     source: Source,
     options: &Options,
     form: Form,
-    paper: &Paper<'_>,
+    (origin, style): (Origin<'_>, Style),
 ) -> Result<String, Refusal> {
     let refuse =
         |what| format!("row_numbers: {what} is about the rows of a table as they stand there").into();
@@ -56,9 +56,7 @@ fn numbered(
     let measurements = readings(source, asked, options, &asked.options.table, false)?;
     let answered = || {
         let problem = Fittable::from(short_problem(asked, measurements)?);
-        let mut text = Vec::new();
-        fit.write(&problem, &fit.answer(&problem)?, form, paper, &mut text)?;
-        Ok(String::from_utf8_lossy(&text).into_owned())
+        Ok(fit.text(&problem, &fit.answer(&problem)?, form, origin, style)?.text)
     };
     answered().map_err(|refusal| Refusal::of_file(options.file(), refusal))
 }

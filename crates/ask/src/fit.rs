@@ -7,17 +7,18 @@ use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use boundfit_formats::{InputError, InputErrorKind, MemoryUse, Source};
 use boundfit_questions::{Guarantee, times};
 use boundfit_report::{
-    Document, InverseLine, NextStep, Theory, active_names, bound_found, brief_document, fit_csv,
-    fit_document, fit_json, fit_script, full_fit_document, guarantee_document, h_representation, kernel_fit,
-    next_document, next_steps, proof_json, region_wkt, sweep_document, v_representation, vertices_csv,
+    Document, InverseLine, NextStep, active_names, bound_found, brief_document, fit_csv, fit_document,
+    fit_json, fit_script, full_fit_document, guarantee_document, h_representation, kernel_fit, next_document,
+    next_steps, proof_json, region_wkt, sweep_document, v_representation, vertices_csv,
 };
 use serde::Deserialize;
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Shows, Written};
+use crate::form::{Form, Shows, Written};
 use crate::given::{Given, ends};
 use crate::misuse::{Misuse, NoProof};
-use crate::question::{Ask, Out, document, put};
+use crate::paper::Paper;
+use crate::question::{Ask, AskedTheorem};
 use crate::refusal::{Refusal, ValueProblem};
 
 /// Every parameter pair that agrees with all readings: the set, its intervals and estimates.
@@ -202,14 +203,8 @@ impl Fit {
         Ok(Fittable { problem, sweep, confidence })
     }
 
-    fn document(
-        &self,
-        asked: &Fittable,
-        answer: &Fitted,
-        form: Form,
-        Paper { origin, style }: &Paper<'_>,
-    ) -> Document {
-        let (problem, fit) = (&asked.problem, &answer.fit);
+    fn document(&self, asked: &Fittable, answer: &Fitted, paper: &Paper<'_>) -> Document {
+        let (problem, fit, Paper { origin, style, .. }) = (&asked.problem, &answer.fit, paper);
         if self.brief {
             return brief_document(problem, fit, origin, style);
         }
@@ -225,7 +220,7 @@ impl Fit {
         if let Some(guarantee) = &answer.guarantee {
             document.append(guarantee_document(problem, fit, guarantee, style));
         }
-        if let Some(words) = answer.next_words.filter(|_| form == Form::Text) {
+        if let Some(words) = answer.next_words.filter(|_| paper.form == Form::Text) {
             document.append(next_document(&next_steps(problem, fit, style), words));
         }
         document
@@ -266,18 +261,12 @@ impl Ask for Fit {
         })
     }
 
-    fn write(
-        &self,
-        asked: &Fittable,
-        answer: &Fitted,
-        form: Form,
-        paper: &Paper<'_>,
-        out: &mut Out<'_>,
-    ) -> Result<Written, Refusal> {
-        let (problem, fit, Paper { origin, style }) = (&asked.problem, &answer.fit, paper);
+    fn write(&self, asked: &Fittable, answer: &Fitted, paper: &mut Paper<'_>) -> Result<Written, Refusal> {
+        let (problem, fit) = (&asked.problem, &answer.fit);
+        let Paper { origin, style, .. } = &*paper;
         let polyhedron = fit.fps.polyhedron();
         let names = |indices: &[usize]| active_names(fit, indices);
-        let text = match form {
+        let text = match paper.form {
             Form::Json => {
                 fit_json(problem, fit, answer.family.as_ref(), answer.guarantee.as_ref(), origin, style)
             }
@@ -291,10 +280,9 @@ impl Ask for Fit {
                 let why = NoProof::about(&problem.measurements);
                 proof_json(problem, fit, origin.reading).ok_or(Refusal::NoProof(why))?
             }
-            _ => document(form, || self.document(asked, answer, form, paper)).ok_or(Self::no_form(form))?,
+            _ => Self::report(paper, || self.document(asked, answer, paper))?,
         };
-        put(out, text)?;
-        Ok(Written::of_set(fit.is_empty()))
+        paper.put_set(text, fit.is_empty())
     }
 
     fn refuse_vain(&self, form: Form) -> Result<(), Refusal> {
@@ -318,9 +306,7 @@ impl Ask for Fit {
         &self,
         asked: &Fittable,
         answer: &Fitted,
-        reading: Reading,
-        theory: Theory,
-        data: Option<(&[u8], &str)>,
+        AskedTheorem { reading, theory, data }: AskedTheorem<'_>,
     ) -> Result<String, Refusal> {
         // Readings of a table are all in memory, as they are asked for.
         let sha256 = asked.problem.measurements.sha256();

@@ -8,15 +8,16 @@ use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{ColumnSelector, Source, TableNotes};
 use boundfit_questions::times;
 use boundfit_report::{
-    FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, TableJson, in_page_width, table_line,
+    FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, TableJson, in_page_width, table_line,
     write_group_json,
 };
 use serde::Deserialize;
 
 use crate::asked::{Asked, assumed, remarks};
-use crate::form::{Form, Paper, Shows, Written};
+use crate::form::{Form, Shows, Written};
 use crate::misuse::Misuse;
-use crate::question::{Ask, Out, put};
+use crate::paper::Paper;
+use crate::question::Ask;
 use crate::refusal::Refusal;
 
 /// The fit of each group of rows with the same text in a column.
@@ -108,36 +109,39 @@ impl Groups {
         remarks(self.fleet.rows_missing(), notes)
     }
 
-    fn write_json(&self, style: &Style, out: &mut Out<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {
+    fn write_json(&self, paper: &mut Paper<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {
+        let style = paper.style;
         let table = self.fleet.table().map(TableJson::new);
         let table = table.as_ref();
         let lines = |groups| {
             let mut lines = Vec::new();
-            let summary = self.each_whole(groups, |group| write_group_json(&mut lines, &group, table, style));
+            let summary =
+                self.each_whole(groups, |group| write_group_json(&mut lines, &group, table, &style));
             (lines, summary)
         };
         self.fleet.in_order(lines, |(lines, summary)| {
             whole.append(summary);
-            put(out, lines)
+            paper.put(lines)
         })
     }
 
-    fn write_csv(&self, style: &Style, out: &mut Out<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {
+    fn write_csv(&self, paper: &mut Paper<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {
+        let style = paper.style;
         let mut header = FleetCsv::new();
         header.header(self.fleet.is_bounded_per_row());
-        put(out, header.into_bytes())?;
+        paper.put(header.into_bytes())?;
         let rows = |groups| {
             let mut rows = FleetCsv::new();
             let mut summary = FleetSummary::default();
             for group in groups {
                 let key = self.fleet.key(group);
                 let line = self.question.line_of_group(&self.fleet, group);
-                match line.filter(|line| rows.line(key, line, style)) {
+                match line.filter(|line| rows.line(key, line, &style)) {
                     Some(line) => summary.add(key, line.rows, GroupLine::KIND),
                     None => {
                         let line = self.question.of_group(&self.fleet, group);
                         summary.add(key, line.rows, line.kind);
-                        rows.group(key, &line, style);
+                        rows.group(key, &line, &style);
                     }
                 }
             }
@@ -145,29 +149,30 @@ impl Groups {
         };
         self.fleet.in_order(rows, |(rows, summary)| {
             whole.append(summary);
-            put(out, rows)
+            paper.put(rows)
         })
     }
 
-    fn write_text(&self, style: &Style, out: &mut Out<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {
+    fn write_text(&self, paper: &mut Paper<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {
+        let style = paper.style;
         let mut table = FleetTable::new(self.fleet.is_bounded_per_row());
         let lines = |groups| {
             let mut lines = Vec::new();
-            let summary = self.each(groups, |key, group| lines.push(GroupCells::new(key, group, style)));
+            let summary = self.each(groups, |key, group| lines.push(GroupCells::new(key, group, &style)));
             (lines, summary)
         };
         self.fleet.in_order(lines, |(lines, summary)| {
             whole.append(summary);
             let mut text = String::new();
             lines.into_iter().for_each(|cells| table.push(cells, &mut text));
-            put(out, text)
+            paper.put(text)
         })?;
         let mut text = String::new();
         table.finish(&mut text);
         let summary = whole.to_text() + &table_line(self.fleet.table()) + &self.remarks();
         // The counts stay one line.
         let (counts, below) = summary.split_once('\n').unwrap_or((&summary, ""));
-        put(out, format!("{text}\n{counts}\n{}", in_page_width(below)))
+        paper.put(format!("{text}\n{counts}\n{}", in_page_width(below)))
     }
 
     /// Fits groups and shows each as a line.
@@ -220,25 +225,18 @@ impl Ask for Fleet {
         Ok(())
     }
 
-    fn write(
-        &self,
-        groups: &Groups,
-        (): &(),
-        form: Form,
-        paper: &Paper<'_>,
-        out: &mut Out<'_>,
-    ) -> Result<Written, Refusal> {
-        let write_groups = match form {
+    fn write(&self, groups: &Groups, (): &(), paper: &mut Paper<'_>) -> Result<Written, Refusal> {
+        let write_groups = match paper.form {
             Form::Text => Groups::write_text,
             Form::Json => Groups::write_json,
             Form::Csv => Groups::write_csv,
-            _ => return Err(Self::no_form(form)),
+            form => return Err(Self::no_form(form)),
         };
         let mut summary = FleetSummary::default();
-        write_groups(groups, &paper.style, out, &mut summary)?;
+        write_groups(groups, paper, &mut summary)?;
         let is_empty = summary.has_empty();
         // The text form itself ends with the summary.
-        let is_beside = form != Form::Text;
+        let is_beside = paper.form != Form::Text;
         let summary = if is_beside { summary.to_text() + &groups.remarks() } else { String::new() };
         Ok(Written { is_empty, summary })
     }

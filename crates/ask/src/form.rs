@@ -1,6 +1,6 @@
 //! The forms of answers.
 
-use boundfit_report::{EndRounding, Origin, Style};
+use boundfit_report::{EndRounding, Style};
 
 use crate::misuse::Misuse;
 
@@ -114,15 +114,6 @@ pub enum Shows {
     Rows,
     /// The same, and every reading: a theorem states all of them.
     Readings,
-}
-
-/// The paper of an answer: the facts that forms need beside the answer.
-#[derive(Debug, Clone, Copy)]
-pub struct Paper<'a> {
-    /// The source of the readings.
-    pub origin: Origin<'a>,
-    /// The style of numbers.
-    pub style: Style,
 }
 
 /// The facts that a form reports about the answer beside its text.

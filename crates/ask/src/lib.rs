@@ -49,6 +49,7 @@ mod linearity;
 mod misuse;
 mod next;
 mod outliers;
+mod paper;
 mod predict;
 mod question;
 mod range;
@@ -68,21 +69,22 @@ mod x_errors;
 pub use asked::{Asked, AskedXBounds, XErrors};
 pub use fit::{Factors, Fit, Fittable, Fitted};
 pub use fleet::{Fleet, Groups};
-pub use form::{Form, Paper, Shows, Written};
+pub use form::{Form, Shows, Written};
 pub use given::{Given, ends};
 pub use linearity::{Calibrated, Linearity, Through};
 pub use misuse::{Misuse, NoProof};
 pub use next::{Next, common_bound};
 pub use outliers::Outliers;
+pub use paper::{Answer, Out, Paper};
 pub use predict::{Predict, Predicted};
-pub use question::{Ask, Out};
+pub use question::{Ask, AskedTheorem};
 pub use range::Range;
 pub use readings::{
     AnswerWords, AskedLimits, Common, Digits, OfRows, Readings, Regressors, RowWords, Rows, TableWords,
     limits_of_files, named, range_of_limit, resolve_limits, take_key,
 };
 pub use refusal::{Refusal, ValueProblem};
-pub use request::{Answer, Request, ask};
+pub use request::{Request, ask};
 pub use status::{Judgeable, Judgement, Status};
 pub use surface::Surface;
 pub use tables::{Files, Held, Tables};

@@ -12,10 +12,11 @@ use boundfit_report::{
 use serde::Deserialize;
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Shows, Written};
+use crate::form::{Form, Shows, Written};
 use crate::given::Given;
 use crate::misuse::{Misuse, NoProof};
-use crate::question::{Ask, Out, document, put};
+use crate::paper::Paper;
+use crate::question::Ask;
 use crate::refusal::{Refusal, ValueProblem};
 
 /// Independent, terminal, zero-based and least-squares linearity of readings y, or of those in two columns, up and down.
@@ -180,13 +181,11 @@ impl Ask for Linearity {
         &self,
         problem: &Calibrated,
         answer: &Self::Answer,
-        form: Form,
-        paper: &Paper<'_>,
-        out: &mut Out<'_>,
+        paper: &mut Paper<'_>,
     ) -> Result<Written, Refusal> {
-        let Paper { origin, style } = paper;
+        let Paper { origin, style, .. } = &*paper;
         let (options, input) = (&problem.options, problem.input());
-        let text = match form {
+        let text = match paper.form {
             Form::Json => linearity_json(answer, options, input, origin, style),
             Form::Csv => linearity_csv(answer),
             Form::Proof => {
@@ -197,10 +196,9 @@ impl Ask for Linearity {
                 let proof = question.and_then(|question| linearity_proof(answer, &question));
                 proof.ok_or(Refusal::NoProof(NoProof::Points))?
             }
-            _ => document(form, || linearity_document(answer, options, input, origin, style))
-                .ok_or(Self::no_form(form))?,
+            _ => Self::report(paper, || linearity_document(answer, options, input, origin, style))?,
         };
-        put(out, text)?;
+        paper.put(text)?;
         Ok(Written::default())
     }
 }

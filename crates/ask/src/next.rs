@@ -9,10 +9,11 @@ use boundfit_report::{NextReadingReport, next_reading_csv, next_reading_document
 use serde::Deserialize;
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Shows, Written};
+use crate::form::{Form, Shows, Written};
 use crate::given::Given;
 use crate::misuse::Misuse;
-use crate::question::{Ask, Out, document, put};
+use crate::paper::Paper;
+use crate::question::Ask;
 use crate::refusal::{Refusal, ValueProblem};
 
 /// The question where the next reading of a line certainly makes the set smaller, and which x of a range makes its
@@ -117,11 +118,9 @@ impl Ask for Next {
         &self,
         asked: &NextProblem,
         (fit, next): &(Fit, Option<NextReading>),
-        form: Form,
-        paper: &Paper<'_>,
-        out: &mut Out<'_>,
+        paper: &mut Paper<'_>,
     ) -> Result<Written, Refusal> {
-        let Paper { origin, style } = paper;
+        let Paper { origin, style, .. } = &*paper;
         let report = NextReadingReport {
             problem: &asked.problem,
             fit,
@@ -130,14 +129,11 @@ impl Ask for Next {
             is_range_given: asked.within.is_some(),
             next: next.as_ref(),
         };
-        let text = match form {
+        let text = match paper.form {
             Form::Json => next_reading_json(&report, origin, style),
             Form::Csv => next_reading_csv(&report),
-            _ => {
-                document(form, || next_reading_document(&report, origin, style)).ok_or(Self::no_form(form))?
-            }
+            _ => Self::report(paper, || next_reading_document(&report, origin, style))?,
         };
-        put(out, text)?;
-        Ok(Written::of_set(fit.is_empty()))
+        paper.put_set(text, fit.is_empty())
     }
 }

@@ -1,19 +1,19 @@
 //! The fewest readings to leave out so that something is left.
 
 use boundfit_estimation::{Fit, Measurements, Problem, fit};
-use boundfit_exact::Reading;
 use boundfit_formats::Source;
 use boundfit_questions::{Growth, NoOutliers, OutlierLimits, times};
 use boundfit_report::{
-    NoOutliersProof, OutliersReport, Theory, kernel_outliers, outliers_csv, outliers_document, outliers_json,
+    NoOutliersProof, OutliersReport, kernel_outliers, outliers_csv, outliers_document, outliers_json,
     outliers_proof,
 };
 use serde::Deserialize;
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Shows, Written};
+use crate::form::{Form, Shows, Written};
 use crate::misuse::{Misuse, NoProof};
-use crate::question::{Ask, Out, document, put};
+use crate::paper::Paper;
+use crate::question::{Ask, AskedTheorem};
 use crate::refusal::Refusal;
 
 /// The fewest readings to leave out so that some parameters agree with all others.
@@ -84,26 +84,18 @@ impl Ask for Outliers {
         Ok(Found { fit, outliers, growth })
     }
 
-    fn write(
-        &self,
-        problem: &Problem,
-        answer: &Found,
-        form: Form,
-        paper: &Paper<'_>,
-        out: &mut Out<'_>,
-    ) -> Result<Written, Refusal> {
+    fn write(&self, problem: &Problem, answer: &Found, paper: &mut Paper<'_>) -> Result<Written, Refusal> {
         let Found { fit, outliers, growth } = answer;
         let shows_growth = self.most.is_some() && outliers.is_ok();
         let report = OutliersReport { problem, fit, outliers: outliers.as_ref(), growth, shows_growth };
-        let Paper { origin, style } = paper;
-        let text = match form {
+        let Paper { origin, style, .. } = &*paper;
+        let text = match paper.form {
             Form::Json => outliers_json(&report, origin, style),
             Form::Csv => outliers_csv(outliers.as_ref().ok()),
             Form::Proof => outliers_proof(&report, origin.reading).map_err(|why| no_proof(why, problem))?,
-            _ => document(form, || outliers_document(&report, origin, style)).ok_or(Self::no_form(form))?,
+            _ => Self::report(paper, || outliers_document(&report, origin, style))?,
         };
-        put(out, text)?;
-        Ok(Written::of_set(outliers.is_err()))
+        paper.put_set(text, outliers.is_err())
     }
 
     fn refuse_vain(&self, form: Form) -> Result<(), Refusal> {
@@ -117,9 +109,7 @@ impl Ask for Outliers {
         &self,
         problem: &Problem,
         answer: &Found,
-        reading: Reading,
-        theory: Theory,
-        _data: Option<(&[u8], &str)>,
+        AskedTheorem { reading, theory, .. }: AskedTheorem<'_>,
     ) -> Result<String, Refusal> {
         let Found { fit, outliers, growth } = answer;
         let report =

@@ -1,19 +1,26 @@
 //! The interface of every question.
 
-use std::io::Write;
-
 use boundfit_estimation::{Measurements, MultipleOfLeast};
 use boundfit_exact::Reading;
 use boundfit_formats::{Source, TableNotes};
-use boundfit_report::{Document, Theory};
+use boundfit_report::{Document, Origin, Style, Theory};
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Shows, Written};
+use crate::form::{Form, Shows, Written};
 use crate::misuse::NoProof;
+use crate::paper::{Answer, Paper};
 use crate::refusal::Refusal;
 
-/// The place where an answer is written.
-pub type Out<'a> = dyn Write + Send + 'a;
+/// The facts that a theorem for Coq needs beside the answer.
+#[derive(Debug, Clone, Copy)]
+pub struct AskedTheorem<'a> {
+    /// The reading of numbers.
+    pub reading: Reading,
+    /// The source of the theory.
+    pub theory: Theory,
+    /// The bytes of the data and their SHA-256, which the theorem may hold; then it says that its rows are read from them.
+    pub data: Option<(&'a [u8], &'a str)>,
+}
 
 /// A question about readings.
 pub trait Ask {
@@ -69,24 +76,31 @@ pub trait Ask {
         &self,
         problem: &Self::Problem,
         answer: &Self::Answer,
-        form: Form,
-        paper: &Paper<'_>,
-        out: &mut Out<'_>,
+        paper: &mut Paper<'_>,
     ) -> Result<Written, Refusal>;
 
-    /// Returns the main statement of the answer as a theorem for Coq, about a problem that was read with [`Shows::Readings`]. Exact. With
-    /// the bytes of the data and their SHA-256, the theorem may hold the bytes and say that its rows are read from them.
+    /// Writes one form of the answer as [`Ask::write`] does, to memory.
+    ///
+    /// # Errors
+    /// The errors of [`Ask::write`].
+    fn text(
+        &self,
+        problem: &Self::Problem,
+        answer: &Self::Answer,
+        form: Form,
+        origin: Origin<'_>,
+        style: Style,
+    ) -> Result<Answer, Refusal> {
+        let mut text = Vec::new();
+        let written = self.write(problem, answer, &mut Paper { form, origin, style, out: &mut text })?;
+        Ok(Answer { text: String::from_utf8_lossy(&text).into_owned(), written })
+    }
+
+    /// Returns the main statement of the answer as a theorem for Coq, about a problem that was read with [`Shows::Readings`]. Exact.
     ///
     /// # Errors
     /// When the answer has no theorem.
-    fn theorem(
-        &self,
-        _problem: &Self::Problem,
-        _answer: &Self::Answer,
-        _reading: Reading,
-        _theory: Theory,
-        _data: Option<(&[u8], &str)>,
-    ) -> Result<String, Refusal> {
+    fn theorem(&self, _: &Self::Problem, _: &Self::Answer, _: AskedTheorem<'_>) -> Result<String, Refusal> {
         Err(Refusal::NoProof(NoProof::NoTheorem))
     }
 
@@ -98,23 +112,21 @@ pub trait Ask {
         Ok(())
     }
 
+    /// The answer in one of the forms that every document has.
+    ///
+    /// # Errors
+    /// When the form is another one.
+    fn report(paper: &Paper<'_>, document: impl FnOnce() -> Document) -> Result<String, Refusal> {
+        match paper.form {
+            Form::Text => Ok(document().to_text()),
+            Form::Latex => Ok(document().to_latex()),
+            Form::Markdown => Ok(document().to_markdown()),
+            form => Err(Self::no_form(form)),
+        }
+    }
+
     /// Refuses a form.
     fn no_form(form: Form) -> Refusal {
         Refusal::Form { ask: Self::NAME, form, forms: Self::FORMS }
-    }
-}
-
-/// Writes a text.
-pub(crate) fn put(out: &mut Out<'_>, text: impl AsRef<[u8]>) -> Result<(), Refusal> {
-    out.write_all(text.as_ref()).map_err(Refusal::Output)
-}
-
-/// A document in one of the forms that every document has.
-pub(crate) fn document(form: Form, document: impl FnOnce() -> Document) -> Option<String> {
-    match form {
-        Form::Text => Some(document().to_text()),
-        Form::Latex => Some(document().to_latex()),
-        Form::Markdown => Some(document().to_markdown()),
-        _ => None,
     }
 }

@@ -1,18 +1,16 @@
 //! The runs of readings that some parameters agree with.
 
 use boundfit_estimation::{Fit, Measurements, Problem, fit};
-use boundfit_exact::Reading;
 use boundfit_formats::Source;
 use boundfit_questions::{LinearRange, Order, times};
-use boundfit_report::{
-    RangeReport, Theory, kernel_range, range_csv, range_document, range_json, range_proof,
-};
+use boundfit_report::{RangeReport, kernel_range, range_csv, range_document, range_json, range_proof};
 use serde::Deserialize;
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Shows, Written};
+use crate::form::{Form, Shows, Written};
 use crate::misuse::{Misuse, NoProof};
-use crate::question::{Ask, Out, document, put};
+use crate::paper::Paper;
+use crate::question::{Ask, AskedTheorem};
 use crate::refusal::{Refusal, ValueProblem};
 
 /// Runs that a proof may be about, each of which it fits.
@@ -99,17 +97,10 @@ impl Ask for Range {
         Ok(Runs { order, range, all, longest })
     }
 
-    fn write(
-        &self,
-        problem: &Problem,
-        answer: &Runs,
-        form: Form,
-        paper: &Paper<'_>,
-        out: &mut Out<'_>,
-    ) -> Result<Written, Refusal> {
+    fn write(&self, problem: &Problem, answer: &Runs, paper: &mut Paper<'_>) -> Result<Written, Refusal> {
         let report = answer.report(problem);
-        let Paper { origin, style } = paper;
-        let text = match form {
+        let Paper { origin, style, .. } = &*paper;
+        let text = match paper.form {
             Form::Json => range_json(&report, origin, style),
             Form::Csv => range_csv(&report),
             Form::Proof => {
@@ -117,19 +108,16 @@ impl Ask for Range {
                 range_proof(&report, origin.reading)
                     .ok_or(Refusal::NoProof(NoProof::about(&problem.measurements)))?
             }
-            _ => document(form, || range_document(&report, origin, style)).ok_or(Self::no_form(form))?,
+            _ => Self::report(paper, || range_document(&report, origin, style))?,
         };
-        put(out, text)?;
-        Ok(Written::of_set(answer.range.runs.is_empty()))
+        paper.put_set(text, answer.range.runs.is_empty())
     }
 
     fn theorem(
         &self,
         problem: &Problem,
         answer: &Runs,
-        reading: Reading,
-        theory: Theory,
-        _data: Option<(&[u8], &str)>,
+        AskedTheorem { reading, theory, .. }: AskedTheorem<'_>,
     ) -> Result<String, Refusal> {
         answer.check_proof()?;
         let theorem = kernel_range(&answer.report(problem), reading, theory);

@@ -9,11 +9,12 @@ use serde_json::{Map, Value};
 use crate::asked::Asked;
 use crate::fit::Fit;
 use crate::fleet::Fleet;
-use crate::form::{Form, Paper, Written};
+use crate::form::Form;
 use crate::linearity::Linearity;
 use crate::misuse::Misuse;
 use crate::next::Next;
 use crate::outliers::Outliers;
+use crate::paper::Answer;
 use crate::predict::Predict;
 use crate::question::Ask;
 use crate::range::Range;
@@ -23,15 +24,6 @@ use crate::status::Status;
 use crate::window::Window;
 use crate::wrong_type::wrong_type;
 use crate::x_errors::FitXErrors;
-
-/// One form of an answer.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Answer {
-    /// The text.
-    pub text: String,
-    /// The words beside the answer.
-    pub written: Written,
-}
 
 /// Goes from a table to the text of an answer of one kind of question, as [`Request::answer`] does of every kind.
 ///
@@ -57,12 +49,9 @@ pub fn ask<Q: Ask>(
         reading: asked.options.table.reading,
         is_stored: source.is_stored(),
     };
-    let paper = Paper { origin: origin.unwrap_or_else(own), style: *style };
+    let origin = origin.unwrap_or_else(own);
     let problem = question.read(asked, source, form.shows())?;
-    let answer = question.answer(&problem)?;
-    let mut text = Vec::new();
-    let written = question.write(&problem, &answer, form, &paper, &mut text)?;
-    Ok(Answer { text: String::from_utf8_lossy(&text).into_owned(), written })
+    question.text(&problem, &question.answer(&problem)?, form, origin, *style)
 }
 
 macro_rules! questions {

@@ -9,10 +9,11 @@ use boundfit_report::{
 use serde::Deserialize;
 
 use crate::asked::{Asked, assumed, remarks};
-use crate::form::{Form, Paper, Shows, Written};
+use crate::form::{Form, Shows, Written};
 use crate::given::Given;
 use crate::misuse::Misuse;
-use crate::question::{Ask, Out, put};
+use crate::paper::Paper;
+use crate::question::Ask;
 use crate::refusal::{Refusal, ValueProblem};
 
 /// The fits of the last readings, again and again as the window moves on.
@@ -109,13 +110,12 @@ impl Ask for Window {
         &self,
         (problem, moving): &(Problem, Moving),
         (): &(),
-        form: Form,
-        paper: &Paper<'_>,
-        out: &mut Out<'_>,
+        paper: &mut Paper<'_>,
     ) -> Result<Written, Refusal> {
         /// Bytes that are written at once.
         const READY: usize = 1 << 16;
-        let style = &paper.style;
+        let Paper { form, style, .. } = *paper;
+        let style = &style;
         let (mut summary, mut table) = (WindowSummary::default(), FleetTable::of_windows(moving.order()));
         let taken_for = TableJson::of_measurements(&problem.measurements);
         let mut last_answer = None;
@@ -140,10 +140,10 @@ impl Ask for Window {
             if ready.len() < READY {
                 return Ok(());
             }
-            put(out, std::mem::take(&mut ready))
+            paper.put(std::mem::take(&mut ready))
         };
         let moved = moving.each(problem, take);
-        put(out, ready)?;
+        paper.put(ready)?;
         let moved = moved?;
         let measurements = &problem.measurements;
         let multiple = measurements.multiple_of_least();
@@ -159,7 +159,6 @@ impl Ask for Window {
         let mut text = String::new();
         table.finish(&mut text);
         let below = to_text + &table_line(problem.measurements.table());
-        put(out, format!("{text}\n{}", in_page_width(&below)))?;
-        Ok(Written::of_set(is_empty))
+        paper.put_set(format!("{text}\n{}", in_page_width(&below)), is_empty)
     }
 }

@@ -7,9 +7,10 @@ use boundfit_report::{x_error_csv, x_error_document, x_error_json, x_error_proof
 use serde::Deserialize;
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Shows, Written};
+use crate::form::{Form, Shows, Written};
 use crate::misuse::NoProof;
-use crate::question::{Ask, Out, document, put};
+use crate::paper::Paper;
+use crate::question::Ask;
 use crate::refusal::Refusal;
 
 /// The lines that agree with every reading where x has errors, too.
@@ -48,12 +49,10 @@ impl Ask for FitXErrors {
         &self,
         problem: &XErrorProblem,
         (answer, plain): &(XErrorFit, Fit),
-        form: Form,
-        paper: &Paper<'_>,
-        out: &mut Out<'_>,
+        paper: &mut Paper<'_>,
     ) -> Result<Written, Refusal> {
-        let Paper { origin, style } = paper;
-        let text = match form {
+        let Paper { origin, style, .. } = &*paper;
+        let text = match paper.form {
             Form::Json => x_error_json(problem, answer, plain, origin, style),
             Form::Csv => x_error_csv(answer, plain),
             Form::Wkt => x_error_wkt(answer, style).map_err(Refusal::Wkt)?,
@@ -61,10 +60,8 @@ impl Ask for FitXErrors {
                 let why = NoProof::about(&problem.problem().measurements);
                 x_error_proof(problem, answer, origin.reading).ok_or(Refusal::NoProof(why))?
             }
-            _ => document(form, || x_error_document(problem, answer, plain, origin, style))
-                .ok_or(Self::no_form(form))?,
+            _ => Self::report(paper, || x_error_document(problem, answer, plain, origin, style))?,
         };
-        put(out, text)?;
-        Ok(Written::of_set(answer.is_empty()))
+        paper.put_set(text, answer.is_empty())
     }
 }

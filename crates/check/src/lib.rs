@@ -3,8 +3,8 @@
 //!
 //! [`check`] runs solvers and judges them together with [`Answer`]s brought from elsewhere ([`read_claims`],
 //! [`parse_claim_pui`]), against the data as written and against the binary64 numbers that a float solver receives.
-//! [`directions`] compares the hull of the optimisers of many programs with the set itself. [`ExchangeRows`] writes the four
-//! programs ([`PuiEnd`](boundfit_lp::PuiEnd)) as files for solvers elsewhere.
+//! [`directions`] compares the hull of the optimisers of many programs with the set itself. [`exchange_rows`] are those of the four
+//! programs ([`PuiEnd`](boundfit_lp::PuiEnd)) in files for solvers elsewhere.
 //!
 //! ```
 //! use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem};
@@ -58,7 +58,7 @@ pub use claims::{
     parse_claim_pui, read_claims,
 };
 pub use directions::{Approximation, AskedDirections, Directions, Objectives, directions, directions_along};
-pub use exchange::ExchangeRows;
+pub use exchange::exchange_rows;
 pub use judge::{AskedReadings, Check, CheckOptions, JudgedAnswer, MOST_READINGS, check};
 pub use rows::ProgramRows;
 pub use sources::{EXACT_SIMPLEX, SourceError, answer_of, source_names};

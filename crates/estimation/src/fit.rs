@@ -1,11 +1,11 @@
 //! The whole set-membership answer for a set of readings.
 
 use boundfit_exact::{Interval, Rational};
-use boundfit_geometry::{Inequality, Measure, Measures, Polyhedron, ProofError, System, verify_membership};
+use boundfit_geometry::{Measure, Measures, ProofError, System, verify_membership};
 
 use crate::bound_name::BoundName;
 use crate::bounds::{Central, ParameterInterval, central, guaranteed_error, parameter_intervals};
-use crate::fps::{Fps, every_half_plane};
+use crate::fps::{Fps, contradiction_among, every_half_plane};
 use crate::grid::Grid;
 use crate::hulls::Extremes;
 use crate::inverse::Inverse;
@@ -196,13 +196,8 @@ impl Fit {
     /// contradict each other whatever the readings are. Exact.
     pub fn contradiction_of_conditions(&self) -> Option<Vec<(BoundName, Rational)>> {
         let named = self.fps.names().iter().zip(self.fps.polyhedron().system().inequalities());
-        let (names, system): (Vec<BoundName>, Vec<Inequality>) = named
-            .filter(|(name, _)| name.condition().is_some())
-            .map(|(name, inequality)| (*name, inequality.clone()))
-            .unzip();
-        let conditions = Polyhedron::intersect(System::new(system));
-        let multipliers = conditions.region().certificate()?.multipliers();
-        Some(multipliers.iter().map(|m| (names[m.index], m.value.clone())).collect())
+        let conditions = named.filter(|(name, _)| name.condition().is_some());
+        contradiction_among(conditions.map(|(name, inequality)| (*name, inequality.clone())))
     }
 
     /// Recomputes every proof of the answer from the readings: emptiness, each end of the PUI and ε_min. Exact.

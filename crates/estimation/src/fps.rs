@@ -264,6 +264,17 @@ fn lower(measurement: &Measurement, bound: Option<Rational>) -> Option<(BoundNam
     Some((BoundName::Lower(*row), Inequality::new(-phi1, -phi2, -bound?)))
 }
 
+/// Returns at most three of some named half-planes with positive multipliers whose sum is `0 ≤ negative`, if they contradict each
+/// other. Exact. Cost: O(n log n).
+pub fn contradiction_among(
+    named: impl Iterator<Item = (BoundName, Inequality)>,
+) -> Option<Vec<(BoundName, Rational)>> {
+    let (names, system): (Vec<BoundName>, Vec<Inequality>) = named.unzip();
+    let intersection = Polyhedron::intersect(System::new(system));
+    let multipliers = intersection.region().certificate()?.multipliers();
+    Some(multipliers.iter().map(|m| (names[m.index], m.value.clone())).collect())
+}
+
 /// The conditions as named inequalities, numbered from 1; of an equation both sides.
 pub fn conditions_by_name(conditions: &[Condition]) -> impl Iterator<Item = (BoundName, Inequality)> + '_ {
     (1..).zip(conditions).flat_map(|(number, condition)| {

@@ -8,7 +8,7 @@ use boundfit_geometry::Direction;
 use crate::grid::Grid;
 use crate::meaning::ErrorBound;
 use crate::measurement::{Bounds, Measurement};
-use crate::measurements::{Measurements, Readings};
+use crate::measurements::Measurements;
 use crate::moments::{SUM_BITS, Solution, Sums, bits, widest};
 use crate::reduction::{NoEui, NoLeastSquares, Reach, Reduction};
 
@@ -42,13 +42,11 @@ impl LeastSquares {
         if measurements.line_form().through_origin {
             return LeastSquares::through_origin(measurements);
         }
-        match measurements.readings() {
-            Readings::Supporting { reduction, .. } | Readings::Counted { reduction, .. } => {
-                LeastSquares::of_reduction(reduction, measurements.error_bound())
-            }
-            Readings::All(rows) => grid
+        match measurements.reduction() {
+            Some(reduction) => LeastSquares::of_reduction(reduction, measurements.error_bound()),
+            None => grid
                 .and_then(|grid| LeastSquares::on_grid(grid, measurements.error_bound()))
-                .unwrap_or_else(|| LeastSquares::of_rows(rows)),
+                .unwrap_or_else(|| LeastSquares::of_rows(measurements.kept())),
         }
     }
 

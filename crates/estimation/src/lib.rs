@@ -68,6 +68,7 @@ mod rounded;
 mod scale;
 mod scanner;
 mod selection;
+mod shown;
 mod sieve;
 mod summary;
 mod sums;
@@ -92,7 +93,8 @@ pub use fit::{Fit, fit};
 #[cfg(feature = "float-least-squares")]
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
 pub use fps::{
-    Fps, bounds_of_reading, conditions_by_name, growing_half_planes, half_planes, reading_of_bound,
+    Fps, bounds_of_reading, conditions_by_name, contradiction_among, growing_half_planes, half_planes,
+    reading_of_bound,
 };
 pub use group_fit::{GroupFit, GroupLine};
 pub use inverse::{Inverse, InverseParameter};

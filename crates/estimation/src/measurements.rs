@@ -243,12 +243,8 @@ impl Measurements {
 
     /// Returns whether a reading in memory has two bounds, whose distance a factor may multiply.
     pub fn has_widths(&self) -> bool {
-        match &self.readings {
-            Readings::All(rows) => rows.is_empty() || rows.iter().any(|row| row.half_width().is_some()),
-            Readings::Supporting { reduction, .. } | Readings::Counted { reduction, .. } => {
-                reduction.has_widths
-            }
-        }
+        let is_of_all = || self.kept().is_empty() || self.kept().iter().any(|row| row.half_width().is_some());
+        self.reduction().map_or_else(is_of_all, |reduction| reduction.has_widths)
     }
 
     /// The law by which the error bounds were stated, if it was one.
@@ -286,78 +282,6 @@ impl Measurements {
             Readings::All(rows) => Some(rows),
             Readings::Supporting { .. } | Readings::Counted { .. } => None,
         }
-    }
-
-    /// These readings with every one in memory, where now only those that decide are and the others wait in their columns
-    /// ([`Keep::most_of_line`](crate::Keep::most_of_line)). Exact. Cost: linear.
-    pub fn whole(&self) -> Option<Measurements> {
-        #[cfg(feature = "files")]
-        if let Some(columns) = &self.origin.in_columns {
-            let readings = Readings::All(columns.readings(&self.meaning));
-            let origin = Origin { in_columns: None, ..self.origin.clone() };
-            return Some(Measurements {
-                meaning: self.meaning.clone(),
-                readings,
-                others: Vec::new(),
-                origin,
-            });
-        }
-        None
-    }
-
-    /// The columns in which readings wait, others than those in memory.
-    #[cfg(feature = "files")]
-    fn waiting(&self) -> Option<&InColumns> {
-        self.origin.in_columns.as_ref().filter(|_| matches!(self.readings, Readings::Supporting { .. }))
-    }
-
-    /// The number of readings that can be shown: all that are fitted, where others than those in memory wait in their columns, else
-    /// those in memory.
-    pub fn shown(&self) -> usize {
-        #[cfg(feature = "files")]
-        if self.waiting().is_some() {
-            return self.fitted();
-        }
-        self.kept_count()
-    }
-
-    /// A reading that can be shown, by its position; positions ascend with rows. Exact.
-    pub fn shown_at(&self, position: usize) -> Option<Cow<'_, Measurement>> {
-        #[cfg(feature = "files")]
-        if let Some(columns) = self.waiting() {
-            return columns.reading(position, &self.meaning).map(Cow::Owned);
-        }
-        self.kept().get(position).map(Cow::Borrowed)
-    }
-
-    /// The position of a row among the readings that can be shown.
-    pub fn position_of(&self, row: usize) -> Option<usize> {
-        #[cfg(feature = "files")]
-        if let Some(columns) = self.waiting() {
-            return columns.position_of(row);
-        }
-        self.kept().binary_search_by_key(&row, |reading| reading.row).ok()
-    }
-
-    /// x, y and ε of each reading of a line that can be shown, by [`Rational::near_f64`]. Returns `None` of other models, and
-    /// of bounds that do not lie around y. Cost: linear.
-    pub fn near_f64(&self) -> Option<Vec<[f64; 3]>> {
-        if self.meaning.regressors() != 1 {
-            return None;
-        }
-        #[cfg(feature = "files")]
-        if let Some(columns) = self.waiting() {
-            let epsilon = self.meaning.error_bound.uniform()?.near_f64();
-            let readings = columns.near_f64(&self.meaning).into_iter();
-            return Some(readings.map(|[x, y]| [x, y, epsilon]).collect());
-        }
-        let near = |reading: &Measurement| match &reading.bounds {
-            Bounds::Around { response, epsilon } => {
-                Some([&reading.regressor[0], response, epsilon].map(Rational::near_f64))
-            }
-            Bounds::Between { .. } => None,
-        };
-        self.kept().iter().map(near).collect()
     }
 
     /// Every reading that is fitted, equal ones maybe once, with what these stand for; `None` when only those that support a hull
@@ -421,43 +345,34 @@ impl Measurements {
     /// # Errors
     /// Why they are not known.
     pub fn deciding_minimax(&self) -> Result<&[Measurement], NoMinimax> {
-        match &self.readings {
-            Readings::All(rows) | Readings::Counted { rows, .. } => Ok(rows),
-            Readings::Supporting { rows, reduction, .. } => match &reduction.minimax {
-                DecidingMinimax::Kept => Ok(rows),
-                DecidingMinimax::Own(rows) => Ok(rows),
-                DecidingMinimax::Unknown(reason) => Err(*reason),
-            },
+        match self.minimax() {
+            DecidingMinimax::Kept => Ok(self.kept()),
+            DecidingMinimax::Own(rows) => Ok(rows),
+            DecidingMinimax::Unknown(reason) => Err(*reason),
         }
+    }
+
+    /// Returns which readings decide ε_min. Cost: constant.
+    fn minimax(&self) -> &DecidingMinimax {
+        self.reduction().map_or(&DecidingMinimax::Kept, |reduction| &reduction.minimax)
     }
 
     /// The reason why the readings that decide ε_min are not known; `None` where they are. Cost: constant.
     pub fn unknown_minimax(&self) -> Option<NoMinimax> {
-        match &self.readings {
-            Readings::Supporting { reduction: Reduction { minimax, .. }, .. } => match minimax {
-                DecidingMinimax::Kept | DecidingMinimax::Own(_) => None,
-                DecidingMinimax::Unknown(reason) => Some(*reason),
-            },
-            Readings::All(_) | Readings::Counted { .. } => None,
+        match self.minimax() {
+            DecidingMinimax::Kept | DecidingMinimax::Own(_) => None,
+            DecidingMinimax::Unknown(reason) => Some(*reason),
         }
     }
 
     /// Returns whether the reading that any θ, or the least-squares estimate at least, misses most is among those in memory.
     pub(crate) fn have_tightest(&self) -> bool {
-        match &self.readings {
-            Readings::All(_) | Readings::Counted { .. } => true,
-            Readings::Supporting { reduction, .. } => {
-                self.meaning.regressors() == 1 || !matches!(reduction.minimax, DecidingMinimax::Unknown(_))
-            }
-        }
+        self.meaning.regressors() == 1 || self.unknown_minimax().is_none()
     }
 
     /// Returns whether the readings in memory decide for every multiple of their error bounds.
     pub fn are_open(&self) -> bool {
-        match &self.readings {
-            Readings::All(_) | Readings::Counted { .. } => true,
-            Readings::Supporting { reduction, .. } => reduction.minimax == DecidingMinimax::Kept,
-        }
+        *self.minimax() == DecidingMinimax::Kept
     }
 
     /// The readings in memory: all of them, or those that decide the feasible set.
@@ -500,20 +415,22 @@ impl Measurements {
         }
     }
 
+    /// The other facts about all readings; `None` where each is in memory for itself.
+    pub(crate) fn reduction(&self) -> Option<&Reduction> {
+        match &self.readings {
+            Readings::All(_) => None,
+            Readings::Supporting { reduction, .. } | Readings::Counted { reduction, .. } => Some(reduction),
+        }
+    }
+
     /// Returns whether the rows were read from reductions, which number them anew.
     pub fn is_of_reductions(&self) -> bool {
-        matches!(
-            self.readings,
-            Readings::Supporting { reduction: Reduction { reach: Err(NoEui::Reduced), .. }, .. }
-        )
+        self.reduction().is_some_and(|reduction| matches!(reduction.reach, Err(NoEui::Reduced)))
     }
 
     /// Returns how many readings are fitted, kept or not.
     pub fn fitted(&self) -> usize {
-        match &self.readings {
-            Readings::All(rows) => rows.len(),
-            Readings::Supporting { reduction, .. } | Readings::Counted { reduction, .. } => reduction.count,
-        }
+        self.reduction().map_or_else(|| self.kept_count(), |reduction| reduction.count)
     }
 
     /// Readings of the file that are not fitted, kept where the table was read with

@@ -6,7 +6,7 @@ use boundfit_exact::{Interval, Rational, Sum};
 
 use crate::least_squares::LeastSquares;
 use crate::measurement::Measurement;
-use crate::measurements::{Measurements, Readings};
+use crate::measurements::Measurements;
 use crate::reduction::{NoEui, NoLeastSquares, Reduction};
 
 /// Σx², Σxy with the y of least squares, and what the EUI needs: Σx·m and Σ|x|·w with the middles m and half the widths w of
@@ -22,11 +22,9 @@ impl LeastSquares {
     /// ± ε have m = y and w = ε. θ2 is 0, and so is its EUI. Exact. Cost: linear in the number of readings that are
     /// kept.
     pub(crate) fn through_origin(measurements: &Measurements) -> Result<Self, NoLeastSquares> {
-        let Sums { xx, xy, about } = match measurements.readings() {
-            Readings::All(rows) => sums_of_rows(rows)?,
-            Readings::Supporting { reduction, .. } | Readings::Counted { reduction, .. } => {
-                sums_of_reduction(reduction, measurements)?
-            }
+        let Sums { xx, xy, about } = match measurements.reduction() {
+            Some(reduction) => sums_of_reduction(reduction, measurements)?,
+            None => sums_of_rows(measurements.kept())?,
         };
         let solved = |numerator: &Rational| numerator.checked_div(&xx).ok_or(NoLeastSquares::EveryXZero);
         let theta = [solved(&xy)?, Rational::zero()];

@@ -247,13 +247,13 @@ fn enclosed((above, dropped): (u128, i64), (below, dropped_below): (u128, i64)) 
     ([above / (below + 1), (above + 1) / below + 1], dropped - dropped_below)
 }
 
-/// The first bits of a number without its sign, that many, and how many it has after them, which is negative where zeros are added;
-/// `None` for 0.
+/// Returns the first `bits` bits of a number without its sign, and the number of bits behind them, which is negative where zeros are
+/// added. Returns `None` for 0.
 fn leading_bits(number: &Integer, bits: u32) -> Option<(u128, i64)> {
     leading_of(number.bits(), |beyond| number.leading(beyond), bits)
 }
 
-/// The same of a number of this length, from what it is without so many of its lowest bits.
+/// Returns what [`leading_bits`] does, of a number of `length` bits. `without` drops as many of its lowest bits as it is told.
 fn leading_of(length: u64, without: impl FnOnce(u64) -> Option<u128>, bits: u32) -> Option<(u128, i64)> {
     let dropped = length as i64 - i64::from(bits);
     let leading = without(dropped.max(0) as u64).filter(|leading| *leading > 0)?;

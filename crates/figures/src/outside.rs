@@ -2,7 +2,7 @@
 
 use boundfit_exact::english::counted;
 use boundfit_exact::{Rational, Rounding};
-use boundfit_geometry::{Inequality, Polyhedron};
+use boundfit_geometry::{Inequality, Polyhedron, Region};
 
 use crate::drawing::Panel;
 use crate::extent::Extent;
@@ -45,6 +45,12 @@ impl Outside {
             }
         }
     }
+}
+
+/// Returns the note about the arrows of sets without an end.
+pub(crate) fn without_end<'a>(mut regions: impl Iterator<Item = &'a Region>) -> Option<String> {
+    let goes_on = |region: &Region| !region.is_empty() && !region.is_bounded();
+    regions.any(goes_on).then(|| "Arrows: the set goes on without end.".to_owned())
 }
 
 /// Returns the note about sets of which a panel with ends that were asked for shows nothing. Exact.

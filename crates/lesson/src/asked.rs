@@ -6,6 +6,7 @@
 
 use boundfit_estimation::{ErrorBound, Law, Measurement, Measurements, Model, MultipleOfLeast, Problem};
 use boundfit_exact::{DecimalMark, Foreign, Reading};
+use boundfit_report::row_ranges;
 use serde::Serialize;
 
 use crate::options::{LessonOptions, MOST_ROWS};
@@ -123,8 +124,8 @@ pub(crate) fn asked(
         delimiter: if has_comma { "semicolon" } else { "comma" },
         decimal: if has_comma { DecimalMark::Comma } else { DecimalMark::Point }.name(),
         comment: "none",
-        row_numbers: ranges(all.into_iter()),
-        rows: ranges(rows()),
+        row_numbers: row_ranges(all),
+        rows: row_ranges(rows()),
     };
     (asked, columns)
 }
@@ -185,16 +186,4 @@ fn conditions(problem: &Problem) -> Vec<String> {
     let is_of_form = |text: &str| problem.measurements.line_form().through_origin && text == "theta2 = 0";
     let texts = problem.conditions.iter().map(|condition| condition.text().raw());
     texts.filter(|text| !is_of_form(text)).map(ToOwned::to_owned).collect()
-}
-
-/// First and last of those that follow each other.
-fn ranges(rows: impl Iterator<Item = usize>) -> Vec<[usize; 2]> {
-    let mut ranges: Vec<[usize; 2]> = Vec::new();
-    for row in rows {
-        match ranges.last_mut() {
-            Some([_, last]) if *last + 1 == row => *last = row,
-            _ => ranges.push([row, row]),
-        }
-    }
-    ranges
 }

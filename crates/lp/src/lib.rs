@@ -3,7 +3,7 @@
 //! [`Program`] is `min c·θ` subject to `a·θ ≤ b`. [`exact_simplex`] solves it in rational arithmetic with a proof of
 //! every outcome; it shares nothing with the polygon engine and is its independent witness. [`Solver`] is one interface
 //! to floating-point solvers, which receive the program rounded to binary64. [`Referee`] says, exactly and with a named
-//! reason, what an answer is worth, whoever gave it. [`ExchangeProgram`] writes a program exactly for solvers elsewhere.
+//! reason, what an answer is worth, whoever gave it. [`ExchangeRows`] writes programs exactly for solvers elsewhere.
 //!
 //! The feature `float-solvers` (on by default) has the solvers: they alone need threads and a clock, because one that hangs
 //! or crashes must not take the program with it.
@@ -30,7 +30,7 @@ mod walk;
 
 pub use claim::{BoundClaim, Claimed, End, PuiEnd};
 pub use closeness::{Closeness, Difference, MOST_ULPS, RoundedTo, ToleranceUnit, is_below_binary64, ulp};
-pub use exchange::{ExchangeProgram, ExchangeRows, Sense};
+pub use exchange::ExchangeRows;
 pub use format::ExchangeFormat;
 pub use model::{Bounds, Model, ModelColumn, ModelRow, ObjectiveSense};
 pub use outcome::{ExactOutcome, Multiplier, Optimum, Outcome};

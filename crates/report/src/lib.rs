@@ -132,7 +132,7 @@ pub use range::range_proof;
 pub use range::{RangeReport, range_csv, range_document, range_json};
 pub use script::region_script;
 #[cfg(feature = "files")]
-pub use statements::{Scope, Statement, multiples, statements_json};
+pub use statements::{Scope, Statement, multiples, row_ranges, statements_json};
 #[cfg(feature = "files")]
 pub use status::status_proof;
 pub use status::{NewReadings, StatusCsv, StatusJson, StatusReport, status_document};

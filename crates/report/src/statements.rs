@@ -138,15 +138,20 @@ impl Scope {
 
     /// These rows alone, which ascend.
     pub fn of_rows(rows: impl IntoIterator<Item = usize>) -> Self {
-        let mut ranges: Vec<[usize; 2]> = Vec::new();
-        for row in rows {
-            match ranges.last_mut() {
-                Some([_, last]) if *last + 1 == row => *last = row,
-                _ => ranges.push([row, row]),
-            }
-        }
-        Scope { rows: Some(ranges), ..Scope::default() }
+        Scope { rows: Some(row_ranges(rows)), ..Scope::default() }
     }
+}
+
+/// Returns the first and the last of rows that follow each other without a gap.
+pub fn row_ranges(rows: impl IntoIterator<Item = usize>) -> Vec<[usize; 2]> {
+    let mut ranges: Vec<[usize; 2]> = Vec::new();
+    for row in rows {
+        match ranges.last_mut() {
+            Some([_, last]) if *last + 1 == row => *last = row,
+            _ => ranges.push([row, row]),
+        }
+    }
+    ranges
 }
 
 /// Multiples of a system's inequalities by their names.

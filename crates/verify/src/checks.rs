@@ -77,9 +77,10 @@ impl Proof {
                     while wanted_rows.next_if(|wanted| *wanted < row).is_some() {}
                     wanted_rows.peek() != Some(&row)
                 };
-                let (rows_total, names) = data.first_look(open()?, limits, |about, rows| {
+                let look = data.look(open()?, limits, |about, rows| {
                     about.for_each_half_plane(rows, limits, longest, is_unwanted, take)
                 })?;
+                let (rows_total, names) = look.first()?;
                 let found = Found::Set(set.check(data, &HalfPlanes(half_planes), open, limits)?);
                 Ok(Statement { about, rows_total, names, half_planes: count, found })
             }
@@ -94,9 +95,9 @@ impl Proof {
                     }
                     Ok(())
                 };
-                let (rows_total, names) = data.first_look(open()?, limits, |about, rows| {
-                    about.for_each_row(rows, limits, longest, take)
-                })?;
+                let look = data
+                    .look(open()?, limits, |about, rows| about.for_each_row(rows, limits, longest, take))?;
+                let (rows_total, names) = look.first()?;
                 count += about.conditions_by_name().count();
                 let found = Found::Claims(check_statements(data, statements, &kept, open, limits)?);
                 Ok(Statement { about, rows_total, names, half_planes: count, found })

@@ -46,9 +46,10 @@ pub(crate) fn check_statements<R: Read>(
         comparisons.refuse_rows(&probes, limits.work)?;
         probes.check_conditions(about)?;
         let longest = bits_of_points(statements);
-        data.look_again(open()?, limits, |about, rows| {
+        let look = data.look(open()?, limits, |about, rows| {
             about.for_each_row(rows, limits, longest, |row, model| probes.check_row(row, model))
         })?;
+        look.again()?;
     }
     Ok(claims)
 }

@@ -18,53 +18,9 @@ pub(crate) struct Data {
 }
 
 impl Data {
-    /// Section 2: the hash of the data, and that all wanted rows can be read. The number of rows, and the names of columns.
-    pub(crate) fn first_look<R: Read>(
-        &self,
-        data: R,
-        limits: &DataLimits,
-        read: impl FnOnce(&About, &mut Rows<R>) -> Result<(), Failure>,
-    ) -> Result<(u64, BTreeMap<u64, Foreign>), Failure> {
-        let look = self.look(data, limits, read)?;
-        if look.hash != self.sha256 {
-            return Err(Falsehood::OtherData.into());
-        }
-        look.found?;
-        Ok((look.rows_total, look.names))
-    }
-
-    /// Reads all data as [`Data::first_look`] does. A falsehood about a row comes before another hash.
-    pub(crate) fn look_by_rows<R: Read>(
-        &self,
-        data: R,
-        limits: &DataLimits,
-        read: impl FnOnce(&About, &mut Rows<R>) -> Result<(), Failure>,
-    ) -> Result<(u64, BTreeMap<u64, Foreign>), Failure> {
-        let look = self.look(data, limits, read)?;
-        look.found?;
-        if look.hash != self.sha256 {
-            return Err(Falsehood::OtherData.into());
-        }
-        Ok((look.rows_total, look.names))
-    }
-
-    /// Reads all data once more.
-    pub(crate) fn look_again<R: Read>(
-        &self,
-        data: R,
-        limits: &DataLimits,
-        read: impl FnOnce(&About, &mut Rows<R>) -> Result<(), Failure>,
-    ) -> Result<(), Failure> {
-        let look = self.look(data, limits, read)?;
-        if look.hash != self.sha256 {
-            return Err(Failure::Changed);
-        }
-        look.found
-    }
-
     /// Reads all data, the wanted rows by a function. Rows beyond the limits end it; what else is wrong is kept for after
     /// the hash.
-    fn look<R: Read>(
+    pub(crate) fn look<R: Read>(
         &self,
         data: R,
         limits: &DataLimits,
@@ -78,7 +34,8 @@ impl Data {
             found => found,
         };
         let (hash, rows) = rows.finish()?;
-        Ok(Look { hash, rows_total: rows.saturating_sub(u64::from(has_header)), names, found })
+        let is_same = hash == self.sha256;
+        Ok(Look { is_same, rows_total: rows.saturating_sub(u64::from(has_header)), names, found })
     }
 }
 
@@ -92,10 +49,38 @@ fn names(header: Cells<'_>) -> BTreeMap<u64, Foreign> {
 }
 
 /// The result of reading all data.
-struct Look {
-    hash: String,
+pub(crate) struct Look {
+    /// Says whether the data have the hash of the proof.
+    is_same: bool,
     rows_total: u64,
     names: BTreeMap<u64, Foreign>,
     /// Says whether all wanted rows could be read, and all of their half-planes were taken.
     found: Result<(), Failure>,
+}
+
+impl Look {
+    /// Checks section 2: the hash of the data, and that all wanted rows can be read. Returns the number of rows and the names of columns.
+    pub(crate) fn first(self) -> Result<(u64, BTreeMap<u64, Foreign>), Failure> {
+        if !self.is_same {
+            return Err(Falsehood::OtherData.into());
+        }
+        self.by_rows()
+    }
+
+    /// Checks what [`Look::first`] does, but a falsehood about a row comes before another hash.
+    pub(crate) fn by_rows(self) -> Result<(u64, BTreeMap<u64, Foreign>), Failure> {
+        self.found?;
+        match self.is_same {
+            true => Ok((self.rows_total, self.names)),
+            false => Err(Falsehood::OtherData.into()),
+        }
+    }
+
+    /// Checks that data which were read before are the same once more, and that their rows were taken.
+    pub(crate) fn again(self) -> Result<(), Failure> {
+        match self.is_same {
+            true => self.found,
+            false => Err(Failure::Changed),
+        }
+    }
 }

@@ -93,7 +93,7 @@ impl Theorem {
             }
         };
         // A number that differs tells more than the hash does.
-        let (rows_total, names) = data.look_by_rows(from, limits, read)?;
+        let (rows_total, names) = data.look(from, limits, read)?.by_rows()?;
         half_planes += data.about.conditions_by_name().count();
         Ok(Agreed { rows_total, names, half_planes })
     }

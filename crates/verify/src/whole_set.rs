@@ -113,9 +113,10 @@ impl WholeSet {
             let clearance = clearance.as_ref().zip(model.word_row());
             clearance.is_some_and(|(clearance, row)| clearance.is_clear(&row))
         };
-        data.look_again(reader, limits, |about, rows| {
+        let look = data.look(reader, limits, |about, rows| {
             about.for_each_half_plane(rows, limits, longest, is_clear, take)
         })?;
+        look.again()?;
         match self.active.iter().zip(is_found).find(|(_, is_found)| !is_found) {
             None => Ok(()),
             Some((listed, _)) => Err(not_touching(listed).into()),

@@ -34,6 +34,7 @@ mod output;
 mod packed;
 mod polygon;
 mod predict;
+mod proofless;
 mod range;
 mod reduce;
 mod reduced_cells;

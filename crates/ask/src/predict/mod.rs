@@ -9,15 +9,16 @@ use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::Source;
 use boundfit_questions::{FurtherError, NoFurtherError, times};
 use boundfit_report::{
-    AskedValues, Origin, Prediction, Theory, kernel_prediction, prediction_document, prediction_proof,
+    AskedValues, Origin, Prediction, kernel_prediction, prediction_document, prediction_proof,
     write_prediction_csv, write_prediction_json,
 };
 use serde::Deserialize;
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Shows, Written};
+use crate::form::{Form, Shows, Written};
 use crate::misuse::{Misuse, NoProof};
-use crate::question::{Ask, Out, document, put};
+use crate::paper::Paper;
+use crate::question::{Ask, AskedTheorem};
 use crate::refusal::{Refusal, ValueProblem};
 use values::{ValueKey, Values};
 
@@ -172,37 +173,30 @@ impl Ask for Predict {
         Ok(fit(&asked.problem))
     }
 
-    fn write(
-        &self,
-        asked: &Predicted,
-        fit: &Fit,
-        form: Form,
-        paper: &Paper<'_>,
-        out: &mut Out<'_>,
-    ) -> Result<Written, Refusal> {
+    fn write(&self, asked: &Predicted, fit: &Fit, paper: &mut Paper<'_>) -> Result<Written, Refusal> {
         let Predicted { problem, at, from, .. } = asked;
-        let Paper { origin, style } = paper;
+        let Paper { form, origin, style, .. } = *paper;
         let (at_values, from_values) = (|| at.iter(), || from.iter());
-        let prediction = asked.prediction(fit, *origin, [&at_values, &from_values]);
+        let prediction = asked.prediction(fit, origin, [&at_values, &from_values]);
         match form {
             Form::Csv if at.len() > 0 && from.len() > 0 => return Err(Refusal::Misuse(Misuse::TwoTables)),
             // There may be a million of them.
             Form::Csv | Form::Json => {
-                let mut buffer = BufWriter::with_capacity(1 << 16, out);
+                let mut buffer = BufWriter::with_capacity(1 << 16, &mut *paper.out);
                 match form {
                     Form::Csv => write_prediction_csv(&prediction, &mut buffer)?,
-                    _ => write_prediction_json(&prediction, style, &mut buffer)?,
+                    _ => write_prediction_json(&prediction, &style, &mut buffer)?,
                 }
                 buffer.flush()?;
             }
             Form::Proof => {
                 asked.check_proof(MOST_PROVED)?;
                 let why = NoProof::about(&problem.measurements);
-                put(out, prediction_proof(&prediction, origin.reading).ok_or(Refusal::NoProof(why))?)?;
+                paper.put(prediction_proof(&prediction, origin.reading).ok_or(Refusal::NoProof(why))?)?;
             }
             _ => {
-                let text = document(form, || prediction_document(&prediction, self.proofs, style));
-                put(out, text.ok_or(Self::no_form(form))?)?;
+                let text = Self::report(paper, || prediction_document(&prediction, self.proofs, &style))?;
+                paper.put(text)?;
             }
         }
         Ok(Written::of_set(fit.is_empty()))
@@ -219,9 +213,7 @@ impl Ask for Predict {
         &self,
         asked: &Predicted,
         fit: &Fit,
-        reading: Reading,
-        theory: Theory,
-        _data: Option<(&[u8], &str)>,
+        AskedTheorem { reading, theory, .. }: AskedTheorem<'_>,
     ) -> Result<String, Refusal> {
         asked.check_proof(MOST_IN_THEOREM)?;
         let (at, from) = (|| asked.at.iter(), || asked.from.iter());

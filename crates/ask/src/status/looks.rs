@@ -9,7 +9,7 @@ use boundfit_formats::{Again, InputError, InputErrorKind, RowRange, RowSet, Scan
 use crate::asked::Asked;
 use crate::form::Shows;
 use crate::misuse::Misuse;
-use crate::question::{Out, put};
+use crate::paper::{Out, put};
 use crate::refusal::Refusal;
 use crate::tables::Tables;
 
@@ -119,15 +119,15 @@ impl Judgeable {
 }
 
 /// Lines on their way to an output.
-pub(super) struct Parts<'a, 'o> {
-    out: &'a mut Out<'o>,
+pub(super) struct Parts<'a> {
+    out: &'a mut Out<'a>,
     between: &'static str,
     has_part: bool,
     stop: Option<Refusal>,
 }
 
-impl<'a, 'o> Parts<'a, 'o> {
-    pub(super) fn new(out: &'a mut Out<'o>, between: &'static str) -> Self {
+impl<'a> Parts<'a> {
+    pub(super) fn new(out: &'a mut Out<'a>, between: &'static str) -> Self {
         Parts { out, between, has_part: false, stop: None }
     }
 

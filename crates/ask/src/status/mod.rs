@@ -5,18 +5,18 @@ mod looks;
 use std::cell::OnceCell;
 
 use boundfit_estimation::{Fit, Keep, Measurement, Measurements, Seen, fit};
-use boundfit_exact::Reading;
 use boundfit_formats::Source;
 use boundfit_questions::{Deciding, NoRepair, Others, Ranking, Repair, Standing, Statuses, times};
 use boundfit_report::{
-    NewReadings, StatusCsv, StatusJson, StatusReport, Theory, kernel_status, status_document, status_proof,
+    NewReadings, StatusCsv, StatusJson, StatusReport, kernel_status, status_document, status_proof,
 };
 use serde::Deserialize;
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Shows, Written};
+use crate::form::{Form, Shows, Written};
 use crate::misuse::{Misuse, NoProof};
-use crate::question::{Ask, Out, document, put};
+use crate::paper::Paper;
+use crate::question::{Ask, AskedTheorem};
 use crate::refusal::Refusal;
 pub use looks::Judgeable;
 use looks::Parts;
@@ -112,18 +112,14 @@ impl Status {
         asked: &Judgeable,
         answer: &Judgement,
         statuses: &Statuses,
-        is_json: bool,
-        paper: &Paper<'_>,
-        out: &mut Out<'_>,
+        paper: &mut Paper<'_>,
     ) -> Result<(), Refusal> {
-        let Paper { origin, style } = paper;
-        put(
-            out,
-            match is_json {
-                true => StatusJson::head(&asked.problem, &answer.fit, statuses.deciding(), origin, style),
-                false => StatusCsv::HEADER.to_owned(),
-            },
-        )?;
+        let Paper { form, origin, style, .. } = *paper;
+        let (is_json, style) = (form == Form::Json, &style);
+        paper.put(match is_json {
+            true => StatusJson::head(&asked.problem, &answer.fit, statuses.deciding(), &origin, style),
+            false => StatusCsv::HEADER.to_owned(),
+        })?;
         let row = |reading: Measurement| {
             let status = statuses.status(&reading);
             if is_json { StatusJson::row(&status, style) } else { StatusCsv::row(&status) }
@@ -141,27 +137,27 @@ impl Status {
         };
         let made_new =
             |readings: &Seen<'_>| readings.readings().map(&new_row).collect::<Vec<_>>().join(between);
-        let mut parts = Parts::new(out, between);
+        let mut parts = Parts::new(paper.out, between);
         asked.each(made, |part| parts.take(&part))?;
         parts.end()?;
         if is_json {
-            put(out, StatusJson::END_OF_ROWS)?;
+            paper.put(StatusJson::END_OF_ROWS)?;
         }
         if let Some(name) = &self.new {
             if is_json {
-                put(out, StatusJson::new_head(asked.tables()?.file(name)))?;
+                paper.put(StatusJson::new_head(asked.tables()?.file(name)))?;
             }
-            let mut parts = Parts::new(out, between);
+            let mut parts = Parts::new(paper.out, between);
             asked.see_new(name, made_new, |part| parts.take(&part))?;
             parts.end()?;
             if is_json {
-                put(out, StatusJson::END_OF_NEW)?;
+                paper.put(StatusJson::END_OF_NEW)?;
             }
         }
         if let Some(repair) = answer.repair.as_ref().filter(|_| is_json) {
-            put(out, StatusJson::repair(repair, style))?;
+            paper.put(StatusJson::repair(repair, style))?;
         }
-        if is_json { put(out, StatusJson::TAIL) } else { Ok(()) }
+        if is_json { paper.put(StatusJson::TAIL) } else { Ok(()) }
     }
 }
 
@@ -214,30 +210,28 @@ impl Ask for Status {
         &self,
         asked: &Judgeable,
         answer: &Judgement,
-        form: Form,
-        paper: &Paper<'_>,
-        out: &mut Out<'_>,
+        paper: &mut Paper<'_>,
     ) -> Result<Written, Refusal> {
+        let problem = &asked.problem;
+        let Paper { form, origin, style, .. } = *paper;
         if !Self::FORMS.contains(&form) {
             return Err(Self::no_form(form));
         }
-        let is_document = !matches!(form, Form::Json | Form::Csv | Form::Proof);
-        let (statuses, ranking) = self.judge(asked, answer, is_document)?;
-        let (problem, Paper { origin, style }) = (&asked.problem, paper);
+        let (statuses, ranking) = self.judge(asked, answer, form.is_document())?;
         match form {
             Form::Json | Form::Csv => {
-                self.write_rows(asked, answer, statuses, form == Form::Json, paper, out)?;
+                self.write_rows(asked, answer, statuses, paper)?;
             }
             Form::Proof => {
                 check_proof(statuses)?;
                 let proof = status_proof(problem, statuses, origin.reading);
-                put(out, proof.ok_or(Refusal::NoProof(NoProof::about(&problem.measurements)))?)?;
+                paper.put(proof.ok_or(Refusal::NoProof(NoProof::about(&problem.measurements)))?)?;
             }
             _ => {
                 let (new, repair) = (self.rank_new(asked, statuses)?, answer.repair.clone());
                 let report = StatusReport { problem, fit: &answer.fit, ranking, new, repair };
-                let text = document(form, || status_document(report, origin, style));
-                put(out, text.ok_or(Self::no_form(form))?)?;
+                let text = Self::report(paper, || status_document(report, &origin, &style))?;
+                paper.put(text)?;
             }
         }
         Ok(Written::of_set(answer.fit.is_empty()))
@@ -255,9 +249,7 @@ impl Ask for Status {
         &self,
         asked: &Judgeable,
         answer: &Judgement,
-        reading: Reading,
-        theory: Theory,
-        _data: Option<(&[u8], &str)>,
+        AskedTheorem { reading, theory, .. }: AskedTheorem<'_>,
     ) -> Result<String, Refusal> {
         let (statuses, _) = self.judge(asked, answer, false)?;
         check_proof(statuses)?;

@@ -2,7 +2,7 @@
 
 use std::io::{self, IsTerminal, Write};
 
-use boundfit_ask::{Ask, Form, Out, Paper, Refusal, Shows};
+use boundfit_ask::{Ask, AskedTheorem, Form, Out, Paper, Refusal, Shows};
 use boundfit_report::{Origin, Style, Theory};
 
 use super::proof_file::{self, SmallFile};
@@ -92,7 +92,7 @@ impl<'a> Job<'a> {
         }
         question.refuse_vain(form).map_err(failed)?;
         let data = data.open_for(Q::HAS_BOUNDS)?.holding(memory::OF_A_READING);
-        let paper = Paper { origin: data.origin, style };
+        let origin = data.origin;
         let (asked, source) = data.scan();
         let shows = form.shows().max(match (proof, theory) {
             (None, _) => Shows::Nothing,
@@ -105,8 +105,10 @@ impl<'a> Job<'a> {
             input::say_bound(file, question.multiple_of_least(&problem, form));
         }
         let mut answer = while_working(Q::NAME, || question.answer(&problem)).map_err(failed)?;
-        let beside = add(&problem, &mut answer, &paper.origin)?;
-        let write = |form, out: &mut Out<'_>| question.write(&problem, &answer, form, &paper, out);
+        let beside = add(&problem, &mut answer, &origin)?;
+        let write = |form, out: &mut Out<'_>| {
+            question.write(&problem, &answer, &mut Paper { form, origin, style, out })
+        };
         let written = match (proof, &beside) {
             (None, None) => {
                 let mut stream = Stream { output: Output::open(output, guard)?, stop: None };
@@ -134,8 +136,8 @@ impl<'a> Job<'a> {
                     (Some(_), Some(theory)) => {
                         let small = proof_file::small_file(self.data.path);
                         let data = small.as_ref().map(SmallFile::parts);
-                        let theorem = question.theorem(&problem, &answer, paper.origin.reading, theory, data);
-                        text = theorem.map_err(failed)?.into_bytes();
+                        let asked = AskedTheorem { reading: origin.reading, theory, data };
+                        text = question.theorem(&problem, &answer, asked).map_err(failed)?.into_bytes();
                     }
                 }
                 let proof = proof.map(|file| (text.as_slice(), Some(file)));

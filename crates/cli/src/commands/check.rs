@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use boundfit_ask::{Ask, Fit, Fittable, Refusal};
+use boundfit_ask::{Ask, AskedTheorem, Fit, Fittable, Refusal};
 use boundfit_check::{
     Answer, AskedDirections, CheckOptions, ClaimLimits, ClaimText, Claims, check, is_solution_name,
     parse_claim_pui, read_claims, source_names,
@@ -147,7 +147,8 @@ fn theorem(
     let failed = |refusal: Refusal| Failure::of(&refusal, arguments.data.file_name());
     let answer = while_working("fitting", || question.answer(&asked)).map_err(failed)?;
     let small = proof_file::small_file(arguments.data.path());
-    question.theorem(&asked, &answer, reading, theory, small.as_ref().map(SmallFile::parts)).map_err(failed)
+    let told = AskedTheorem { reading, theory, data: small.as_ref().map(SmallFile::parts) };
+    question.theorem(&asked, &answer, told).map_err(failed)
 }
 
 /// The claims in these files.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use boundfit_check::ExchangeRows;
+use boundfit_check::exchange_rows;
 use boundfit_estimation::{ErrorBound, Model, MultipleOfLeast, Problem};
 use boundfit_exact::{Foreign, Reading};
 use boundfit_lp::{ExchangeFormat, PuiEnd};
@@ -94,7 +94,7 @@ pub(super) fn run(arguments: &ConvertArguments) -> CommandResult {
     let read = &problem.measurements;
     input::say_table(arguments.data.file_name(), read.table(), read.rows_missing());
     let about = comments(arguments, reading, &problem);
-    let rows = ExchangeRows::new(&problem);
+    let rows = exchange_rows(&problem);
     drop(problem);
     let write = |end: PuiEnd| {
         let comments: Vec<String> = [heading(end)].into_iter().chain(about.iter().cloned()).collect();

@@ -55,7 +55,7 @@ impl Scattered {
         Rational::scientific(mantissa, exponent)
     }
 
-    /// Adds so many units; `None` unless that is a short decimal.
+    /// Adds the number `count` times `unit`. Returns `None` if it is no short decimal.
     pub(super) fn push(&mut self, mut count: i128, unit: Unit) -> Option<()> {
         let mut exponent = match unit {
             _ if count == 0 => 0,

@@ -20,7 +20,8 @@ pub(super) struct Enclosing {
 }
 
 impl Terms {
-    /// The terms without so many of their lowest bits as leave room, of which the longest has `bits`.
+    /// Shortens the terms so that they can be multiplied within 128 bits. The longest has `bits` bits, and `leading` drops as many of
+    /// the lowest bits of each as it is told.
     pub(super) fn new(
         bits: u64,
         digits: usize,
@@ -33,7 +34,8 @@ impl Terms {
         Some(Terms { least: [centre?, error?, denominator?], slack: u128::from(beyond > 0) })
     }
 
-    /// The enclosing decimals of an error whose first digit weighs `10^exponent` and which is rounded to so many.
+    /// Returns the decimals that enclose the terms. The error is rounded to this number of digits, the first of which weighs
+    /// `10^exponent`.
     pub(super) fn enclosing(&self, exponent: i64, digits: usize) -> Option<Enclosing> {
         let mut place = exponent + 1 - digits as i64;
         let most = *powers_of_ten::OF_U64.get(digits)?;

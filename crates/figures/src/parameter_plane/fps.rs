@@ -12,7 +12,7 @@ use super::{empty, region};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
-use crate::outside::unseen_sets;
+use crate::outside::{unseen_sets, without_end};
 use crate::page::Page;
 use crate::palette::{Mark, style};
 
@@ -62,8 +62,8 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     notes.extend(labels::why_no_eui(fit));
     if polyhedron.region().kind() == RegionKind::Plane {
         notes.push("Every parameter pair is feasible.".to_owned());
-    } else if !polyhedron.region().is_bounded() {
-        notes.push("Arrows: the set goes on without end.".to_owned());
+    } else {
+        notes.extend(without_end([polyhedron.region()].into_iter()));
     }
     let title = format!("Feasible parameter set: {}", kind(polyhedron.region()));
     finished(problem, options, title, panels, legend, notes)
@@ -141,18 +141,8 @@ fn mark_if_tiny(panel: &mut Panel, fit: &Fit) {
 }
 
 /// A thin set in its principal axes.
-fn thin(mut panel: Panel, sliver: &Sliver, fit: &Fit, estimates: &[Estimate]) -> Panel {
-    let vertices = fit.fps.polyhedron().region().vertices();
-    let outline: Vec<_> =
-        vertices.iter().filter_map(|vertex| sliver.place(&panel, &vertex.point().coordinates())).collect();
-    panel.area(&outline, style::SET_FILL);
-    panel.outline(&outline, style::SET_EDGE);
-    for at in &outline {
-        panel.mark(*at, style::VERTEX);
-    }
-    if outline.len() <= marks::MOST_NUMBERED {
-        marks::draw_numbers(&mut panel, &outline, [None, None]);
-    }
+fn thin(panel: Panel, sliver: &Sliver, fit: &Fit, estimates: &[Estimate]) -> Panel {
+    let mut panel = marks::thin(panel, sliver, [fit.fps.polyhedron().region()].into_iter());
     for Estimate { theta, mark, .. } in estimates.iter().rev() {
         if let Some(at) = sliver.place(&panel, theta) {
             panel.mark(at, *mark);

@@ -9,11 +9,10 @@ use super::sliver::Sliver;
 use crate::clip::{self, Place};
 use crate::drawing::{Anchor, LegendEntry, Panel, Swatch};
 use crate::labels;
-use crate::page::Page;
 use crate::palette::{BLUE, Fill, Mark, Stroke, style};
 
 /// Vertices are numbered up to this count: beyond it the numbers would cover the figure.
-pub(crate) const MOST_NUMBERED: usize = 12;
+const MOST_NUMBERED: usize = 12;
 
 /// An estimate with what it is called in the legend.
 pub(crate) struct Estimate {
@@ -88,7 +87,7 @@ pub(crate) fn draw_vertices(panel: &mut Panel, region: &Region, numbered: bool) 
 
 /// Numbers the vertices of a convex set, given in order, outside of it. A set that goes on without end has directions
 /// before its first and after its last vertex.
-pub(crate) fn draw_numbers(panel: &mut Panel, vertices: &[Place], [before, after]: [Option<Place>; 2]) {
+fn draw_numbers(panel: &mut Panel, vertices: &[Place], [before, after]: [Option<Place>; 2]) {
     let size = [panel.frame.width, panel.frame.height];
     let pixels = |place: Place| [place[0] * size[0], place[1] * size[1]];
     let mut corners: Vec<Place> = vertices.iter().copied().map(pixels).collect();
@@ -145,9 +144,12 @@ fn neighbours_together(vertices: &[Place]) -> Vec<Vec<usize>> {
     groups
 }
 
-/// A panel of a thin set in its principal axes, its vertices numbered.
-pub(crate) fn thin<'a>(sliver: &Sliver, regions: impl Iterator<Item = &'a Region>, page: Page) -> Panel {
-    let mut panel = sliver.panel(0, page);
+/// Draws a thin set in its principal axes on a panel of these, its vertices numbered.
+pub(crate) fn thin<'a>(
+    mut panel: Panel,
+    sliver: &Sliver,
+    regions: impl Iterator<Item = &'a Region>,
+) -> Panel {
     let vertices = regions.flat_map(Region::vertices);
     let outline: Vec<_> =
         vertices.filter_map(|vertex| sliver.place(&panel, &vertex.point().coordinates())).collect();

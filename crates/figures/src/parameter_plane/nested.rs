@@ -10,7 +10,7 @@ use super::{marks, region, view};
 use crate::drawing::{Anchor, Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
-use crate::outside::unseen_sets;
+use crate::outside::{unseen_sets, without_end};
 use crate::page::Page;
 use crate::palette::{BLUE, Dash, Fill, INK, Stroke};
 
@@ -57,9 +57,7 @@ pub(crate) fn drawing(problem: &Problem, family: &Family, options: &PlotOptions)
     }
     notes.extend(nothing_below(family));
     notes.extend(unseen_sets(&panel, sets.iter().map(|nested| &nested.set), options));
-    if sets.iter().any(|nested| !nested.set.region().is_bounded()) {
-        notes.push("Arrows: the set goes on without end.".to_owned());
-    }
+    notes.extend(without_end(sets.iter().map(|nested| nested.set.region())));
     let title = "Feasible parameter sets under growing error bounds".to_owned();
     Some(finished(problem, options, title, vec![panel], legend, notes))
 }

@@ -11,7 +11,7 @@ use super::{marks, region, view};
 use crate::drawing::{Anchor, Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
-use crate::outside::unseen_sets;
+use crate::outside::{unseen_sets, without_end};
 use crate::page::Page;
 use crate::palette::{BLUE, Dash, ORANGE, Stroke, style};
 
@@ -61,12 +61,10 @@ pub(crate) fn drawing(problem: &Problem, outliers: &Outliers, options: &PlotOpti
     notes.extend(unseen_sets(&main, pieces.iter().map(|piece| piece.left.polyhedron()), options));
     let mut panels = vec![main];
     if let Some(sliver) = sliver {
-        panels.push(marks::thin(&sliver, regions(), Page::of(options)));
+        panels.push(marks::thin(sliver.panel(0, Page::of(options)), &sliver, regions()));
         notes.push(Sliver::note("the set"));
     }
-    if regions().any(|region| !region.is_bounded()) {
-        notes.push("Arrows: the set goes on without end.".to_owned());
-    }
+    notes.extend(without_end(regions()));
     let all = problem.measurements.fitted();
     let title = format!("Least number of readings to leave out: {} of {all}", outliers.least);
     finished(problem, options, title, panels, legend, notes)

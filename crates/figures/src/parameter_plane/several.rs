@@ -11,7 +11,7 @@ use super::{marks, region};
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
-use crate::outside::unseen_sets;
+use crate::outside::{unseen_sets, without_end};
 use crate::page::Page;
 use crate::palette::{Mark, Shape, Stroke, style};
 use crate::render::BOTTOM_LABELS;
@@ -40,7 +40,7 @@ pub(crate) fn several(all: &[Series], options: &PlotOptions) -> Drawing {
         notes.push("Marks: central estimates.".to_owned());
     }
     notes.extend(unseen_sets(&main, all.iter().map(|own| own.fit.fps.polyhedron()), options));
-    notes.extend(without_end(all));
+    notes.extend(without_end(regions(all)));
     let title = "Feasible parameter sets, compared".to_owned();
     let described = self::names(all, &labels::described(options));
     let told: Vec<String> = all.iter().map(told).collect();
@@ -121,19 +121,15 @@ fn common(all: &[Series]) -> Option<String> {
     })
 }
 
-fn without_end(all: &[Series]) -> Option<String> {
-    let goes_on = |own: &Series| {
-        let region = own.fit.fps.polyhedron().region();
-        !region.is_empty() && !region.is_bounded()
-    };
-    all.iter().any(goes_on).then(|| "Arrows: the set goes on without end.".to_owned())
+/// The sets that are not empty.
+fn regions<'a>(all: &'a [Series<'a>]) -> impl Iterator<Item = &'a Region> {
+    all.iter().map(|own| own.fit.fps.polyhedron().region()).filter(|own| !own.is_empty())
 }
 
 /// A window that shows all sets, or of none the estimates.
 fn window(all: &[Series]) -> Window {
-    let regions = || all.iter().map(|own| own.fit.fps.polyhedron().region()).filter(|own| !own.is_empty());
-    if regions().next().is_some() {
-        return view::of_regions(regions(), regions().count() > 1);
+    if regions(all).next().is_some() {
+        return view::of_regions(regions(all), regions(all).count() > 1);
     }
     let estimates = all.iter().flat_map(|own| {
         let least_squares = own.fit.least_squares.as_ref().ok().map(|estimate| estimate.theta.clone());
@@ -179,7 +175,7 @@ pub(crate) fn panels(
         LegendEntry::new(Swatch::mark(style::CENTRAL_MARK), "central estimate"),
     ];
     let empty = all.iter().filter(|own| own.fit.is_empty()).count();
-    let mut notes: Vec<String> = without_end(all).into_iter().collect();
+    let mut notes: Vec<String> = without_end(regions(all)).into_iter().collect();
     if empty > 0 {
         notes
             .push(format!("No parameters agree with all readings of {}.", counted(empty, "group", "groups")));

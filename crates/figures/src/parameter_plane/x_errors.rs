@@ -12,7 +12,7 @@ use super::{marks, region, view};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
-use crate::outside::unseen_sets;
+use crate::outside::{unseen_sets, without_end};
 use crate::page::Page;
 use crate::palette::{Dash, FAINT_INK, Fill, Stroke, style};
 use crate::x_errors::{asked, conflict, emptiness};
@@ -61,12 +61,10 @@ pub(crate) fn drawing(problem: &XErrorProblem, answer: &XErrorFit, options: &Plo
     notes.extend(unseen_sets(&main, pieces.iter().map(|piece| &piece.polyhedron), options));
     let mut panels = vec![main];
     if let Some(sliver) = sliver {
-        panels.push(marks::thin(&sliver, regions(), Page::of(options)));
+        panels.push(marks::thin(sliver.panel(0, Page::of(options)), &sliver, regions()));
         notes.push(Sliver::note("the set"));
     }
-    if regions().any(|region| !region.is_bounded()) {
-        notes.push("Arrows: the set goes on without end.".to_owned());
-    }
+    notes.extend(without_end(regions()));
     let kind = match (answer.are_joined(), pieces.first()) {
         (Some(true), _) => "two convex parts, joined at θ₁ = 0".to_owned(),
         (Some(false), _) => "two parts with a gap".to_owned(),

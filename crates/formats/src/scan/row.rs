@@ -135,7 +135,7 @@ impl Layout<'_> {
         }
     }
 
-    /// A cell that is read as it stands: text behind its closing quote is no part of a number.
+    /// Returns the text of a cell. It refuses text behind the closing quote, which is no part of a number.
     fn cell<'r>(&self, record: &'r Record, place: &ColumnPlace, line: u64) -> Result<&'r [u8], InputError> {
         let cell = record.cell(place.position - 1);
         match record.is_torn(place.position - 1) {
@@ -144,17 +144,17 @@ impl Layout<'_> {
         }
     }
 
-    /// Returns whether a record after the header looks like units: no cell that is asked for has a number.
+    /// Returns true if a record after the header looks like a row of units: none of the asked cells has a number.
     fn has_no_number(&self, record: &Record, mark: Mark) -> bool {
         let cell = |place: &ColumnPlace| record.cell(place.position - 1);
         let is_text = |place: &ColumnPlace| {
-            // A number with the other mark is told apart by its own error.
+            // A number with the other decimal mark is no unit: it gets an error of its own.
             !self.numbers.is_number(cell(place), mark) && !self.numbers.is_number(cell(place), Mark::Open)
         };
         self.names_in.line.is_some()
             && !self.names_in.is_comment
             && self.places.iter().all(is_text)
-            // Numbers with groups of digits, or with units behind them.
+            // Cells such as `1 000` and `10 V` are numbers that get an error of their own.
             && !self.places.iter().all(|place| begins_with_digits(cell(place)))
     }
 

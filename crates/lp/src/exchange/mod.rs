@@ -13,23 +13,14 @@ use std::fmt;
 
 use boundfit_exact::Rational;
 
+use crate::claim::PuiEnd;
 use crate::format::ExchangeFormat;
 use crate::model::{Bounds, ObjectiveSense};
 use rows::{LargeBounds, WrittenRows};
 use written::{Written, WrittenColumn};
 
-/// The relation of a row's form to its right-hand side.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sense {
-    /// `a·θ ≤ b`.
-    AtMost,
-    /// `a·θ ≥ b`.
-    AtLeast,
-    /// `a·θ = b`.
-    Equal,
-}
-
-/// Rows of a program in θ1 and θ2 as they stand in files, in about 60 bytes each where numbers are short.
+/// The rows of the programs of a fit, in free variables `theta1` and `theta2`, as they stand in files: in about 60 bytes each where
+/// numbers are short.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct ExchangeRows(WrittenRows);
 
@@ -37,50 +28,34 @@ impl ExchangeRows {
     /// Adds a row under a name of letters, digits and `_`. Its numbers become decimals where all of them are finite; else the
     /// row is multiplied with the least number that makes them whole. A row with a bound from 10²⁰ on is multiplied with a power of ten,
     /// since some readers take that for infinite.
-    pub fn push(&mut self, name: impl fmt::Display, a: &[Rational; 2], b: Rational, sense: Sense) {
-        let bounds = match sense {
-            Sense::AtMost => Bounds { lower: None, upper: Some(b) },
-            Sense::AtLeast => Bounds { lower: Some(b), upper: None },
-            Sense::Equal => Bounds { lower: Some(b.clone()), upper: Some(b) },
-        };
-        let [a1, a2] = a;
-        self.0.push(name, &[(0, a1), (1, a2)], &bounds, LargeBounds::FiniteForAll);
+    pub fn push(&mut self, name: impl fmt::Display, [a1, a2]: &[Rational; 2], bounds: &Bounds) {
+        self.0.push(name, &[(0, a1), (1, a2)], bounds, LargeBounds::FiniteForAll);
     }
-}
 
-/// A program `min objective·θ` with free variables `theta1` and `theta2`, ready to be written.
-#[derive(Debug, Clone)]
-pub struct ExchangeProgram<'a> {
-    /// The name of the program.
-    pub name: &'a str,
-    /// The name of the objective, of letters, digits and `_`.
-    pub objective_name: &'a str,
-    /// The form to be minimised.
-    pub objective: [Rational; 2],
-    /// The rows.
-    pub rows: &'a ExchangeRows,
-    /// The remarks at the top of the file. Characters other than printable ASCII are escaped.
-    pub comments: &'a [String],
-}
-
-impl ExchangeProgram<'_> {
-    /// Writes the file piece by piece. Exact: whoever reads its decimals as such has the same program, up to the scale of rows
-    /// that it names in comments. Cost: linear in the result; memory for a line.
+    /// Writes the program of one end piece by piece, with comments at its top, in which characters other than printable ASCII are
+    /// escaped. Exact: whoever reads its decimals as such has the same program, up to the scale of rows that it names in comments. Cost:
+    /// linear in the result; memory for a line.
     ///
     /// # Errors
     /// Errors of the writer.
-    pub fn write(&self, text: &mut impl fmt::Write, format: ExchangeFormat) -> fmt::Result {
-        let [first, second] = &self.objective;
+    pub fn write(
+        &self,
+        text: &mut impl fmt::Write,
+        end: PuiEnd,
+        format: ExchangeFormat,
+        comments: &[String],
+    ) -> fmt::Result {
+        let ExchangeRows(rows) = self;
+        let [first, second] = &end.objective();
         let mut objective = WrittenRows::default();
         let costs = [(0, first), (1, second)];
-        objective.push(self.objective_name, &costs, &Bounds::default(), LargeBounds::Kept);
-        let ExchangeRows(rows) = self.rows;
-        let comments: Vec<String> = self.comments.iter().map(|line| escaped(line)).collect();
+        objective.push(end.objective_name(), &costs, &Bounds::default(), LargeBounds::Kept);
+        let comments: Vec<String> = comments.iter().map(|line| escaped(line)).collect();
         let remarks = comments.iter().chain(objective.remarks()).chain(rows.remarks());
         let free = |name: &str| WrittenColumn { name: name.to_owned(), lower: None, upper: None };
         let Some(written) = objective.iter().next() else { return Ok(()) };
         let program = Written {
-            name: self.name,
+            name: end.name(),
             sense: ObjectiveSense::Minimize,
             objective: written,
             constant: ["0", "0"].map(str::to_owned),
@@ -89,6 +64,14 @@ impl ExchangeProgram<'_> {
             rows,
         };
         write(text, &program, format)
+    }
+
+    /// The file of one program as a text.
+    pub fn text(&self, end: PuiEnd, format: ExchangeFormat, comments: &[String]) -> String {
+        let mut text = String::new();
+        // Writing to a string cannot fail.
+        let _ = self.write(&mut text, end, format, comments);
+        text
     }
 }
 

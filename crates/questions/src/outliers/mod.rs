@@ -18,12 +18,11 @@ mod search;
 use std::collections::BTreeSet;
 
 use boundfit_estimation::{
-    BoundName, Condition, Fps, Measurement, Measurements, Problem, conditions_by_name, half_planes,
+    BoundName, Condition, Fps, Measurement, Measurements, Problem, conditions_by_name, contradiction_among,
+    half_planes,
 };
 use boundfit_exact::{Endpoint, Fraction, Integer, Interval, LongSum, Rational};
-use boundfit_geometry::{
-    Boundary, Inequality, LayerOf, Point, Polyhedron, RegionKind, Support, System, Vertex,
-};
+use boundfit_geometry::{Boundary, Inequality, LayerOf, Point, RegionKind, Support, Vertex};
 
 pub use growth::Growth;
 use kept::Kept;
@@ -104,7 +103,7 @@ impl Outliers {
     pub fn new(problem: &Problem, limits: &OutlierLimits) -> Result<Self, NoOutliers> {
         let Problem { measurements, conditions } = problem;
         let (rows, ties) = measurements.every().ok_or(NoOutliers::NotInMemory)?;
-        if let Some(contradiction) = contradiction(conditions) {
+        if let Some(contradiction) = contradiction_among(conditions_by_name(conditions)) {
             return Err(NoOutliers::Conditions(contradiction));
         }
         Outliers::of_kept(&Kept::near_the_fewest(rows, ties, conditions), problem, limits)
@@ -199,14 +198,6 @@ fn active_only(measurements: &Measurements, rows: Vec<Measurement>, conditions: 
     let named: BTreeSet<usize> = active.filter_map(|&index| all.name(index).row()).collect();
     let rows = rows.into_iter().filter(|row| named.contains(&row.row)).collect();
     Fps::of_every_half_plane(&measurements.of_kept(rows), conditions)
-}
-
-/// Returns at most three conditions that contradict each other, with their multipliers.
-fn contradiction(conditions: &[Condition]) -> Option<Vec<(BoundName, Rational)>> {
-    let (names, inequalities): (Vec<BoundName>, Vec<_>) = conditions_by_name(conditions).unzip();
-    let conditions = Polyhedron::intersect(System::new(inequalities));
-    let multipliers = conditions.region().certificate()?.multipliers();
-    Some(multipliers.iter().map(|m| (names[m.index], m.value.clone())).collect())
 }
 
 /// The smallest interval with two others in it.

@@ -5,7 +5,7 @@ mod reader;
 use std::fs;
 use std::path::Path;
 
-use boundfit_check::{ExchangeRows, ProgramRows};
+use boundfit_check::{ProgramRows, exchange_rows};
 use boundfit_estimation::{
     BoundName, Columns, Condition, EpsilonColumn, LineForm, Measurements, Problem, fit,
 };
@@ -169,7 +169,7 @@ fn generated_programs_read_back_exactly() {
             let bound = Rational::ratio(rng.random_range(0..9), 7) * ten_to(rng.random_range(-20..=20));
             problem = with_error_bound(&problem, &bound);
         }
-        let rows = ExchangeRows::new(&problem);
+        let rows = exchange_rows(&problem);
         for target in PuiEnd::ALL {
             let mps = rows.text(target, ExchangeFormat::Mps, &[]);
             let lp = rows.text(target, ExchangeFormat::Lp, &[]);
@@ -189,7 +189,7 @@ fn generated_programs_read_back_exactly() {
 fn long_and_far_numbers_stay_exact_and_are_remarked_upon() {
     let xs = [ten_to(-320), Rational::from_f64(3e-300).unwrap(), ten_to(400)];
     let problem = line(xs.map(|x| (x.clone(), &x + &x)), number("1/8"));
-    let rows = ExchangeRows::new(&problem);
+    let rows = exchange_rows(&problem);
     let text = rows.text(PuiEnd::Theta2Max, ExchangeFormat::Lp, &["two\nlines, and \u{3b8}".to_owned()]);
     assert!(text.starts_with("\\ two\\nlines, and \\u{3b8}\n"), "{text}");
     assert!(text.contains("row3_upper has a number that is beyond the range of doubles"), "{text}");
