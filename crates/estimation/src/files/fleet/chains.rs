@@ -90,8 +90,8 @@ pub(super) struct Corner {
     pub(super) is_ceiling: bool,
 }
 
-/// The lines within an error bound that have the least and the largest slope, and the least and the largest value at 0,
-/// as two corners each, from left to right.
+/// Lines within an error bound, as two corners each, from left to right: those with the least and the largest slope, and
+/// those with the least and the largest value at 0.
 pub(super) struct Ends {
     pub(super) lower: [[Corner; 2]; 2],
     pub(super) upper: [[Corner; 2]; 2],
@@ -112,11 +112,14 @@ impl Ends {
 impl<C: Coordinate> Chains<C> {
     /// The hulls of readings sorted by x, then y; `None` of those at fewer than two x. Exact. Cost: linear.
     pub(super) fn of_sorted(sorted: &[Site<C>]) -> Option<Self> {
+        /// Hulls of few readings rarely have more corners, so that they take memory once.
+        const USUAL: usize = 16;
         let (first, last) = (sorted.first()?, sorted.last()?);
         if first.0 == last.0 {
             return None;
         }
-        let mut chains = Chains { lower: Vec::new(), upper: Vec::new() };
+        let [lower, upper] = [(); 2].map(|()| Vec::with_capacity(sorted.len().min(USUAL)));
+        let mut chains = Chains { lower, upper };
         for &site in sorted {
             // Among several sites at one x the lowest comes first, and the highest last.
             if chains.lower.last().is_none_or(|last| last.0 < site.0) {

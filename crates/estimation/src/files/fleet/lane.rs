@@ -209,13 +209,14 @@ pub(super) fn group_answer(
     epsilon: &Rational,
     row: &dyn Fn(usize) -> usize,
 ) -> Option<GroupAnswer> {
+    let column = |own: &Counts| Scaled::<i64>::new(own.counts.iter().copied(), Unit::TenTo(own.exponent));
+    // First of all: many readings of 17 digits do not fit.
+    let grid = Grid { phi1: column(x)?, phi2: None, response: column(y)?, epsilon: None };
     let group = Group::new(x, y, epsilon)?;
     if !group.hulls.ends.are_sole {
         return None;
     }
     let is_feasible = group.is_feasible(&group.solution()?);
-    let column = |own: &Counts| Scaled::<i64>::new(own.counts.iter().copied(), Unit::TenTo(own.exponent));
-    let grid = Grid { phi1: column(x)?, phi2: None, response: column(y)?, epsilon: None };
     let LeastSquares { theta, eui } =
         LeastSquares::on_grid(&grid, &ErrorBound::Uniform(epsilon.clone()))?.ok()?;
     let proof = |axis: usize, is_upper: bool| group.proof(axis, is_upper, x.exponent, row);

@@ -1,4 +1,4 @@
-//! What the two hulls of a group tell without its fit.
+//! Answers about groups that follow from two hulls, without a fit.
 
 use boundfit_exact::Rational;
 
