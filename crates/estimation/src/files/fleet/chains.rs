@@ -90,8 +90,8 @@ pub(super) struct Corner {
     pub(super) is_ceiling: bool,
 }
 
-/// Lines within an error bound, as two corners each, from left to right: those with the least and the largest slope, and
-/// those with the least and the largest value at 0.
+/// Lines within an error bound, as two corners each from left to right. They have the least and the largest slope, and
+/// the least and the largest value at 0.
 pub(super) struct Ends {
     pub(super) lower: [[Corner; 2]; 2],
     pub(super) upper: [[Corner; 2]; 2],
