@@ -19,6 +19,21 @@ pub(in crate::files) struct Counts {
     pub(in crate::files) exponent: i32,
 }
 
+impl Counts {
+    /// The same numbers on the coarsest decimal unit up to 1 that they allow. The unit that they have is that of
+    /// thousands of readings, of which some may have more digits.
+    fn coarsened(&self) -> Self {
+        let places = (-self.exponent).clamp(0, 18).unsigned_abs();
+        let whole = |places: u32, count: &i128| {
+            (0..=places).rev().find(|&places| count % 10_i128.pow(places) == 0).unwrap_or_default()
+        };
+        let places = self.counts.iter().fold(places, whole);
+        let power = 10_i128.pow(places);
+        let counts = self.counts.iter().map(|count| count / power).collect();
+        Counts { counts, exponent: self.exponent + places as i32 }
+    }
+}
+
 /// Powers of ten beyond these are left to numbers of any size.
 const MOST_EXPONENT: u32 = 60;
 /// Bits of a [`Wide`] without its sign.
@@ -209,6 +224,7 @@ pub(super) fn group_answer(
     epsilon: &Rational,
     row: &dyn Fn(usize) -> usize,
 ) -> Option<GroupAnswer> {
+    let (x, y) = (&x.coarsened(), &y.coarsened());
     let column = |own: &Counts| Scaled::<i64>::new(own.counts.iter().copied(), Unit::TenTo(own.exponent));
     // First of all: many readings of 17 digits do not fit.
     let grid = Grid { phi1: column(x)?, phi2: None, response: column(y)?, epsilon: None };
