@@ -8,8 +8,7 @@ use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{ColumnSelector, Source, TableNotes};
 use boundfit_questions::times;
 use boundfit_report::{
-    FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, TableJson, in_page_width, table_line,
-    write_group_json,
+    FleetCsv, FleetSummary, FleetTable, GroupCells, TableJson, in_page_width, table_line, write_group_json,
 };
 use serde::Deserialize;
 
@@ -115,8 +114,13 @@ impl Groups {
         let table = table.as_ref();
         let lines = |groups| {
             let mut lines = Vec::new();
-            let summary =
-                self.each_whole(groups, |group| write_group_json(&mut lines, &group, table, &style));
+            let mut summary = FleetSummary::default();
+            for group in groups {
+                let key = self.fleet.key(group);
+                let answer = self.question.answer_of_group(&self.fleet, group);
+                summary.add(key, answer.fit.rows, answer.fit.kind);
+                write_group_json(&mut lines, key, &answer, table, &style);
+            }
             (lines, summary)
         };
         self.fleet.in_order(lines, |(lines, summary)| {
@@ -182,19 +186,6 @@ impl Groups {
             let line = self.question.of_group(&self.fleet, group);
             summary.add(self.fleet.key(group), line.rows, line.kind);
             show(self.fleet.key(group), &line);
-        }
-        summary
-    }
-
-    /// Fits groups and shows all of each.
-    fn each_whole(&self, groups: Range<usize>, mut show: impl FnMut(GroupReport<'_>)) -> FleetSummary {
-        let mut summary = FleetSummary::default();
-        for group in groups {
-            let problem = self.question.of_measurements(self.fleet.measurements(group));
-            let fit = problem.fit();
-            let line = GroupFit::of(&problem, &fit);
-            summary.add(self.fleet.key(group), line.rows, line.kind);
-            show(GroupReport { key: self.fleet.key(group), problem: &problem, fit: &fit, line: &line });
         }
         summary
     }

@@ -23,8 +23,8 @@
 //! ```
 
 pub use boundfit_estimation::{
-    AskedBound, Columns, EpsilonColumn, Fleet, GroupFit, GroupLine, Keep, LineForm, Measurements,
-    ParseBoundError, Question, ReducedTable,
+    AskedBound, Columns, EpsilonColumn, Fleet, GroupAnswer, GroupFit, GroupLine, Keep, LineForm,
+    Measurements, ParseBoundError, Question, ReducedTable,
 };
 pub use boundfit_exact::{Limits, Reading};
 pub use boundfit_formats::{

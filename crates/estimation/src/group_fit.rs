@@ -3,7 +3,9 @@
 use boundfit_exact::{Interval, Rational, WideQuotient};
 use boundfit_geometry::RegionKind;
 
-use crate::bounds::{Central, ParameterInterval};
+use crate::bound_name::BoundName;
+use crate::bounds::{Central, ParameterBound, ParameterInterval};
+use crate::feasibility::least_squares_is_feasible;
 use crate::fit::Fit;
 use crate::problem::Problem;
 
@@ -12,7 +14,7 @@ use crate::problem::Problem;
 pub struct GroupFit {
     /// The number of readings there are.
     pub rows: usize,
-    /// The row of the first of them in the file.
+    /// The row of the first of them in the file; that of a fit, of the first one in memory.
     pub first_row: Option<usize>,
     /// The kind of set that the FPS is.
     pub kind: RegionKind,
@@ -37,6 +39,54 @@ impl GroupFit {
             central: fit.central.clone(),
             least_squares: fit.least_squares.as_ref().ok().map(|estimate| estimate.theta.clone()),
             least: fit.minimax.as_ref().map(|minimax| minimax.least.clone()),
+        }
+    }
+}
+
+/// Bounds by name with positive multipliers: a proof.
+pub(crate) type Terms = Vec<(BoundName, Rational)>;
+
+/// The parts of a fit that a whole report about a group has: its line, and the proofs.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct GroupAnswer {
+    /// The numbers without their proofs.
+    pub fit: GroupFit,
+    /// False if every reading has its own error bound.
+    pub is_bounded_alike: bool,
+    /// The number of vertices of the FPS.
+    pub vertex_count: usize,
+    /// True if the least-squares estimate is in the FPS.
+    pub is_feasible: bool,
+    /// The largest distance of each parameter of the least-squares estimate to any in the FPS, if there is one.
+    pub guaranteed_error: Option<[Rational; 2]>,
+    /// The estimate uncertainty intervals, if they are known.
+    pub eui: Option<[Interval; 2]>,
+    /// The bounds with the multipliers that prove the lower and the upper end of each parameter; none where nothing bounds.
+    pub proofs: Option<[[Vec<(BoundName, Rational)>; 2]; 2]>,
+    /// The bounds with the multipliers that prove an FPS to be empty.
+    pub contradiction: Option<Vec<(BoundName, Rational)>>,
+}
+
+impl GroupAnswer {
+    /// These parts of a fit. Exact.
+    pub fn of(problem: &Problem, fit: &Fit) -> Self {
+        let error_bound = problem.measurements.error_bound();
+        let proof = |end: &ParameterBound| match end {
+            ParameterBound::Bounded { proof, .. } => {
+                proof.multipliers.iter().map(|own| (fit.fps.name(own.index), own.value.clone())).collect()
+            }
+            ParameterBound::Unbounded(_) => Vec::new(),
+        };
+        let proofs = |pui: &ParameterInterval| [proof(&pui.lower), proof(&pui.upper)];
+        GroupAnswer {
+            fit: GroupFit::of(problem, fit),
+            is_bounded_alike: error_bound.is_uniform(),
+            vertex_count: fit.fps.polyhedron().region().vertices().len(),
+            is_feasible: least_squares_is_feasible(fit).unwrap_or(false),
+            guaranteed_error: fit.least_squares_guaranteed_error(),
+            eui: fit.eui().cloned(),
+            proofs: fit.pui.as_ref().map(|pui| pui.each_ref().map(proofs)),
+            contradiction: fit.contradiction(error_bound),
         }
     }
 }

@@ -137,7 +137,7 @@ impl LeastSquares {
 
     /// Computes the estimate from machine integers, with every fraction reduced once; `None` when a sum does not fit
     /// into 128 bits.
-    fn on_grid(grid: &Grid, error_bound: &ErrorBound) -> Option<Result<Self, NoLeastSquares>> {
+    pub(crate) fn on_grid(grid: &Grid, error_bound: &ErrorBound) -> Option<Result<Self, NoLeastSquares>> {
         let second = grid.phi2.as_ref();
         let moments =
             Sums::of_integers(grid.phi1.counts(), second.map(Scaled::counts), grid.response.counts())?;

@@ -96,7 +96,7 @@ pub use fps::{
     Fps, bounds_of_reading, conditions_by_name, contradiction_among, growing_half_planes, half_planes,
     reading_of_bound,
 };
-pub use group_fit::{GroupFit, GroupLine};
+pub use group_fit::{GroupAnswer, GroupFit, GroupLine};
 pub use inverse::{Inverse, InverseParameter};
 pub use law::Law;
 pub use least_growth::{GrowingInequality, LeastGrowth, least_growth};

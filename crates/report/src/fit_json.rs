@@ -129,22 +129,29 @@ fn least_squares(problem: &Problem, fit: &Fit, style: &Style) -> Option<FitLeast
     let float = fit.float_least_squares(&problem.measurements).map(|floats| {
         BTreeMap::from([("qr", float(&floats.qr)), ("pseudo_inverse", float(&floats.pseudo_inverse))])
     });
+    let in_fps = least_squares_is_feasible(fit).unwrap_or(false);
+    let errors = fit.least_squares_guaranteed_error();
     Some(FitLeastSquaresJson {
-        estimate: least_squares_of(fit, &estimate.theta, style),
+        estimate: least_squares_of(&estimate.theta, in_fps, errors.as_ref(), style),
         binary64: float.unwrap_or_default(),
     })
 }
 
-/// The least-squares estimate, with its guaranteed error where it has one.
-pub(crate) fn least_squares_of(fit: &Fit, theta: &[Rational; 2], style: &Style) -> LeastSquaresJson {
-    let (theta, guaranteed_error) = match fit.least_squares_guaranteed_error() {
+/// A least-squares estimate, with its guaranteed error where it has one.
+pub(crate) fn least_squares_of(
+    theta: &[Rational; 2],
+    in_fps: bool,
+    guaranteed_error: Option<&[Rational; 2]>,
+    style: &Style,
+) -> LeastSquaresJson {
+    let (theta, guaranteed_error) = match guaranteed_error {
         Some(errors) => {
-            let (theta, errors) = style.estimate_numbers(theta, &errors);
+            let (theta, errors) = style.estimate_numbers(theta, errors);
             (theta, Some(errors))
         }
         None => (style.numbers(theta), None),
     };
-    LeastSquaresJson { theta, in_fps: least_squares_is_feasible(fit).unwrap_or(false), guaranteed_error }
+    LeastSquaresJson { theta, in_fps, guaranteed_error }
 }
 
 fn fps(problem: &Problem, fit: &Fit, measures: &Measures, style: &Style) -> RegionJson<ActiveJson> {

@@ -1,50 +1,67 @@
 //! One group of a fleet as a line of JSON, schema `boundfit/fleet/2`. A key that means the same as in
 //! `boundfit/fit/2` has the same name and the same shape.
 
+use boundfit_estimation::GroupAnswer;
+use boundfit_exact::Foreign;
+
 use crate::answer::input::LineInputJson;
-use crate::answer::parts::{CertificateJson, RangeJson, TermJson};
+use crate::answer::parts::{BoundJson, CertificateJson, IntervalJson, RangeJson};
 use crate::answer::table::TableJson;
 use crate::answer::window::{GroupJson, GroupSetJson};
-use crate::fit_json::{central, least_squares_of, pui, uniform_minimum};
-use crate::fleet_summary::GroupReport;
+use crate::fit_json::{central_of, least_squares_of};
 use crate::style::Style;
 
-/// Appends the line of a group of a table that was taken for this, with its line end.
+/// Appends the line of the group of a table that was taken for this, whose rows have this text in common, with its line end.
 pub fn write_group_json(
     text: &mut Vec<u8>,
-    group: &GroupReport<'_>,
+    key: Foreign<&str>,
+    group: &GroupAnswer,
     table: Option<&TableJson>,
     style: &Style,
 ) {
-    let GroupReport { key, problem, fit, line } = *group;
-    let region = fit.fps.polyhedron().region();
-    let least_squares = fit.least_squares.as_ref().ok();
-    let contradiction = fit.contradiction(problem.measurements.error_bound());
+    let GroupAnswer { fit, guaranteed_error, is_feasible, .. } = group;
+    let [epsilon_min, epsilon_factor] = [true, false].map(|is_bound| {
+        fit.least
+            .as_ref()
+            .filter(|_| is_bound == group.is_bounded_alike)
+            .map(|least| style.upper_number(least))
+    });
     let written = GroupJson {
         schema: GroupJson::SCHEMA,
         input: LineInputJson { table },
         group: key,
-        rows: line.rows,
-        first_row: line.first_row,
-        least_squares: least_squares.map(|estimate| least_squares_of(fit, &estimate.theta, style)),
-        eui: fit.eui().map(|eui| eui.each_ref().map(|eui| RangeJson::new(eui, style))),
-        fps: GroupSetJson {
-            kind: line.kind.name(),
-            vertex_count: region.vertices().len(),
-            certificate: contradiction.map(|terms| CertificateJson {
-                farkas: terms.iter().map(|(name, m)| TermJson::new(*name, m, style)).collect(),
-            }),
-        },
-        pui: pui(fit, style),
-        central: central(fit, style),
-        epsilon_min: uniform_minimum(problem, fit).map(|epsilon| style.upper_number(epsilon)),
-        epsilon_factor: line
-            .least
+        rows: fit.rows,
+        first_row: fit.first_row,
+        least_squares: fit
+            .least_squares
             .as_ref()
-            .filter(|_| group.is_bounded_per_row())
-            .map(|factor| style.upper_number(factor)),
+            .map(|theta| least_squares_of(theta, *is_feasible, guaranteed_error.as_ref(), style)),
+        eui: group.eui.as_ref().map(|eui| RangeJson::both(eui, style)),
+        fps: GroupSetJson {
+            kind: fit.kind.name(),
+            vertex_count: group.vertex_count,
+            certificate: group.contradiction.as_ref().map(|terms| CertificateJson::new(terms, style)),
+        },
+        pui: pui(group, style),
+        central: fit.central.as_ref().map(|central| central_of(central, style)),
+        epsilon_min,
+        epsilon_factor,
     };
     // The types hold strings, numbers and lists only, and memory takes whatever is written.
     serde_json::to_writer(&mut *text, &written).expect("a group that is not JSON");
     text.push(b'\n');
+}
+
+/// The parameter uncertainty intervals with their proofs; `None` when no end is bounded.
+fn pui(group: &GroupAnswer, style: &Style) -> Option<[IntervalJson; 2]> {
+    let (pui, proofs) = (group.fit.pui.as_ref()?, group.proofs.as_ref()?);
+    let interval = |axis: usize| {
+        let [lower, upper] = &proofs[axis];
+        IntervalJson {
+            lower: BoundJson::of_terms(pui[axis].lower(), lower, false, style),
+            upper: BoundJson::of_terms(pui[axis].upper(), upper, true, style),
+        }
+    };
+    let intervals = [interval(0), interval(1)];
+    intervals.iter().any(IntervalJson::is_bounded).then_some(intervals)
 }

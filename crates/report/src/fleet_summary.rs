@@ -1,32 +1,11 @@
 //! A group of a fleet, and what a whole fleet comes to.
 
-use boundfit_estimation::{Fit, GroupFit, Problem};
 use boundfit_exact::Foreign;
 use boundfit_exact::english::counted;
 use boundfit_geometry::RegionKind;
 
 /// The number of groups without an answer that a summary names.
 const MOST_NAMED: usize = 5;
-
-/// One group of a fleet with its fit.
-#[derive(Debug, Clone, Copy)]
-pub struct GroupReport<'a> {
-    /// The text that its rows have in common.
-    pub key: Foreign<&'a str>,
-    /// The readings of the group and the conditions.
-    pub problem: &'a Problem,
-    /// The fit of the group; the parts that fleets do not report may be missing.
-    pub fit: &'a Fit,
-    /// The numbers of one line.
-    pub line: &'a GroupFit,
-}
-
-impl GroupReport<'_> {
-    /// Returns whether every reading has its own error bound.
-    pub(crate) fn is_bounded_per_row(&self) -> bool {
-        !self.problem.measurements.error_bound().is_uniform()
-    }
-}
 
 /// The numbers of groups of a fleet by kind. Parts of a fleet add up in order.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use boundfit_estimation::{ActiveBounds, BoundName, Fit, ParameterBound, ParameterInterval, Problem};
-use boundfit_exact::{Interval, Rational};
+use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::{Direction, Measures, Multiplier, Point, Region, Vertex};
 use boundfit_questions::BoxBound;
 use serde::Serialize;
@@ -150,13 +150,33 @@ impl BoundJson {
     ) -> Self {
         match bound {
             ParameterBound::Unbounded(_) => {
-                BoundJson { end: EndJson::Unbounded(style.reader), active: Vec::new() }
+                BoundJson { end: EndJson::new(None, is_upper, style), active: Vec::new() }
             }
-            ParameterBound::Bounded { value, proof } => {
-                let end = if is_upper { style.upper_number(value) } else { style.lower_number(value) };
-                let active = TermJson::named(&proof.multipliers, name, style);
-                BoundJson { end: EndJson::Bounded(end), active }
-            }
+            ParameterBound::Bounded { value, proof } => BoundJson {
+                end: EndJson::new(Some(value), is_upper, style),
+                active: TermJson::named(&proof.multipliers, name, style),
+            },
+        }
+    }
+
+    /// An end with the terms that prove it, rounded outward.
+    pub(crate) fn of_terms(
+        end: &Endpoint,
+        terms: &[(BoundName, Rational)],
+        is_upper: bool,
+        style: &Style,
+    ) -> Self {
+        BoundJson { end: EndJson::new(end.value(), is_upper, style), active: TermJson::all(terms, style) }
+    }
+}
+
+impl EndJson {
+    /// An end, rounded outward.
+    fn new(value: Option<&Rational>, is_upper: bool, style: &Style) -> Self {
+        match value {
+            Some(value) if is_upper => EndJson::Bounded(style.upper_number(value)),
+            Some(value) => EndJson::Bounded(style.lower_number(value)),
+            None => EndJson::Unbounded(style.reader),
         }
     }
 }

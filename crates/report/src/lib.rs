@@ -97,7 +97,7 @@ pub use fit_json::fit_json;
 pub use fit_script::fit_script;
 pub use fleet_csv::FleetCsv;
 pub use fleet_json::write_group_json;
-pub use fleet_summary::{FleetSummary, GroupReport};
+pub use fleet_summary::FleetSummary;
 pub use fleet_text::{FleetTable, GroupCells};
 pub use generators::ActiveNames;
 pub use guarantee::guarantee_document;

@@ -282,6 +282,16 @@ fn rows_are_counted_in_the_file() {
 }
 
 #[test]
+fn the_first_row_of_a_large_group_is_its_own() {
+    let mut table = "g,x,y\na,5,10.5\n".to_owned();
+    (0..20_000).for_each(|k| writeln!(table, "a,{k},{}.{:02}", 2 * k, k * k % 97).unwrap());
+    let directory = directory_with(&[("all.csv", table.as_bytes())]);
+    let run = boundfit(directory.path(), "fit all.csv --by g --x x --y y --eps 2 --format json");
+    let line = &lines_of(&run)[0];
+    assert_eq!([&line["rows"], &line["first_row"]], [&json!(20_001), &json!(1)]);
+}
+
+#[test]
 fn a_file_is_written_whole_or_not_at_all() {
     let directory = directory_with(&[("levels.csv", fixture("fleet/levels.csv").as_bytes())]);
     let fleet = "fit levels.csv --by sensor --x V --y level --eps 0.01";

@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 use std::io::Cursor;
 
 use boundfit_estimation::{
-    Bounds, Columns, EpsilonColumn, ErrorBound, Fleet, GroupFit, LineForm, Measurement, Measurements, Model,
-    Problem, fit, least_squares_is_feasible,
+    Bounds, Columns, EpsilonColumn, ErrorBound, Fleet, GroupAnswer, Keep, LineForm, Measurement,
+    Measurements, Model, Problem, fit, least_squares_is_feasible,
 };
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, ScanOptions, Source, TableOptions};
@@ -190,7 +190,7 @@ fn small_groups(rng: &mut ChaCha8Rng, is_long: bool) -> String {
 #[test]
 fn the_line_of_a_group_is_that_of_its_fit() {
     let mut rng = seeded(1511);
-    let (mut lines, mut rows) = ([0, 0], [0, 0]);
+    let (mut lines, mut rows, mut answers) = ([0, 0], [0, 0], [0, 0]);
     let styles = [None, Some(1), Some(3), Some(9)].map(|digits| Style { digits, ..Style::default() });
     for (round, epsilon) in
         ["0", "1", "1.5", "3", "1/3", "0.75", "2"].into_iter().cycle().take(42).enumerate()
@@ -202,7 +202,12 @@ fn the_line_of_a_group_is_that_of_its_fit() {
         let fleet = read(&table, &columns, ScanOptions::default());
         for group in 0..fleet.len() {
             let problem = Problem::new(fleet.measurements(group));
-            let expected = GroupFit::of(&problem, &fit(&problem));
+            let answer = GroupAnswer::of(&problem, &fit(&problem));
+            if let Some(own) = fleet.group_answer(group) {
+                answers[usize::from(is_long)] += 1;
+                assert_eq!(own, answer, "{epsilon} {:?}", problem.measurements.kept());
+            }
+            let expected = answer.fit;
             let is_polygon = expected.kind == RegionKind::Polygon;
             match fleet.group_fit(group) {
                 Some(line) => {
@@ -227,6 +232,24 @@ fn the_line_of_a_group_is_that_of_its_fit() {
     }
     assert!(lines.iter().all(|&count| count > 1000), "{lines:?}");
     assert!(rows.iter().all(|&count| count > 3000), "{rows:?}");
+    assert!(answers.iter().all(|&count| count > 1000), "{answers:?}");
+}
+
+#[test]
+fn a_large_group_answers_as_a_small_one() {
+    let columns = columns(&Model::Line { x: Foreign::default() }, &ErrorBound::Uniform(Rational::from(3)));
+    for rows in [Keep::MOST_ROWS - 1, Keep::MOST_ROWS, Keep::MOST_ROWS + 1] {
+        // The first reading is far inside, the second one on a hull.
+        let mut table = "key,a,y\ns,500,1000.5\ns,0,-2\n".to_owned();
+        (2..rows).for_each(|x| writeln!(table, "s,{x},{}.{x:05}", 2 * x).unwrap());
+        let fleet = read(&table, &columns, ScanOptions::default());
+        let problem = Problem::new(fleet.measurements(0));
+        let mut of_fit = GroupAnswer::of(&problem, &fit(&problem));
+        of_fit.fit.first_row = fleet.first_row(0);
+        assert_eq!((of_fit.fit.rows, of_fit.fit.first_row), (rows, Some(1)));
+        assert_eq!(of_fit.fit.kind, RegionKind::Polygon);
+        assert_eq!(fleet.group_answer(0), (rows <= Keep::MOST_ROWS).then_some(of_fit));
+    }
 }
 
 #[test]

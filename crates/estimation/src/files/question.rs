@@ -7,7 +7,7 @@ use boundfit_geometry::{Polyhedron, System};
 use super::{Columns, EpsilonColumn, Fleet, ReducedTable};
 use crate::asked_bound::AskedBound;
 use crate::condition::Condition;
-use crate::group_fit::{GroupFit, GroupLine};
+use crate::group_fit::{GroupAnswer, GroupFit, GroupLine};
 use crate::line_form::LineForm;
 use crate::measurements::Measurements;
 use crate::problem::Problem;
@@ -198,7 +198,20 @@ impl Question {
         let line = self.is_plain().then(|| fleet.group_fit(group)).flatten();
         line.unwrap_or_else(|| {
             let problem = self.of_measurements(fleet.measurements(group));
-            GroupFit::of(&problem, &problem.fit())
+            GroupFit { first_row: fleet.first_row(group), ..GroupFit::of(&problem, &problem.fit()) }
+        })
+    }
+
+    /// Returns what [`Question::of_group`] does with the proofs: see [`Fleet::group_answer`]. Exact.
+    ///
+    /// # Panics
+    /// When there are not that many groups.
+    pub fn answer_of_group(&self, fleet: &Fleet, group: usize) -> GroupAnswer {
+        let answer = self.is_plain().then(|| fleet.group_answer(group)).flatten();
+        answer.unwrap_or_else(|| {
+            let problem = self.of_measurements(fleet.measurements(group));
+            let answer = GroupAnswer::of(&problem, &problem.fit());
+            GroupAnswer { fit: GroupFit { first_row: fleet.first_row(group), ..answer.fit }, ..answer }
         })
     }
 

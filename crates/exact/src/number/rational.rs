@@ -59,7 +59,16 @@ fn combined_words(left: &Rational, right: &Rational, is_difference: bool) -> Opt
     // A divisor of a positive word is one.
     let divisor_of =
         |number: i128, word: i64| gcd(number.unsigned_abs(), u128::from(word.unsigned_abs())) as i64;
-    let common = if b == d { b } else { divisor_of(b.into(), d) };
+    let common = match (b, d) {
+        _ if b == d => b,
+        (1, _) | (_, 1) => 1,
+        _ => divisor_of(b.into(), d),
+    };
+    if common == 1 {
+        // Neither denominator has a divisor that the sum could share.
+        let denominator = i128::from(b) * i128::from(d);
+        return Some(Rational { numerator: sum(d, b).into(), denominator: denominator.into() });
+    }
     let (b_rest, d_rest) = (b / common, d / common);
     let numerator = sum(d_rest, b_rest);
     let shared = divisor_of(numerator, common);

@@ -82,20 +82,44 @@ pub(super) struct Chains<C> {
     upper: Vec<Site<C>>,
 }
 
-/// The ends of both parameters of the lines within an error bound.
+/// A corner of a hull that was moved by the error bound: one of the upper hull is lower than its readings.
+#[derive(Clone, Copy)]
+pub(super) struct Corner {
+    pub(super) site: Site<i128>,
+    /// True on the lower hull, which limits lines from above.
+    pub(super) is_ceiling: bool,
+}
+
+/// Lines within an error bound, as two corners each from left to right. They have the least and the largest slope, and
+/// the least and the largest value at 0.
 pub(super) struct Ends {
-    pub(super) lower: [Quotient; 2],
-    pub(super) upper: [Quotient; 2],
+    pub(super) lower: [[Corner; 2]; 2],
+    pub(super) upper: [[Corner; 2]; 2],
+    /// The number of lines through two corners, which are the vertices of the FPS.
+    pub(super) vertices: usize,
+    /// False where a line touches a third corner.
+    pub(super) are_sole: bool,
+}
+
+impl Ends {
+    /// The lower and the upper end of each parameter.
+    pub(super) fn quotients(&self) -> [[Quotient; 2]; 2] {
+        let Ends { lower: [flattest, lowest], upper: [steepest, highest], .. } = self;
+        [[slope(flattest), slope(steepest)], [at_zero(lowest), at_zero(highest)]]
+    }
 }
 
 impl<C: Coordinate> Chains<C> {
     /// The hulls of readings sorted by x, then y; `None` of those at fewer than two x. Exact. Cost: linear.
     pub(super) fn of_sorted(sorted: &[Site<C>]) -> Option<Self> {
+        /// Hulls of few readings rarely have more corners, so that they take memory once.
+        const USUAL: usize = 16;
         let (first, last) = (sorted.first()?, sorted.last()?);
         if first.0 == last.0 {
             return None;
         }
-        let mut chains = Chains { lower: Vec::new(), upper: Vec::new() };
+        let [lower, upper] = [(); 2].map(|()| Vec::with_capacity(sorted.len().min(USUAL)));
+        let mut chains = Chains { lower, upper };
         for &site in sorted {
             // Among several sites at one x the lowest comes first, and the highest last.
             if chains.lower.last().is_none_or(|last| last.0 < site.0) {
@@ -136,23 +160,28 @@ impl<C: Coordinate> Chains<C> {
         let (steepest, flattest) = (self.steepest(), self.flattest());
         let [(floor_left, ceiling_right), (floor_right, ceiling_left)] = [steepest, flattest];
         let (floor, ceiling) = (&self.upper, &self.lower);
-        let steepest = [floor[floor_left], ceiling[ceiling_right]];
-        let flattest = [ceiling[ceiling_left], floor[floor_right]];
-        let highest = if flattest[0].0 >= C::ZERO {
-            at_zero(flattest)
-        } else if steepest[1].0 <= C::ZERO {
-            at_zero(steepest)
+        let of_floor = |at: usize| Corner { site: wide(floor[at]), is_ceiling: false };
+        let of_ceiling = |at: usize| Corner { site: wide(ceiling[at]), is_ceiling: true };
+        let steepest = [of_floor(floor_left), of_ceiling(ceiling_right)];
+        let flattest = [of_ceiling(ceiling_left), of_floor(floor_right)];
+        let highest = if flattest[0].site.0 >= 0 {
+            flattest
+        } else if steepest[1].site.0 <= 0 {
+            steepest
         } else {
-            at_zero(across_zero(&ceiling[ceiling_left..=ceiling_right]))
+            across_zero(ceiling, ceiling_left, ceiling_right).map(of_ceiling)
         };
-        let lowest = if steepest[0].0 >= C::ZERO {
-            at_zero(steepest)
-        } else if flattest[1].0 <= C::ZERO {
-            at_zero(flattest)
+        let lowest = if steepest[0].site.0 >= 0 {
+            steepest
+        } else if flattest[1].site.0 <= 0 {
+            flattest
         } else {
-            at_zero(across_zero(&floor[floor_left..=floor_right]))
+            across_zero(floor, floor_left, floor_right).map(of_floor)
         };
-        Ends { lower: [slope(flattest), lowest], upper: [slope(steepest), highest] }
+        let are_sole = touch_alone([floor, ceiling], [floor_left, ceiling_right])
+            && touch_alone([ceiling, floor], [ceiling_left, floor_right]);
+        let vertices = 2 + (ceiling_right - ceiling_left) + (floor_right - floor_left);
+        Ends { lower: [flattest, lowest], upper: [steepest, highest], vertices, are_sole }
     }
 
     /// Returns the steepest line above the upper and below the lower hull, as the corner of each that it touches. It
@@ -223,15 +252,26 @@ fn distance<C: Coordinate>(site: Site<C>, line: [Site<C>; 2]) -> Quotient {
     (rise - Wide::product(right.1 - left.1, site.0 - left.0), run)
 }
 
-/// The slope of the line through two sites from left to right.
-fn slope<C: Coordinate>(line: [Site<C>; 2]) -> Quotient {
-    let [left, right] = line.map(wide);
+/// Returns whether the line through corners of two chains touches no other corner.
+fn touch_alone<C: Coordinate>(chains: [&[Site<C>]; 2], at: [usize; 2]) -> bool {
+    let [left, right] = [chains[0][at[0]], chains[1][at[1]]];
+    // A line along an edge has the corner next to its own.
+    chains.iter().zip(at).zip([left, right]).all(|((chain, at), own)| {
+        let neighbours = [at.checked_sub(1), Some(at + 1)].into_iter().flatten();
+        let mut others = neighbours.filter_map(|other| chain.get(other));
+        others.all(|other| by_slope(own, *other, left, right) != Ordering::Equal)
+    })
+}
+
+/// The slope of the line through two corners from left to right.
+fn slope(line: &[Corner; 2]) -> Quotient {
+    let [left, right] = line.map(|corner| corner.site);
     (Wide::from(right.1 - left.1), right.0 - left.0)
 }
 
-/// The value at 0 of the line through two sites from left to right.
-fn at_zero<C: Coordinate>(line: [Site<C>; 2]) -> Quotient {
-    let [left, right] = line.map(wide);
+/// The value at 0 of the line through two corners from left to right.
+fn at_zero(line: &[Corner; 2]) -> Quotient {
+    let [left, right] = line.map(|corner| corner.site);
     (Wide::product(left.1, right.0) - Wide::product(right.1, left.0), right.0 - left.0)
 }
 
@@ -239,10 +279,10 @@ fn wide<C: Coordinate>((x, y): Site<C>) -> Site<i128> {
     (x.into(), y.into())
 }
 
-/// The edge of a chain that goes from the left of 0 to its right, or to 0.
-fn across_zero<C: Coordinate>(chain: &[Site<C>]) -> [Site<C>; 2] {
-    let right = chain.iter().position(|site| site.0 >= C::ZERO).unwrap_or(chain.len() - 1).max(1);
-    [chain[right - 1], chain[right]]
+/// The ends of the edge of a chain, between two of its corners, that goes from the left of 0 to its right, or to 0.
+fn across_zero<C: Coordinate>(chain: &[Site<C>], first: usize, last: usize) -> [usize; 2] {
+    let right = (first..=last).find(|&at| chain[at].0 >= C::ZERO).unwrap_or(last).max(first + 1);
+    [right - 1, right]
 }
 
 #[cfg(test)]

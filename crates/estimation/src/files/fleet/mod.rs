@@ -7,12 +7,13 @@ mod chains;
 mod groups;
 mod keys;
 mod lane;
+mod plain;
 
 use std::collections::HashMap;
 use std::io;
 use std::ops::Range;
 
-use boundfit_exact::{Column, Foreign, Rational, Unit};
+use boundfit_exact::{Column, Foreign, Unit};
 use boundfit_formats::{
     Batch, ColumnSelector, HeldRows, InputError, RowNumbers, ScanOptions, Source, TableNotes, scan, threads,
 };
@@ -21,8 +22,7 @@ use boundfit_geometry::Tally;
 use crate::files::Columns;
 use crate::files::counted::{CountedBatch, CountedRows};
 use crate::files::series::Series;
-use crate::group_fit::{GroupFit, GroupLine};
-use crate::meaning::{ErrorBound, Meaning, Model};
+use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::measurements::{Measurements, Readings};
 use crate::reduction::{DecidingMinimax, Reach, Reduction};
@@ -282,62 +282,6 @@ impl Fleet {
         Measurements::of_readings(meaning, Readings::Supporting { rows, ties, reduction })
     }
 
-    /// Returns what a line says of a group under no conditions: [`GroupFit::of`] its fit. Returns `None` where only
-    /// the fit can answer. The short way needs a line with an intercept, decimals of usual lengths, one error bound
-    /// for all readings, and an FPS that is a polygon. Exact. Cost: O(N log N), a tenth of that of the fit.
-    ///
-    /// # Panics
-    /// When there are not that many groups.
-    pub fn group_fit(&self, group: usize) -> Option<GroupFit> {
-        let Plain { first_row, x, y, epsilon } = self.plain(group)?;
-        Some(GroupFit { first_row, ..lane::group_fit(&x, &y, epsilon)? })
-    }
-
-    /// Returns what [`Fleet::group_fit`] does, to be rounded only: as quotients that nobody has reduced. Returns `None` where that does.
-    /// Exact. Cost: O(N log N), a third of that of [`Fleet::group_fit`].
-    ///
-    /// # Panics
-    /// When there are not that many groups.
-    pub fn group_line(&self, group: usize) -> Option<GroupLine> {
-        let Plain { first_row, x, y, epsilon } = self.plain(group)?;
-        Some(GroupLine { first_row, ..lane::group_line(&x, &y, epsilon)? })
-    }
-
-    /// The readings of a group of which the two hulls tell all.
-    fn plain(&self, group: usize) -> Option<Plain<'_>> {
-        let Meaning { model, has_response, error_bound, uniform_law, form, multiple_of_least, .. } =
-            &self.meaning;
-        let (plain, kinds) = (self.groups.rows(group), self.counted_groups.rows(group));
-        let columns = if kinds.len() == 0 { &self.columns } else { self.counted.columns().get(1..)? };
-        let (Model::Line { .. }, ErrorBound::Uniform(epsilon), [x, y]) = (model, error_bound, columns) else {
-            return None;
-        };
-        let is_plain = *has_response
-            && uniform_law.is_none()
-            && multiple_of_least.is_none()
-            && !form.through_origin
-            && form.x_origin.is_zero();
-        if !is_plain {
-            return None;
-        }
-        if kinds.len() == 0 {
-            let counts = |series: &Series| match self.groups.run(group) {
-                Some(run) => series.counts_of_run(run),
-                None => series.counts(plain.clone()),
-            };
-            let [x, y] = [counts(x)?, counts(y)?];
-            return Some(Plain { first_row: plain.map(|row| self.rows.get(row)).next(), x, y, epsilon });
-        }
-        let first_row = kinds.clone().map(|kind| self.counted.tally(kind).first() as usize).min();
-        let count = |kind: usize| self.counted.tally(kind).count() as usize;
-        if plain.len() > 0 || kinds.clone().map(count).sum::<usize>() > Keep::MOST_ROWS {
-            return None;
-        }
-        let rows: Vec<usize> = kinds.flat_map(|kind| std::iter::repeat_n(kind, count(kind))).collect();
-        let [x, y] = [x.counts(rows.iter().copied())?, y.counts(rows.iter().copied())?];
-        Some(Plain { first_row, x, y, epsilon })
-    }
-
     /// Calls `work` for consecutive groups, on the threads of the current rayon pool and in any order, and `take`
     /// with what it made of them, in order. The partition into pieces is the same for any number of threads. Holds
     /// what a few thousand groups make.
@@ -364,14 +308,6 @@ impl Fleet {
         }
         ready.into_iter().try_for_each(take)
     }
-}
-
-/// Readings of a line under one error bound, as integers.
-struct Plain<'a> {
-    first_row: Option<usize>,
-    x: Counts,
-    y: Counts,
-    epsilon: &'a Rational,
 }
 
 /// The rows read so far.
