@@ -62,9 +62,9 @@ pub struct GroupAnswer {
     /// The estimate uncertainty intervals, if they are known.
     pub eui: Option<[Interval; 2]>,
     /// The bounds with the multipliers that prove the lower and the upper end of each parameter; none where nothing bounds.
-    pub proofs: Option<[[Vec<(BoundName, Rational)>; 2]; 2]>,
+    pub proofs: Option<[[Terms; 2]; 2]>,
     /// The bounds with the multipliers that prove an FPS to be empty.
-    pub contradiction: Option<Vec<(BoundName, Rational)>>,
+    pub contradiction: Option<Terms>,
 }
 
 impl GroupAnswer {
