@@ -132,15 +132,15 @@ pub use range::range_proof;
 pub use range::{RangeReport, range_csv, range_document, range_json};
 pub use script::region_script;
 #[cfg(feature = "files")]
-pub use statements::{Scope, Statement, multiples, row_ranges, statements_json};
+pub use statements::{Scope, Statement, multiples, statements_json};
 #[cfg(feature = "files")]
 pub use status::status_proof;
 pub use status::{NewReadings, StatusCsv, StatusJson, StatusReport, status_document};
 pub use style::{EndRounding, LONGEST_FRACTION, Style};
 pub use sweep::sweep_document;
-pub use table_json::rows_left_out;
 #[cfg(feature = "files")]
 pub use table_json::table_line;
+pub use table_json::{row_ranges, rows_left_out};
 pub use verify::{Verdict, condition as condition_text, verify_text};
 pub use verify_claims::rows as rows_text;
 pub use verify_json::verify_json;

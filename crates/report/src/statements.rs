@@ -13,6 +13,7 @@ use crate::answer::proof::{
 };
 use crate::json::to_text;
 use crate::proof_question::ProofQuestion;
+use crate::table_json::row_ranges;
 
 /// A claim about the set of a scope.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -140,18 +141,6 @@ impl Scope {
     pub fn of_rows(rows: impl IntoIterator<Item = usize>) -> Self {
         Scope { rows: Some(row_ranges(rows)), ..Scope::default() }
     }
-}
-
-/// Returns the first and the last of rows that follow each other without a gap.
-pub fn row_ranges(rows: impl IntoIterator<Item = usize>) -> Vec<[usize; 2]> {
-    let mut ranges: Vec<[usize; 2]> = Vec::new();
-    for row in rows {
-        match ranges.last_mut() {
-            Some([_, last]) if *last + 1 == row => *last = row,
-            _ => ranges.push([row, row]),
-        }
-    }
-    ranges
 }
 
 /// Multiples of a system's inequalities by their names.

@@ -118,3 +118,15 @@ pub(crate) fn table_words(_: &Measurements) -> Option<Text> {
 pub(crate) fn words_of_input(_: &LinearityInput) -> Option<Text> {
     None
 }
+
+/// Returns the first and the last of rows that follow each other without a gap.
+pub fn row_ranges(rows: impl IntoIterator<Item = usize>) -> Vec<[usize; 2]> {
+    let mut ranges: Vec<[usize; 2]> = Vec::new();
+    for row in rows {
+        match ranges.last_mut() {
+            Some([_, last]) if *last + 1 == row => *last = row,
+            _ => ranges.push([row, row]),
+        }
+    }
+    ranges
+}
