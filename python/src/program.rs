@@ -125,6 +125,7 @@ impl Claimed<'_> {
         // Numbers of a status other than optimal mean nothing.
         let is_optimal = status == SolverStatus::Optimal;
         let objective = self.objective.as_ref().filter(|_| is_optimal).map(given).transpose()?;
+        let reduced_costs = all(&self.reduced_costs)?.filter(|_| is_optimal);
         let solution = Solution {
             writer: if self.solver == "HiGHS" { "HiGHS" } else { "SciPy" },
             status,
@@ -132,7 +133,7 @@ impl Claimed<'_> {
             objective,
             point: all(&self.point)?.filter(|_| is_optimal),
             duals: all(&self.duals)?.filter(|_| is_optimal),
-            reduced_costs: all(&self.reduced_costs)?.filter(|_| is_optimal),
+            reduced_costs: reduced_costs.map(|all| all.into_iter().map(Some).collect()),
             ray: None,
             farkas: None,
             not_finite: Vec::new(),
