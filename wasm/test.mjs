@@ -379,7 +379,7 @@ test("options that are wrong are refused by name", () => {
   refused({ ...whole, decimal: "comma", thousands: "," }, /^thousands and decimal name one mark/);
   refused({ ...whole, comment: "ab" }, /^comment: "ab": expected auto, none or one character/);
   refused({ ...whole, limits: { digit: 1 } }, /^limits: "digit": expected one of "digits", "exponent", /);
-  refused({ ...whole, limits: { digits: 0 } }, 'limits: "0": no limit of digits (expected an integer from 1 to 1000000)');
+  refused({ ...whole, limits: { digits: 0 } }, 'limits: "0": no value of the limit digits (expected an integer from 1 to 1000000)');
   for (const digits of [0, 1001, 70000, 3.5, -1, "3"]) {
     refused({ ...whole, digits }, `digits: ${JSON.stringify(digits)}: expected an integer from 1 to 1000`);
   }
