@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use boundfit_exact::{Foreign, Limit};
+use boundfit_formats::nearest;
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, FromArgMatches};
-use strsim::osa_distance;
 
 use crate::commands::{Arguments, alone, with_short_help};
 
@@ -79,12 +79,10 @@ fn suggest(error: &mut clap::Error, tip: &str) {
     error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![StyledStr::from(tip.to_owned())]));
 }
 
-/// The name that was typed wrongly, by at most a third of its letters. Neighbours that were exchanged are one letter,
-/// which the measure of clap does not know: it takes `--esp` for `--help`.
-fn nearest(typed: &str, names: impl Iterator<Item = String>) -> Option<String> {
-    let typed = typed.to_lowercase();
-    let near = names.map(|name| (osa_distance(&typed, &name), name)).min();
-    near.filter(|(distance, _)| 3 * distance <= typed.chars().count()).map(|(_, name)| name)
+/// The name that was meant. The measure of clap does not know exchanged neighbours: it takes `--esp` for `--help`.
+fn meant(typed: &str, names: impl Iterator<Item = String>) -> Option<String> {
+    let names: Vec<Foreign> = names.map(Foreign::from).collect();
+    nearest(typed, &names).map(|name| name.raw().to_owned())
 }
 
 /// Suggests the option of this command that is nearest to the one that was typed.
@@ -97,7 +95,7 @@ fn suggest_option(error: &mut clap::Error, typed: &str) {
     let shown = command.get_arguments().filter(|argument| !argument.is_hide_set());
     let options = shown.filter_map(|argument| argument.get_long().map(str::to_owned));
     let is_help = |value: &ContextValue| matches!(value, ContextValue::String(option) if option == "--help");
-    match nearest(name, options) {
+    match meant(name, options) {
         Some(option) => error.insert(ContextKind::SuggestedArg, ContextValue::String(format!("--{option}"))),
         // Nobody means the help.
         None if error.get(ContextKind::SuggestedArg).is_some_and(is_help) => {
@@ -113,7 +111,7 @@ fn suggest_option(error: &mut clap::Error, typed: &str) {
 fn suggest_command(error: &mut clap::Error, typed: &str) {
     let commands = Arguments::command();
     let names = commands.get_subcommands().map(|command| command.get_name().to_owned());
-    if let Some(name) = nearest(typed, names) {
+    if let Some(name) = meant(typed, names) {
         error.insert(ContextKind::SuggestedSubcommand, ContextValue::Strings(vec![name]));
     }
 }

@@ -253,7 +253,7 @@ fn leading_bits(number: &Integer, bits: u32) -> Option<(u128, i64)> {
     leading_of(number.bits(), |beyond| number.leading(beyond), bits)
 }
 
-/// Returns what [`leading_bits`] does, of a number of `length` bits. `without` drops as many of its lowest bits as it is told.
+/// Returns the same as [`leading_bits`] for a number of `length` bits. `without(n)` is the number without its lowest n bits.
 fn leading_of(length: u64, without: impl FnOnce(u64) -> Option<u128>, bits: u32) -> Option<(u128, i64)> {
     let dropped = length as i64 - i64::from(bits);
     let leading = without(dropped.max(0) as u64).filter(|leading| *leading > 0)?;

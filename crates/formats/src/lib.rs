@@ -80,7 +80,7 @@ pub use block::{AskedBlock, Block};
 pub use budget::MemoryBudget;
 pub use columns::{ColumnSelector, Header, Role};
 pub use dialect::{AskedDialect, BLANKS, CommentMark, DELIMITERS, Dialect, Encoding, Missing, MissingWords};
-pub use error::{InputError, InputErrorKind, Place, Setting, Way};
+pub use error::{InputError, InputErrorKind, Place, Setting, Way, nearest};
 pub use fractions::Fractions;
 pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, read_half_planes};
 pub use heading::find_column;

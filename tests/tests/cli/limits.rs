@@ -242,7 +242,7 @@ fn limits_have_ceilings_of_their_own() {
         for command in ["fit data.csv --x x --y y --eps 1", "polygon square.csv"] {
             let line = format!("{command} --limit {name}={value}");
             let message = format!(
-                "invalid value '{name}={value}' for '--limit <NAME=N>': {value:?} is no limit of {name} (expected {expected})"
+                "invalid value '{name}={value}' for '--limit <NAME=N>': {value:?} is no value of the limit {name} (expected {expected})"
             );
             check_refusal(&boundfit(Path::new("."), &line), &line, 2, &message);
         }

@@ -141,7 +141,9 @@ fn polygons_of_any_half_planes_have_the_limit_too() {
     let refused = boundfit(directory.path(), "polygon square.csv --limit fraction=0");
     assert_eq!(refused.status, 2);
     assert!(
-        refused.stderr.contains("\"0\" is no limit of fraction (expected an integer from 1 to 1000000)"),
+        refused
+            .stderr
+            .contains("\"0\" is no value of the limit fraction (expected an integer from 1 to 1000000)"),
         "{}",
         refused.stderr
     );

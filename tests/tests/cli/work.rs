@@ -152,7 +152,7 @@ fn the_limit_is_a_number() {
         &boundfit(directory.path(), line),
         line,
         2,
-        "invalid value 'work=lots' for '--limit <NAME=N>': \"lots\" is no limit of work (expected an integer from 0)",
+        "invalid value 'work=lots' for '--limit <NAME=N>': \"lots\" is no value of the limit work (expected an integer from 0)",
     );
 }
 

@@ -157,7 +157,7 @@ fn parse(text: &str, own: &[Limit]) -> Result<AskedLimit, String> {
             (false, u64::MAX) => format!("an integer from {}", range.start()),
             (false, end) => format!("an integer from {} to {end}", range.start()),
         };
-        format!("{number:?} is no limit of {} (expected {expected})", limit.name())
+        format!("{number:?} is no value of the limit {} (expected {expected})", limit.name())
     })
 }
 

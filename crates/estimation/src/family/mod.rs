@@ -127,7 +127,7 @@ impl Family {
     }
 
     /// The areas of the polygons of the family. Areas are continuous in s, so that one sum over corners gives those of all pieces.
-    /// `None` where a sum may have a denominator of more than so many digits, and for sets of other kinds. Exact. Cost: a common
+    /// An area is `None` for other sets, and where its denominator may have more than `digits` digits. Exact. Cost: a common
     /// divisor for each corner that moves along its own line.
     pub fn short_areas(&self, digits: usize) -> ShortAreas {
         let is_polygon = |own: &Breakpoint| own.section.kind == RegionKind::Polygon;

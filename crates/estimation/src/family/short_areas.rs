@@ -72,7 +72,7 @@ fn coefficients(
     Some([constant, slope, quadratic])
 }
 
-/// The common denominator of the coefficients of all corners, where it has at most so many bits.
+/// The common denominator of the coefficients of all corners; `None` where the denominator has more than `bits` bits.
 fn common_denominator(pieces: &[Piece], bits: u64) -> Option<Integer> {
     let (mut seen, mut common) = (HashSet::new(), Integer::one());
     for corner in

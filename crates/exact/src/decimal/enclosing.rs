@@ -20,8 +20,8 @@ pub(super) struct Enclosing {
 }
 
 impl Terms {
-    /// Shortens the terms so that they can be multiplied within 128 bits. The longest has `bits` bits, and `leading` drops as many of
-    /// the lowest bits of each as it is told.
+    /// Shortens the terms so that they can be multiplied within 128 bits. The longest has `bits` bits. `leading(n)` is
+    /// the terms without their lowest n bits.
     pub(super) fn new(
         bits: u64,
         digits: usize,

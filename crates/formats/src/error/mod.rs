@@ -14,6 +14,7 @@ use thiserror::Error;
 use crate::reduction::error::ReductionError;
 
 pub use kind::InputErrorKind;
+pub use names::nearest;
 pub use ways::{Setting, Way};
 
 /// The name of the input `-` in messages.
