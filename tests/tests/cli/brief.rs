@@ -44,6 +44,10 @@ fn options_that_a_format_has_no_use_for_are_refused() {
             "--inverse --format csv",
             "'--brief', '--full' and '--inverse' need the format text, latex or markdown; other formats contain everything",
         ),
+        (
+            "--brief --full",
+            "'--brief' reports ten lines: it goes with none of '--full', '--sweep', '--inverse' and '--confidence'",
+        ),
     ] {
         let run = boundfit(&root(), &format!("{FIT_TRANSDUCER} {options}"));
         assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{options}");

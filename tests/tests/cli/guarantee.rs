@@ -68,7 +68,7 @@ fn what_is_no_confidence_or_has_no_place_is_refused() {
         (format!("{fit} --confidence 0.{}", "9".repeat(101)), "closer to 1 than 1e-100"),
         (format!("{fit} --confidence 0.9 --format csv"), "other formats have no place for a guarantee"),
         (format!("{fit} --confidence 0.9 --by x"), "cannot be used with"),
-        (format!("{fit} --confidence 0.9 --brief"), "cannot be used with"),
+        (format!("{fit} --confidence 0.9 --brief"), "goes with none of '--full', '--sweep'"),
         (
             "fit data.csv --x x --lower lo --upper up --confidence 0.9".to_owned(),
             "is about error bounds that reach as far above y as below: intervals need not",

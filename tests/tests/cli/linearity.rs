@@ -245,12 +245,16 @@ fn bad_usage_is_refused() {
         refuses(&root(), &format!("{LVDT} {options}"), 2, message);
     }
     let y = "linearity fixtures/linearity/lvdt.csv --x x_mm --y up_mV";
-    refuses(
-        &root(),
-        &format!("{y} --up up_mV --down down_mV"),
-        2,
-        "the argument '--y <COL>' cannot be used with:\n  --up <COL>\n  --down <COL>",
-    );
+    let other = "linearity fixtures/linearity/lvdt.csv --x x_mm";
+    for line in [
+        format!("{y} --up up_mV --down down_mV"),
+        format!("{y} --down down_mV"),
+        format!("{other} --up up_mV"),
+        format!("{other} --up up_mV --down down_mV --direction up_mV"),
+    ] {
+        let message = "expected '--y', or '--y' and '--direction', or '--up' and '--down'";
+        refuses(&root(), &line, 2, message);
+    }
 }
 
 #[test]

@@ -240,7 +240,7 @@ fn windows_refuse_what_is_another_question() {
     for (options, part) in [
         ("--window 0", "invalid value '0' for '--window <N>'"),
         ("--window 3 --step 0", "invalid value '0' for '--step <K>'"),
-        ("--window 3 --window-x 2", "'--window <N>' cannot be used with '--window-x <NUM>'"),
+        ("--window 3 --window-x 2", "'--window' and '--window-x' both say how far a window reaches back"),
         ("--window 3 --by z", "'--window <N>' cannot be used with '--by <COL>'"),
         ("--window 3 --sweep 1..2", "'--window <N>' cannot be used with '--sweep <FROM..TO>'"),
         ("--window 3 --proof p.json", "'--window <N>' cannot be used with '--proof <FILE>'"),

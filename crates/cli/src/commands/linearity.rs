@@ -49,17 +49,17 @@ pub(crate) struct LinearityArguments {
     #[arg(long, value_name = "COL", required = true)]
     x: String,
     /// Column of the sensor's output. Without --direction each reading is used as it is and none are averaged
-    #[arg(long, value_name = "COL", required_unless_present = "up", conflicts_with_all = ["up", "down"])]
+    #[arg(long, value_name = "COL", required_unless_present = "up")]
     y: Option<String>,
     /// Column of the sensor's output for rising x; a cell may be empty if only the other direction was read
-    #[arg(long, value_name = "COL", value_parser = column_text, requires = "down")]
+    #[arg(long, value_name = "COL", value_parser = column_text)]
     up: Option<String>,
     /// Column of the sensor's output for falling x
-    #[arg(long, value_name = "COL", value_parser = column_text, requires = "up")]
+    #[arg(long, value_name = "COL", value_parser = column_text)]
     down: Option<String>,
     /// Column with the direction: rising (up, upscale, rising, increasing, +, 1) or falling (down, downscale, falling,
     /// decreasing, -, -1, 0) x. The first of two other words means up
-    #[arg(long, value_name = "COL", value_parser = column_text, requires = "y", conflicts_with_all = ["up", "down"])]
+    #[arg(long, value_name = "COL", value_parser = column_text)]
     direction: Option<String>,
     /// Full scale for percents. Default: the span of y (of the average)
     #[arg(long, value_name = "NUM", allow_hyphen_values = true)]

@@ -104,7 +104,7 @@ pub(crate) struct FitArguments {
     by: Option<String>,
     /// Fit the last N readings in order of rows, repeatedly: one line of text, JSON or CSV per whole window
     #[arg(long, value_name = "N", value_parser = whole::<u64>(1, u64::MAX),
-          conflicts_with_all = ["window_x", "by", "sweep", "brief", "vertices", "inverse", "proof", "confidence"])]
+          conflicts_with_all = ["by", "sweep", "brief", "vertices", "inverse", "proof", "confidence"])]
     window: Option<u64>,
     /// Fit the readings whose x is at most NUM below the x of the newest, in order of x, repeatedly: one line per
     /// window
@@ -116,7 +116,7 @@ pub(crate) struct FitArguments {
     step: Option<u64>,
     /// Report everything: also the proof of each PUI end, all estimates of the inverse line, area, centroid, least squares in
     /// doubles, and the answer of an LP solver
-    #[arg(long, conflicts_with_all = ["by", "brief", "window", "window_x"])]
+    #[arg(long, conflicts_with_all = ["by", "window", "window_x"])]
     full: bool,
     /// With --full: do not ask an LP solver. Nothing else asks one
     #[arg(long)]
@@ -126,7 +126,7 @@ pub(crate) struct FitArguments {
     #[arg(long)]
     no_eui: bool,
     /// Report ten lines only: model, data, kind of set, PUI, central estimate, smallest error bound
-    #[arg(long, conflicts_with_all = ["by", "sweep", "inverse"])]
+    #[arg(long, conflicts_with = "by")]
     brief: bool,
     /// With --format csv: write the vertices, rays and lines of the set instead of intervals and estimates
     #[arg(long, conflicts_with = "by")]
@@ -136,7 +136,7 @@ pub(crate) struct FitArguments {
     inverse: bool,
     /// Also report a guaranteed share of further readings in the band of eps_min, with this confidence between 0 and 1,
     /// such as 0.99. It assumes that all readings are independent draws from one source
-    #[arg(long, value_name = "NUM", allow_hyphen_values = true, conflicts_with_all = ["by", "brief"])]
+    #[arg(long, value_name = "NUM", allow_hyphen_values = true, conflicts_with = "by")]
     confidence: Option<String>,
     /// Also write a proof of the answer to this file, whole or not at all. The proof is JSON that 'boundfit verify', or
     /// anybody else, checks against the data by arithmetic alone; in FILE.v it is a theorem for the kernel of Coq instead.
