@@ -311,21 +311,3 @@ impl Numbering {
         rows.ok_or_else(|| "rows: none of them is left".to_owned().into())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_key_that_is_not_known_names_the_nearest_one() {
-        let refused =
-            |options: &str| Options::parse(options).and_then(|own| own.request()).unwrap_err().message;
-        assert!(refused(r#"{"x": "x", "esp": "1"}"#).ends_with(", limits; did you mean eps?"));
-        assert!(refused(r#"{"ask": "range", "x_origim": "1"}"#).ends_with("; did you mean x_origin?"));
-        assert!(refused(r#"{"x": "x", "no_eiu": true}"#).ends_with("; did you mean no_eui?"));
-        assert!(refused(r#"{"x": "x", "temperature": "1"}"#).ends_with(", limits"));
-        let of_page =
-            Options::parse(r#"{"titel": "t"}"#).unwrap().refuse_words_of_report().unwrap_err().message;
-        assert!(of_page.ends_with("; did you mean title?"), "{of_page}");
-    }
-}
