@@ -351,6 +351,10 @@ test("options that are wrong are refused by name", () => {
   const whole = { x: "x", y: "y", eps: "1" };
   refused({ ...whole, epsilon: "1" }, /^request: unknown field `epsilon`, expected one of `no_eui`, .*; every question has file, .*, x, y, eps, /);
   assert.throws(() => lesson("x,y\n1,2\n", { ...whole, epsilon: "1" }), /^Error: epsilon: there is no such key \(expected one of file, .*, x, y, eps, /);
+  refused({ ...whole, esp: "1" }, /, limits; did you mean eps\?$/);
+  refused({ ...whole, no_eiu: true }, /; did you mean no_eui\?$/);
+  refused({ ...whole, temperature: "1" }, /, limits$/);
+  assert.throws(() => lesson("x,y\n1,2\n", { ...whole, titel: "t" }), /; did you mean title\?$/);
   refused({ y: "y", eps: "1" }, "x is missing: it names the column of x, or those of two regressors");
   refused({ ...whole, eps: 1.5 }, /^eps: (expected )?a number as text, or {"exact": "1\/3"}/);
   refused({ ...whole, x: 1 }, /^x: expected the name or number of a column as text, or an array of two of these/);

@@ -18,7 +18,7 @@ class Judgement(NamedTuple):
     end: str
     """Which end: ``"theta1-min"``, ``"theta1-max"``, ``"theta2-min"`` or ``"theta2-max"``."""
     verdict: str
-    """``"exact"``, ``"rounded"``, ``"within tolerance"``, ``"loose"``, ``"unsafe"`` and others: docs/judging.md has the table."""
+    """``"exact"``, ``"rounded"``, ``"within tolerance"``, ``"loose"``, ``"unsafe"`` and others: docs/verdicts.md has the table."""
     exact: Fraction | None
     """The true end; ``None`` where there is none."""
     claimed: Fraction | None

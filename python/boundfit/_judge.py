@@ -17,7 +17,7 @@ class Finding(NamedTuple):
     """What was found about one aspect of a result."""
 
     aspect: str
-    """Status, objective, feasibility and so on: docs/judging.md has the table."""
+    """Status, objective, feasibility and so on: docs/solutions.md has the table."""
     worth: str
     """``"exact"``, ``"rounded"``, ``"within tolerance"``, ``"no answer"`` or ``"refuted"``."""
     error: Fraction | None

@@ -22,7 +22,7 @@ def test_examples_of_the_package(name: str) -> None:
     assert doctest.testmod(importlib.import_module(name)).failed == 0
 
 
-@pytest.mark.parametrize("page", ["docs/python.md", "python/README.md"])
+@pytest.mark.parametrize("page", ["docs/python.md", "docs/python-columns.md", "python/README.md"])
 def test_examples_of_the_guide(page: str, monkeypatch: pytest.MonkeyPatch) -> None:
     # Files are named from the top of the repository.
     monkeypatch.chdir(ROOT)

@@ -389,7 +389,7 @@ test("a pasted table has no name of one language, and what is said of it follows
   await page.locator("#language").selectOption("de");
   await WAYS.box(page, "x;y;z\n1;2,5;3\n2;4,1;3\n3;6,2;3\n");
   await page.locator("#import").waitFor();
-  await says("#import legend", { it: "Scegli le colonne della tabella incollata", en: "Choose columns of the pasted table", de: "Welche Spalten der eingefügten Tabelle?" });
+  await says("#import legend", { it: "Scegliere le colonne della tabella incollata", en: "Choose columns of the pasted table", de: "Welche Spalten der eingefügten Tabelle?" });
   await page.locator("#import-apply").click();
   await page.locator("#import").waitFor({ state: "detached" });
   await settled(page);

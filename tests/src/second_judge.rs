@@ -1,4 +1,4 @@
-//! A second judge of claims, written from the table of `docs/judging.md` alone. It shares no code with the crate `lp`, and
+//! A second judge of claims, written from the table of `docs/verdicts.md` alone. It shares no code with the crate `lp`, and
 //! names verdicts as the table does.
 
 use boundfit_exact::Rational;

@@ -4,7 +4,7 @@ use boundfit::ask::{
     self, AnswerWords, Common, Digits, Form, OfRows, Readings, Request, RowWords, TableWords, named, take_key,
 };
 use boundfit::engine::exact::Foreign;
-use boundfit::engine::formats::RowNumbers;
+use boundfit::engine::formats::{RowNumbers, nearest};
 use boundfit::files::{Measurements, RowRange, RowSet, Source, TableOptions};
 use boundfit::lesson::{LessonOptions, MOST_ROWS, MOST_ROWS_EVER};
 use boundfit::report::{EndRounding, Style};
@@ -77,8 +77,23 @@ pub(crate) fn refuse_unknown<'a>(
     known: impl FnOnce() -> String,
 ) -> Result<(), ask::Refusal> {
     let Some(key) = keys.next() else { return Ok(()) };
-    let problem = format!("there is no such key (expected one of {})", known());
+    let known = known();
+    let hint = nearest_of(key, known.split(", "));
+    let problem = format!("there is no such key (expected one of {known}){hint}");
     Err(ask::Refusal::Key { key: key.clone(), problem })
+}
+
+/// The key that was meant, behind serde's words about one that is not known, and the other keys that there are.
+fn hint(problem: &str, known: &str) -> String {
+    // Keys stand between backticks, the one that is not known first.
+    let mut own = problem.split('`').skip(1).step_by(2);
+    own.next().map_or_else(String::new, |key| nearest_of(key, own.chain(known.split(", "))))
+}
+
+/// The nearest of these keys as a question, if one is near.
+fn nearest_of<'a>(key: &str, keys: impl Iterator<Item = &'a str>) -> String {
+    let keys: Vec<Foreign> = keys.map(Foreign::from).collect();
+    nearest(key, &keys).map_or_else(String::new, |meant| format!("; did you mean {}?", meant.raw()))
 }
 
 impl Options {
@@ -115,7 +130,9 @@ impl Options {
         let request = Request::of_keys(keys).map_err(|refusal| match refusal {
             // It knows the keys of the question alone.
             ask::Refusal::Request(problem) if problem.starts_with("request: unknown field") => {
-                ask::Refusal::Request(format!("{problem}; every question has {}", known_keys()))
+                let known = known_keys();
+                let hint = hint(&problem, &known);
+                ask::Refusal::Request(format!("{problem}; every question has {known}{hint}"))
             }
             refusal => refusal,
         });

@@ -1,4 +1,4 @@
-//! Linear programs of at most two columns that bounds do not fix: read from MPS and LP, solved exactly, with a proof.
+//! Linear programs with at most two free columns: read from MPS and LP, solved exactly, with a proof.
 //!
 //! ```
 //! use boundfit::judge::{Answer, ExchangeFormat, ModelLimits, read_model};

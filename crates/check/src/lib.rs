@@ -6,6 +6,13 @@
 //! [`directions`] compares the hull of the optimisers of many programs with the set itself. [`exchange_rows`] are those of the four
 //! programs ([`PuiEnd`](boundfit_lp::PuiEnd)) in files for solvers elsewhere.
 //!
+//! | to | modules |
+//! |---|---|
+//! | write the programs of a fit | `rows`, `exchange` |
+//! | solve them | `sources`, `float`, `no_float` |
+//! | read answers from elsewhere | `answer`, `claims` |
+//! | judge | `judge`, `directions` |
+//!
 //! ```
 //! use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem};
 //! use boundfit_exact::{Rational, Reading};

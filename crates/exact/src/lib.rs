@@ -4,6 +4,15 @@
 //! exactly (its [`Display`](std::fmt::Display) form `p/q`) or as a decimal rounded in a stated direction
 //! ([`Rational::to_decimal`]). The nearest binary64 ([`Rational::to_f64`]) is the one door to floating point.
 //!
+//! | to | modules |
+//! |---|---|
+//! | hold numbers | `number`, `decimal`, `dyadic`, `wide`, `interval`, `column` |
+//! | read text | `parse`, `plain`, `long_decimal`, `notation`, `written`, `limit` |
+//! | write decimals | `decimal`, `shortest`, `serial`, `short_text`, `latex` |
+//! | add many numbers | `sum`, `long_sum`, `decimal_sum`, `double_sum`, `wide_sum`, `multiples`, `work` |
+//! | convert to and from doubles | `binary64` |
+//! | print texts from outside, and English | `foreign`, `english` |
+//!
 //! ```
 //! use boundfit_exact::{Limits, Rational, Reading, Rounding};
 //!

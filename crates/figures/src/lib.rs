@@ -4,6 +4,13 @@
 //! into a figure exactly and becomes a float only as a fraction of the axis it is shown on. Unbounded sets are cut at
 //! the edge of the view when they are drawn, and nowhere else. Equal input gives equal bytes.
 //!
+//! | to | modules |
+//! |---|---|
+//! | choose and describe a figure | `figure`, `series`, `labels`, `extent` |
+//! | collect what is on it | `draw`, `drawing`, `data_plane`, `parameter_plane`, `status`, `linearity`, `next`, `groups`, `x_errors` |
+//! | place it | `axis`, `clip`, `page`, `text`, `palette`, `outside` |
+//! | write it | `picture`, `render`, `outlines`, `pdf`, `tex` |
+//!
 //! ```
 //! use boundfit_estimation::{ErrorBound, Measurement, Measurements, Model, Problem, fit};
 //! use boundfit_exact::Rational;

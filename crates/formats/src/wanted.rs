@@ -3,7 +3,7 @@
 use boundfit_exact::{Foreign, WorkMeter};
 
 use crate::columns::{ColumnPlace, ColumnSelector, Header, refuse_same};
-use crate::error::{InputError, InputErrorKind};
+use crate::error::{InputError, InputErrorKind, are_no_names};
 use crate::heading::{AskedColumns, Heading};
 use crate::scan::{ScanOptions, Scanned, csv_line, each_once};
 use crate::selection::RowCondition;
@@ -57,8 +57,14 @@ impl<'a> WantedColumns<'a> {
             heading.find(file, selector).map_err(|mut error| {
                 // There are no lines here, and nothing but the names tells columns apart.
                 error.place.line = None;
-                if let InputErrorKind::NameOrNumber { fits_header, .. } = &mut error.kind {
-                    *fits_header = false;
+                match &mut error.kind {
+                    InputErrorKind::NameOrNumber { fits_header, .. } => *fits_header = false,
+                    // Numbers are names here, too.
+                    InputErrorKind::UnknownColumn { available, numbers, .. } => {
+                        let is_named = available.iter().any(|name| !name.is_empty());
+                        *numbers = numbers.filter(|_| !is_named || !are_no_names(available));
+                    }
+                    _ => {}
                 }
                 error
             })

@@ -8,6 +8,16 @@
 //!
 //! Everything is exact: there is no tolerance, no floating point and no bounding box around unbounded sets.
 //!
+//! | to | modules |
+//! |---|---|
+//! | state half-planes | `half_plane`, `system`, `point` |
+//! | intersect | `envelope`, `clipping`, `bounds`, `hull`, `fan` |
+//! | answer about a set | `region`, `polyhedron`, `measures`, `normal_cone`, `projective`, `leaving_out`, `layers` |
+//! | decide and construct | `predicates`, `constructions`, `angle_key` |
+//! | prove and check | `proof`, `invariants` |
+//! | keep only readings that may decide | `grid`, `touching`, `ties`, `tally`, `active` |
+//! | start from points and directions | `generators` |
+//!
 //! ```
 //! use boundfit_exact::Rational;
 //! use boundfit_geometry::{Inequality, Polyhedron, RegionKind, Support, System};

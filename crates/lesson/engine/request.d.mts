@@ -30,7 +30,7 @@ export type Request = {
   rows?: Rows;
   /** All but these rows. */
   without?: Rows;
-  /** Rows whose number in a column compares like that, such as `temperature >= 20`. */
+  /** Rows for which a comparison of a column holds, such as `temperature >= 20`. */
   where_row?: Given[];
   /** `decimal`, numbers exactly as written, or `binary64`, the nearest double. */
   reading?: string;

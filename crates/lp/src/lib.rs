@@ -5,6 +5,14 @@
 //! to floating-point solvers, which receive the program rounded to binary64. [`Referee`] says, exactly and with a named
 //! reason, what an answer is worth, whoever gave it. [`ExchangeRows`] writes programs exactly for solvers elsewhere.
 //!
+//! | to | modules |
+//! |---|---|
+//! | state a program | `program`, `model` |
+//! | read and write files | `read`, `exchange`, `format` |
+//! | solve exactly | `simplex`, `standard_form`, `walk`, `outcome` |
+//! | ask float solvers | `solvers` |
+//! | judge | `claim`, `printed`, `closeness`, `referee`, `verdict` |
+//!
 //! The feature `float-solvers` (on by default) has the solvers: they alone need threads and a clock, because one that hangs
 //! or crashes must not take the program with it.
 

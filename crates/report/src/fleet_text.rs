@@ -4,7 +4,8 @@ use boundfit_estimation::GroupFit;
 use boundfit_exact::Foreign;
 use boundfit_questions::Order;
 
-use crate::align::{widths, write_line};
+use crate::align::{columns, widths, write_line};
+use crate::document::WIDTH;
 use crate::fleet_summary::shown_key;
 use crate::style::Style;
 
@@ -50,31 +51,30 @@ pub(crate) fn places(order: Order) -> &'static str {
     }
 }
 
-/// Lines under each other. The first thousand tell how wide the columns are; a later cell that is wider moves the rest of
-/// its line.
+/// Lines under each other that fit a page. The first thousand tell how wide the columns are. A name that is too wide has a line of its
+/// own; intervals that are too wide stand under each other.
 #[derive(Debug)]
 pub struct FleetTable {
-    widths: Option<Vec<usize>>,
+    layout: Option<Layout>,
     waiting: Vec<GroupCells>,
 }
 
 impl FleetTable {
     /// A table with its header. `is_bounded_per_row`: whether each reading has its own error bound.
     pub fn new(is_bounded_per_row: bool) -> Self {
-        FleetTable { widths: None, waiting: vec![GroupCells::header(is_bounded_per_row)] }
+        FleetTable { layout: None, waiting: vec![GroupCells::header(is_bounded_per_row)] }
     }
 
     /// A table of windows in this order with its header.
     pub fn of_windows(order: Order) -> Self {
-        let header =
-            [places(order), "readings", "kind", "theta1", "theta2", "eps_min"].map(ToOwned::to_owned);
-        FleetTable { widths: None, waiting: vec![GroupCells(header)] }
+        let header = [places(order), "count", "kind", "theta1", "theta2", "eps_min"].map(ToOwned::to_owned);
+        FleetTable { layout: None, waiting: vec![GroupCells(header)] }
     }
 
     /// Appends a line to the text, or keeps it until it is known how wide the columns are.
     pub fn push(&mut self, cells: GroupCells, text: &mut String) {
-        match &self.widths {
-            Some(widths) => write_line(&cells.0, widths, text),
+        match &self.layout {
+            Some(layout) => layout.write(&cells, text),
             None => {
                 self.waiting.push(cells);
                 if self.waiting.len() > LINES_MEASURED {
@@ -87,22 +87,119 @@ impl FleetTable {
     /// Appends the lines that are still waiting.
     pub fn finish(&mut self, text: &mut String) {
         let waiting = std::mem::take(&mut self.waiting);
-        let widths = self.widths.get_or_insert_with(|| widths(&waiting));
+        let layout = self.layout.get_or_insert_with(|| Layout::of(&waiting));
         for cells in &waiting {
-            write_line(&cells.0, widths, text);
+            layout.write(cells, text);
         }
     }
 }
 
-impl AsRef<[String]> for GroupCells {
-    fn as_ref(&self) -> &[String] {
-        &self.0
+/// The widths of the columns.
+#[derive(Debug)]
+struct Layout {
+    name: usize,
+    /// The widths of all cells behind the name.
+    others: Vec<usize>,
+    /// `true` if the interval of θ2 stands under that of θ1.
+    is_stacked: bool,
+}
+
+impl Layout {
+    /// The layout of some lines; the first one is the header.
+    fn of(lines: &[GroupCells]) -> Self {
+        let head = lines.first().map_or(0, |GroupCells([name, ..])| columns(name));
+        let behind = |is_stacked: bool| {
+            widths(&lines.iter().flat_map(|line| line.behind(is_stacked)).collect::<Vec<_>>())
+        };
+        let is_too_wide = |others: &[usize]| head + taken(others) > WIDTH;
+        let is_stacked = is_too_wide(&behind(false));
+        let others = behind(is_stacked);
+        let widest = lines.iter().map(|GroupCells([name, ..])| columns(name)).max().unwrap_or(head);
+        let name = widest.min(WIDTH.saturating_sub(taken(&others)).max(head));
+        Layout { name, others, is_stacked }
+    }
+
+    fn write(&self, line: &GroupCells, text: &mut String) {
+        let GroupCells([name, ..]) = line;
+        let mut name = name.as_str();
+        // A wider name moves the rest of its line, as long as the page has room for it.
+        if columns(name) > self.name && columns(name) + taken(&self.others) > WIDTH {
+            text.push_str(name);
+            text.push('\n');
+            name = "";
+        }
+        let widths = [&[self.name], self.others.as_slice()].concat();
+        for cells in line.behind(self.is_stacked) {
+            write_line(&[&[name], cells.as_slice()].concat(), &widths, text);
+            name = "";
+        }
+    }
+}
+
+/// The number of columns that cells of these widths take behind another one.
+fn taken(widths: &[usize]) -> usize {
+    widths.iter().map(|width| width + 2).sum()
+}
+
+impl GroupCells {
+    /// The cells behind the name, in one line or, with θ2 under θ1, in two.
+    fn behind(&self, is_stacked: bool) -> Vec<Vec<&str>> {
+        let [_, rows, kind, theta1, theta2, least] = self.0.each_ref().map(String::as_str);
+        match is_stacked {
+            // An empty set has no intervals.
+            true if theta1 == "-" && theta2 == "-" => vec![vec![rows, kind, theta1, least]],
+            true => vec![vec![rows, kind, theta1, least], vec!["", "", theta2, ""]],
+            false => vec![vec![rows, kind, theta1, theta2, least]],
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The table of these lines, in rows and in columns that no terminal breaks.
+    fn table(lines: &[[&str; CELLS]]) -> Vec<String> {
+        let (mut table, mut text) = (FleetTable::new(false), String::new());
+        for line in lines {
+            table.push(GroupCells(line.map(ToOwned::to_owned)), &mut text);
+        }
+        table.finish(&mut text);
+        text.lines().map(ToOwned::to_owned).collect()
+    }
+
+    #[test]
+    fn lines_fit_a_page() {
+        let interval = "[-0.010503, 0.0146271234]";
+        let long = "the name of a sensor";
+        let lines = table(&[
+            ["T1", "5", "polygon", interval, "[0.1, 0.22]", "0.0045013"],
+            [long, "5", "strip", "-", "-", "0"],
+        ]);
+        assert_eq!(
+            lines,
+            [
+                "group           rows  kind     theta1                     theta2       eps_min",
+                "T1              5     polygon  [-0.010503, 0.0146271234]  [0.1, 0.22]  0.0045013",
+                long,
+                "                5     strip    -                          -            0",
+            ]
+        );
+        let lines = table(&[
+            ["T1", "5", "polygon", interval, interval, "0.0045013"],
+            ["T2", "5", "strip", "-", "-", "0"],
+        ]);
+        assert_eq!(
+            lines,
+            [
+                "group  rows  kind     theta1                     eps_min",
+                "                      theta2",
+                "T1     5     polygon  [-0.010503, 0.0146271234]  0.0045013",
+                "                      [-0.010503, 0.0146271234]",
+                "T2     5     strip    -                          0",
+            ]
+        );
+    }
 
     #[test]
     fn columns_are_as_wide_as_their_first_thousand_cells() {

@@ -3,6 +3,15 @@
 //! Every printed decimal is rounded from an exact value in a direction that [`Style`] fixes: interval ends outward, error
 //! bounds upward, all other numbers to nearest. JSON carries the exact value beside every decimal.
 //!
+//! | to | modules |
+//! |---|---|
+//! | answer as data (JSON) | `answer`, `json`, `number` |
+//! | build a document: text, LaTeX, Markdown | `document`, `align`, `style`, `scale`, `formula` |
+//! | report each question | `fit`, `predict`, `next_reading`, `status`, `outliers`, `range`, `linearity`, `window`, `x_errors`, `sweep`, `polygon`, `judge`, `check`, `verify` |
+//! | write proofs and theorems | `proof_json`, `statements`, `kernel` |
+//! | report many sensors | `fleet_text`, `fleet_csv`, `fleet_json`, `fleet_summary` |
+//! | write sets for other programs | `cdd`, `wkt`, `script`, `fit_script`, `vertices_csv`, `generators` |
+//!
 //! ```
 //! use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem, fit};
 //! use boundfit_exact::{Rational, Reading};

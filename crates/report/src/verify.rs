@@ -73,7 +73,7 @@ fn of_rows(count: usize) -> Vec<(&'static str, String)> {
 fn proved(extent: Extent) -> &'static str {
     match extent {
         Extent::Empty => "no parameters agree with all of these rows and conditions",
-        Extent::Bounded | Extent::Unbounded => "the set is just this, what touches each vertex, both ranges",
+        Extent::Bounded | Extent::Unbounded => "the set, the active bounds of each vertex, both intervals",
     }
 }
 

@@ -149,7 +149,7 @@ impl Shape {
             return Err(NotAProof::unlike(format_args!("line {line} begins with {start:?}, not with {{")));
         }
         check_digits(text, most_digits)?;
-        serde_json::from_slice(text).map_err(NotAProof::unlike)
+        serde_json::from_slice(text).map_err(|error| NotAProof::unlike(in_plain_words(&error.to_string())))
     }
 
     /// Returns a field of another version, those of this one having been taken.
@@ -181,6 +181,21 @@ fn first_of<const N: usize>(fields: [(&'static str, bool); N]) -> Option<&'stati
     fields.into_iter().find(|(_, is_there)| *is_there).map(|(field, _)| field)
 }
 
+/// The words of serde about a field that is missing, there twice or unknown, as people say it.
+fn in_plain_words(problem: &str) -> String {
+    let about = |words: &str| problem.strip_prefix(words)?.split_once('`');
+    match (about("missing field `"), about("duplicate field `"), about("unknown field `")) {
+        (Some((field, _)), ..) => without(field),
+        (_, Some((field, place)), _) => format!("{field:?} is there twice{place}"),
+        (.., Some((field, _))) => format!("there is no field {field:?} in a proof"),
+        _ => problem.to_owned(),
+    }
+}
+
+fn without(field: &str) -> String {
+    format!("it has no {field:?}")
+}
+
 /// Returns the number of the first line that is not blank, and its beginning.
 fn first_line(text: &[u8]) -> (usize, String) {
     let text = String::from_utf8_lossy(text);
@@ -206,7 +221,7 @@ pub(crate) fn check_digits(text: &[u8], most_digits: usize) -> Result<(), NotAPr
 
 /// A field that what it stands in must have.
 pub(crate) fn needed<T>(field: Option<T>, name: &str) -> Result<T, NotAProof> {
-    field.ok_or_else(|| NotAProof::new(format_args!("missing field `{name}`")))
+    field.ok_or_else(|| NotAProof::new(without(name)))
 }
 
 /// A number of a proof: a whole number or a fraction, in digits and with nothing else but a minus.

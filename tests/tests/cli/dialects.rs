@@ -243,3 +243,17 @@ fn a_row_of_numbers_is_no_row_of_units_whatever_groups_digits_or_stands_behind_t
         assert!(report.contains(&format!("Further readings, {new}\n  {rows} against")), "{report}");
     }
 }
+
+/// Keys of JSON are names, numbers too.
+#[test]
+fn keys_that_are_numbers_are_listed_as_names() {
+    let directory = directory_with(&[
+        ("objects.json", br#"[{"1": 1, "2": 2}, {"1": 2, "2": 4}]"#),
+        ("arrays.json", b"[[1, 2], [2, 4]]"),
+    ]);
+    let run = boundfit(directory.path(), "fit objects.json --x a --y 2 --eps 1");
+    let expected = "error: objects.json: there is no column \"a\" (expected one of \"1\", \"2\")\n";
+    assert_eq!((run.status, run.stderr.as_str()), (1, expected));
+    let run = boundfit(directory.path(), "fit arrays.json --x a --y 2 --eps 1");
+    assert!(run.stderr.contains("; the file has no header: ask for columns by number, 1 to 2"), "{run:?}");
+}

@@ -330,7 +330,7 @@ fn windows_and_runs_of_x_are_named_by_the_x_of_the_data() {
     let directory = directory_with(&[("w.csv", b"x,y\n3,1\n1,2\n2,3\n2,5\n1,9\n")]);
     let text = boundfit(directory.path(), "fit w.csv --x x --y y --eps 1 --window-x 1 --x-origin 2").stdout;
     let names: Vec<&str> = text.lines().map(|line| line.split(' ').next().unwrap()).collect();
-    assert!(text.starts_with("x     readings") && names.contains(&"1..2"), "{text}");
+    assert!(text.starts_with("x     count") && names.contains(&"1..2"), "{text}");
     assert!(text.contains("The first empty one is that of x 1..2\n"), "{text}");
     let csv =
         boundfit(directory.path(), "fit w.csv --x x --y y --eps 1 --window 2 --x-origin 2 --format csv")

@@ -179,6 +179,11 @@ fn what_cannot_be_answered_is_refused_with_a_reason() {
     let run = boundfit(directory.path(), "judge broken.mps");
     assert_eq!((run.status, run.stdout.as_str()), (1, ""));
     assert!(run.stderr.starts_with("error: broken.mps: "), "{}", run.stderr);
+    // A table of readings is for another command.
+    let run = boundfit_with_input(&root(), "judge -", b"x,y\n1,2\n");
+    let expected = "error: standard input: no linear program; 'boundfit fit' fits the readings of a table; MPS and LP are the formats of \
+                    linear programs\n";
+    assert_eq!((run.status, run.stderr.as_str()), (1, expected));
     let run = boundfit(directory.path(), "judge diet.mps --plot a.svg -o a.svg");
     assert_eq!((run.status, run.stdout.as_str()), (2, ""));
     assert!(run.stderr.starts_with("error: '--plot' and '--output' name the same file\n"), "{}", run.stderr);

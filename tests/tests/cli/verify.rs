@@ -30,7 +30,7 @@ fn a_true_proof_is_said_to_answer_this_question() {
         rows    1 and 3 to 4 of 4\n  \
         read    numbers as written (decimal), commas between cells, a header\n  \
         from    7 half-planes\n  \
-        proved  the set is just this, what touches each vertex, both ranges\n  \
+        proved  the set, the active bounds of each vertex, both intervals\n  \
         set     bounded, with 3 vertices and 3 sides\n";
     let text = boundfit(directory.path(), "verify p.json a.csv");
     assert!(text.status == 0 && text.stdout.starts_with(expected), "{}", text.stdout);
@@ -442,7 +442,12 @@ fn what_is_no_proof_is_refused_with_its_line_and_text() {
             proof.replace("boundfit/proof/1", "boundfit/proof/3"),
             format!("its schema is \"boundfit/proof/3\" {kinds}"),
         ),
-        ("{}".to_owned(), format!("missing field `schema` at line 1 column 2 {kinds}")),
+        ("{}".to_owned(), format!("not a proof: it has no \"schema\" {kinds}")),
+        (proof.replacen('{', "{\"schema\": \"a\", ", 1), "\"schema\" is there twice at line ".to_owned()),
+        (
+            proof.replacen('{', "{\"scheme\": 1, ", 1),
+            format!("there is no field \"scheme\" in a proof {kinds}"),
+        ),
         (
             proof.replacen('{', "{\"statements\": [],", 1),
             "the schema \"boundfit/proof/1\" has no field \"statements\"".to_owned(),

@@ -75,7 +75,10 @@ fn name(argument: &Arg) -> String {
 
 fn meaning(argument: &Arg) -> String {
     let help = argument.get_long_help().or_else(|| argument.get_help()).map(ToString::to_string);
-    let mut parts = vec![plain(&help.unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" "))];
+    // Items of a list stand on lines of their own.
+    let one_line = |item: &str| plain(&item.split_whitespace().collect::<Vec<_>>().join(" "));
+    let items: Vec<String> = help.unwrap_or_default().split("\n- ").map(one_line).collect();
+    let mut parts = vec![items.join("<br>")];
     let defaults: Vec<String> =
         argument.get_default_values().iter().map(|value| format!("`{}`", value.to_string_lossy())).collect();
     if !defaults.is_empty() && argument.get_action().takes_values() && !argument.is_hide_default_value_set() {

@@ -76,8 +76,8 @@ impl Collector {
             self.close();
         } else if text.starts_with('|') {
             self.close();
-            for cell in cells(text) {
-                self.add(number, cell.trim());
+            for line in cells(text).iter().flat_map(|cell| cell.split("<br>")) {
+                self.add(number, line.trim());
                 self.close();
             }
         } else if let Some(item) = item(text) {
@@ -192,13 +192,14 @@ mod tests {
     #[test]
     fn pages_are_read_without_code_headings_and_output() {
         let page = "# What is it?\n\nOne `a.b` [two](x.md#y)\nthree.\n\n```sh\nfour\n```\n- five\n- six <br> a < b\n\n\
-                    <!-- output of: c -->\nseven\n<!-- end of output -->\n| eight | `a|b` nine |\n|---|---|\n";
+                    <!-- output of: c -->\nseven\n<!-- end of output -->\n| eight | `a|b` nine<br>ten |\n|---|---|\n";
         let expected = [
             (3, "One `x` [two three."),
             (9, "five"),
             (10, "six  a < b"),
             (15, "eight"),
             (15, "`x` nine"),
+            (15, "ten"),
             (16, "---"),
             (16, "---"),
         ];

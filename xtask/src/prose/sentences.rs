@@ -77,7 +77,9 @@ pub(super) fn faults(sentence: &str, is_summary: bool) -> Vec<Fault> {
     let bare = sentence.trim_start_matches(|letter: char| !letter.is_alphanumeric() && letter != '`');
     let starts = |word: &&str| {
         let rest = bare.strip_prefix(*word);
-        rest.is_some_and(|rest| !rest.starts_with(|letter: char| letter.is_alphanumeric() || letter == '\''))
+        // A "How-to" begins with a noun.
+        let is_of_word = |letter: char| letter.is_alphanumeric() || "'-".contains(letter);
+        rest.is_some_and(|rest| !rest.starts_with(is_of_word))
     };
     if let Some(word) = STARTS.into_iter().find(starts) {
         faults.push(Fault::Start(word));
@@ -119,6 +121,7 @@ mod tests {
             ("Those", Some("Those")),
             ("Which rows", Some("Which")),
             ("However", None),
+            ("*How-to.* Use", None),
             ("what follows", None),
         ] {
             let expected: Vec<Fault> = fault.map(Fault::Start).into_iter().collect();

@@ -22,7 +22,7 @@ keys! {
         "rows" rows: Rows,
         /// All but these rows.
         "without" without: Rows,
-        /// Rows whose number in a column compares like that, such as `temperature >= 20`.
+        /// Rows for which a comparison of a column holds, such as `temperature >= 20`.
         "where_row" where_row: Vec<Given>,
     }
 }

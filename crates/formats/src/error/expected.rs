@@ -19,7 +19,9 @@ impl InputErrorKind {
     /// The accepted form that names of the file or the question are in.
     fn of_names(&self) -> Option<String> {
         Some(match self {
-            InputErrorKind::UnknownColumn { available, numbers, .. } if !are_no_names(available) => {
+            InputErrorKind::UnknownColumn { available, numbers, .. }
+                if numbers.is_none() || !are_no_names(available) =>
+            {
                 let names = (!available.is_empty()).then(|| format!("one of {}", first_names(available)));
                 let number = numbers.map(|numbers| format!("a number from 1 to {numbers}"));
                 names.into_iter().chain(number).collect::<Vec<_>>().join(" or ")

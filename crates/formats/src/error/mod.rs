@@ -14,6 +14,7 @@ use thiserror::Error;
 use crate::reduction::error::ReductionError;
 
 pub use kind::InputErrorKind;
+pub(crate) use names::are_no_names;
 pub use names::nearest;
 pub use ways::{Setting, Way};
 

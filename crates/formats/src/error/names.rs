@@ -23,7 +23,7 @@ pub(super) fn advice(wanted: &Foreign, available: &[Foreign], numbers: Option<us
 }
 
 /// Returns whether the cells of the first row are numbers or nothing: it was taken for a header only because a column was asked for by name.
-pub(super) fn are_no_names(available: &[Foreign]) -> bool {
+pub(crate) fn are_no_names(available: &[Foreign]) -> bool {
     let is_none =
         |name: &Foreign| name.is_empty() || Reading::Decimal.read(name.raw(), &Limits::default()).is_ok();
     !available.is_empty() && available.iter().all(is_none)

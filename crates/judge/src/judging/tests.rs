@@ -249,7 +249,7 @@ fn files_are_refused_that_are_not_about_the_model() {
     let read = |text: &str| read_solution(text, &Limits::default()).unwrap_err().to_string();
     assert_eq!(
         read("{\n\"y\": 1}"),
-        "line 2: \"y\": 1 (expected source, status, objective, x, duals, reduced_costs, ray or farkas, see docs/solutions.md)"
+        "line 2: \"y\": 1 (expected source, status, objective, x, duals, reduced_costs, ray or farkas, see docs/claims.md)"
     );
     assert_eq!(read("{\"x\": [true]}"), "line 1: \"x\": true (expected a number, or a text like \"1/3\")");
     assert_eq!(read("{}"), "the file stops without \"status\", which JSON writes");

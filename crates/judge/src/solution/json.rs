@@ -12,8 +12,7 @@ use super::figure::Figure;
 use super::{Entry, Reference, SolutionFile, SolverStatus};
 
 const JSON: &str = "JSON";
-const FIELDS: &str =
-    "source, status, objective, x, duals, reduced_costs, ray or farkas, see docs/solutions.md";
+const FIELDS: &str = "source, status, objective, x, duals, reduced_costs, ray or farkas, see docs/claims.md";
 const NUMBER: &str = "a number, or a text like \"1/3\"";
 
 pub(super) fn is_json(text: &str) -> bool {

@@ -61,7 +61,7 @@ pub enum NoRepair {
 }
 
 impl Repair {
-    /// The least total widening for a problem. Exact. Cost: O(n log n) for each of few steps.
+    /// Returns the least total widening for a problem. Exact. Cost: a few iterations of O(n log n).
     ///
     /// # Errors
     /// When there is none, or not all readings are in memory.

@@ -9,6 +9,7 @@ mod wrap;
 
 pub(crate) use inline::{Inline, Operator, Symbol, THETA, Text};
 pub(crate) use long::{Column, LongTable};
+pub(crate) use wrap::WIDTH;
 pub use wrap::in_page_width;
 
 /// The title of the remaining results, where they have one.

@@ -3,7 +3,7 @@
 use crate::align::columns;
 
 /// The most columns of a line.
-pub(super) const WIDTH: usize = 80;
+pub(crate) const WIDTH: usize = 80;
 
 /// The lines of a text of which each fits into so many columns, unless one word alone does not. Lines end at blanks: first at
 /// those that tear neither a bracket, a product nor the name of a bound apart.

@@ -125,7 +125,7 @@ fn of_new(fit: &Fit, ranking: &Ranking) -> String {
     }
 }
 
-/// `4 outer, 19 inner`, the gravest first.
+/// The counts of each status, worst status first: `4 outer, 19 inner`.
 fn counts(count: impl Fn(Option<Status>) -> usize) -> String {
     let of_status = Status::ALL.into_iter().rev().map(|status| (count(Some(status)), status.name()));
     let words = of_status.filter(|(count, _)| *count > 0);

@@ -7,7 +7,7 @@ use boundfit_exact::english::in_words;
 use boundfit_figures::{PictureFormat, draw_program};
 use boundfit_formats::WholeFile;
 use boundfit_judge::{Answer, Plane};
-use boundfit_lp::{ExchangeFormat, Model, ModelLimits, model_text, read_model};
+use boundfit_lp::{ExchangeFormat, Model, ModelErrorKind, ModelLimits, model_text, read_model};
 use boundfit_report::{
     JudgeJson, Theory, h_representation, judge_document, judge_json, kernel_program, solutions_document,
     solutions_json, solutions_junit, solutions_sarif, v_representation,
@@ -237,6 +237,10 @@ fn read(arguments: &JudgeArguments) -> Result<WholeFile, Failure> {
     WholeFile::read(source, &arguments.limits.sizes()).map_err(Failure::refused)
 }
 
+/// The command for a file that is no model and has no name of one: most are tables.
+const READS_TABLES: &str =
+    "'boundfit fit' fits the readings of a table; MPS and LP are the formats of linear programs";
+
 /// The model in a file, in the format that its name or its first word tells.
 fn model_of(file: &WholeFile, limits: &LimitArguments) -> Result<Model, Failure> {
     let fail = |error| Failure::refused_of(file.name.borrowed(), error);
@@ -251,13 +255,14 @@ fn model_of(file: &WholeFile, limits: &LimitArguments) -> Result<Model, Failure>
         entries: sizes.elements,
     };
     let format = format_of_name(file.name.raw());
-    let is_other = format.is_none().then(|| command_for(file.name.raw())).flatten();
-    read_model(text, format.unwrap_or_else(|| format_of_text(text)), &limits).map_err(
-        |error| match is_other {
+    let is_unnamed = format.is_none();
+    read_model(text, format.unwrap_or_else(|| format_of_text(text)), &limits).map_err(|error| {
+        let is_table = || matches!(error.kind, ModelErrorKind::UnknownSection).then_some(READS_TABLES);
+        match command_for(file.name.raw()).or_else(is_table).filter(|_| is_unnamed) {
             Some(command) => Failure::data(format_args!("{}: no linear program; {command}", file.name)),
             None => fail(error),
-        },
-    )
+        }
+    })
 }
 
 /// The format that a file's name announces, packed or not.
