@@ -317,9 +317,9 @@ npm --prefix tests/browser test",
     },
     Step {
         name: "tests",
-        holds: "the second command of README, all tests that need no other program, passes with every generated case",
+        holds: "the second command of README, all tests that need no other program, passes with one of four generated cases in the longest tests",
         changes: "every change",
-        script: "export ALL_CASES=1\neval \"$(grep '^cargo ' README.md | sed -n 2p)\" 2>&1",
+        script: "export ONE_CASE_IN=4\neval \"$(grep '^cargo ' README.md | sed -n 2p)\" 2>&1",
         ..PLAIN
     },
 ];
