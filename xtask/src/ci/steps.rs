@@ -212,9 +212,9 @@ cargo test --workspace --locked --no-run --quiet
     },
     Step {
         name: "fuzz",
-        holds: "no target of the fuzzer fails on seeds and 20,000 mutations of them",
+        holds: "no target of the fuzzer fails on seeds and 10,000 mutations of them",
         changes: "everything that reads input",
-        script: "FUZZ_CASES=20000 cargo test --workspace --locked --test formats fuzz_smoke",
+        script: "FUZZ_CASES=10000 cargo test --workspace --locked --test formats fuzz_smoke",
         ..PLAIN
     },
     Step {
