@@ -7,7 +7,7 @@ use boundfit_exact::Reading;
 use boundfit_geometry::Polyhedron;
 use boundfit_judge::{Answer, SolveError};
 use boundfit_report::{Theory, kernel_fit, kernel_half_planes, kernel_program};
-use boundfit_tests::generate::{rational_system, seeded, system, tangents};
+use boundfit_tests::generate::{one_in, rational_system, seeded, share, system, tangents};
 use boundfit_tests::models::{model, truth};
 use boundfit_tests::proofs::{Question, bounded, generated, questions};
 
@@ -15,6 +15,14 @@ use crate::coq::{compiled, modules, run, theory};
 
 /// Theorems in a run of `coqc`.
 const BATCH: usize = 60;
+
+/// Generated theorems of a kind where all cases are tried.
+const ALL: usize = 300;
+
+/// Returns how many of them are generated: where not all are, still enough to meet nearly every kind of set.
+fn generated_count() -> usize {
+    share(ALL).max(100)
+}
 
 pub fn all_are_accepted(name: &str, theorems: &[String]) {
     for (batch, texts) in theorems.chunks(BATCH).enumerate() {
@@ -52,14 +60,14 @@ fn generated_fits_are_theorems() {
     let mut rng = seeded(3101);
     let mut kinds = BTreeMap::new();
     let mut theorems = Vec::new();
-    while theorems.len() < 300 {
+    while theorems.len() < generated_count() {
         let question = generated(&mut rng);
         if let Ok(problem) = question.problem() {
             theorems.push(theorem(&question, &problem, &mut kinds));
         }
     }
-    assert!(kinds.len() >= 8, "{kinds:?}");
-    assert!(about_bytes(&theorems) > 100, "{}", about_bytes(&theorems));
+    assert!(kinds.len() >= if one_in() == 1 { 8 } else { 7 }, "{kinds:?}");
+    assert!(about_bytes(&theorems) > generated_count() / 3, "{}", about_bytes(&theorems));
     all_are_accepted("fits", &theorems);
 }
 
@@ -68,7 +76,7 @@ fn generated_half_planes_are_theorems() {
     let mut rng = seeded(3102);
     let mut kinds = BTreeMap::<_, usize>::new();
     let mut theorems = Vec::new();
-    while theorems.len() < 300 {
+    while theorems.len() < generated_count() {
         let system = match theorems.len() % 8 {
             0 => system(&tangents(&mut rng, 12)),
             _ => rational_system(&mut rng),
@@ -77,7 +85,7 @@ fn generated_half_planes_are_theorems() {
         *kinds.entry(polyhedron.region().kind().name()).or_default() += 1;
         theorems.push(kernel_half_planes(&system, &polyhedron, None, None, Theory::Installed).unwrap());
     }
-    assert_eq!(kinds.len(), 10, "{kinds:?}");
+    assert!(kinds.len() == 10 || one_in() > 1 && kinds.len() >= 8, "{kinds:?}");
     all_are_accepted("half_planes", &theorems);
 }
 
@@ -86,7 +94,7 @@ fn generated_linear_programs_are_theorems() -> Result<(), SolveError> {
     let mut rng = seeded(3104);
     let mut statuses = BTreeMap::<_, usize>::new();
     let mut theorems = Vec::new();
-    while theorems.len() < 300 {
+    while theorems.len() < generated_count() {
         let model = model(&mut rng);
         let theorem = kernel_program(&model, &Answer::of(&model)?, None, Theory::Installed);
         assert_eq!(theorem.is_some(), model.columns.len() == 2, "{model:?}");

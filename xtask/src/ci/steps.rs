@@ -212,9 +212,9 @@ cargo test --workspace --locked --no-run --quiet
     },
     Step {
         name: "fuzz",
-        holds: "no target of the fuzzer fails on seeds and 20,000 mutations of them",
+        holds: "no target of the fuzzer fails on seeds and 10,000 mutations of them",
         changes: "everything that reads input",
-        script: "FUZZ_CASES=20000 cargo test --workspace --locked --test formats fuzz_smoke",
+        script: "FUZZ_CASES=10000 cargo test --workspace --locked --test formats fuzz_smoke",
         ..PLAIN
     },
     Step {
@@ -318,9 +318,9 @@ npm --prefix tests/browser test",
     },
     Step {
         name: "tests",
-        holds: "the second command of README, all tests that need no other program, passes with every generated case",
+        holds: "the second command of README, all tests that need no other program, passes with one of four generated cases in the longest tests",
         changes: "every change",
-        script: "export ALL_CASES=1\neval \"$(grep '^cargo ' README.md | sed -n 2p)\" 2>&1",
+        script: "export ONE_CASE_IN=4\neval \"$(grep '^cargo ' README.md | sed -n 2p)\" 2>&1",
         ..PLAIN
     },
 ];

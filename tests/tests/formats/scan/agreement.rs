@@ -32,7 +32,7 @@ fn generated_tables() {
         assert_eq!(by_scan(&bytes, &columns, &options), expected, "case {number}");
         *(if expected.is_ok() { &mut found } else { &mut refused }) += 1;
     }
-    assert!(found > share(1500) && refused > share(1500), "{found} were read, {refused} refused");
+    assert!(found > share(1400) && refused > share(1500), "{found} were read, {refused} refused");
 }
 
 /// A chunk may end after any byte of a file: what is wrong in its last line is found in every one.
