@@ -8,14 +8,13 @@ use boundfit_lp::{Bounds, ExchangeRows};
 /// row, written with =.
 pub fn exchange_rows(problem: &Problem) -> ExchangeRows {
     let mut rows = ExchangeRows::default();
-    let readings = problem.measurements.kept();
-    for reading in readings {
+    for reading in problem.measurements.each_shown() {
         let bounds = Bounds { lower: None, upper: reading.upper() };
         if bounds != Bounds::default() {
             rows.push(format_args!("row{}_upper", reading.row), &reading.regressor, &bounds);
         }
     }
-    for reading in readings {
+    for reading in problem.measurements.each_shown() {
         let bounds = Bounds { lower: reading.lower(), upper: None };
         if bounds != Bounds::default() {
             rows.push(format_args!("row{}_lower", reading.row), &reading.regressor, &bounds);

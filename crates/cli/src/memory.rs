@@ -12,7 +12,7 @@ pub(crate) fn keep_freed() {
 /// Bytes that the budget counts for each reading where a command wants every one, with all that the command makes of
 /// it. This number is an estimate, as are those below: the maximum resident set of the program of the tests with 10⁵
 /// different readings, less that with one reading. The difference is divided by the number of readings and rounded
-/// up. Measured were `convert` and `fit --window` (390).
+/// up. Measured were `convert`, before it left readings in their columns, and `fit --window` (390).
 pub(crate) const OF_A_READING: usize = 400;
 /// Bytes for each reading in a figure, estimated as [`OF_A_READING`] (380 for its data, more for other figures).
 pub(crate) const OF_A_FIGURE: usize = 700;

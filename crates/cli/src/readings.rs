@@ -128,6 +128,11 @@ impl<'a> Data<'a> {
         self.scanned(keep, Shows::Rows)
     }
 
+    /// Reads the problem for one look at each reading: those of a line under a uniform bound stay in their columns.
+    pub(crate) fn problem_in_columns(self) -> Result<Problem, Failure> {
+        self.scanned(Keep { most_rows: usize::MAX, ..Keep::DECIDING }, Shows::Nothing)
+    }
+
     /// Reads the problem with every reading, which takes less memory than [`Data::problem`] does, and has no hash of the data.
     pub(crate) fn whole_problem(self) -> Result<Problem, Failure> {
         self.scanned(Keep::EVERY, Shows::Nothing)

@@ -45,6 +45,15 @@ impl Measurements {
         self.kept_count()
     }
 
+    /// The readings that can be shown one after the other, ascending by row. Exact. Cost: linear; memory for one.
+    pub fn each_shown(&self) -> Box<dyn Iterator<Item = Cow<'_, Measurement>> + '_> {
+        #[cfg(feature = "files")]
+        if let Some(columns) = self.waiting() {
+            return Box::new(columns.each(&self.meaning).map(Cow::Owned));
+        }
+        Box::new(self.kept().iter().map(Cow::Borrowed))
+    }
+
     /// A reading that can be shown, by its position; positions ascend with rows. Exact.
     pub fn shown_at(&self, position: usize) -> Option<Cow<'_, Measurement>> {
         #[cfg(feature = "files")]

@@ -1,29 +1,41 @@
 //! The amount of work that the long numbers of a problem cause.
 
+use std::borrow::Borrow;
+
 use boundfit_exact::{Rational, TooMuchWork, Work};
 
 use crate::meaning::Model;
-use crate::measurement::Bounds;
+use crate::measurement::{Bounds, Measurement};
 use crate::problem::Problem;
 
 impl Problem {
     /// Estimates the work of a fit from the lengths of its numbers: each reading's regressors, response and bounds,
     /// and the conditions. Each of these rows also meets some other numbers, given here. Cost: linear.
     pub fn work(&self, others: &[&Rational]) -> Work {
-        let mut work = Work::default();
         let of_others: u64 = others.iter().map(|number| number.bits()).sum();
-        let of_some = |number: &Option<Rational>| number.as_ref().map_or(0, Rational::bits);
         // Readings on a grid take at most 504 bits: two numbers of 125 bits over 63, a bound of twice 63, and a 1.
         let is_short = self.measurements.on_grid().is_some() && Work::is_short(504 + of_others);
-        for reading in if is_short { &[] } else { self.measurements.kept() } {
-            let [first, second] = &reading.regressor;
-            let of_bounds = match &reading.bounds {
+        self.work_of(if is_short { &[] } else { self.measurements.kept() }, of_others)
+    }
+
+    /// Estimates the work of a look at each reading that can be shown ([`Measurements::each_shown`](crate::Measurements::each_shown)),
+    /// as [`Problem::work`] does. Cost: linear.
+    pub fn work_of_shown(&self) -> Work {
+        self.work_of(self.measurements.each_shown(), 0)
+    }
+
+    fn work_of<R: Borrow<Measurement>>(&self, readings: impl IntoIterator<Item = R>, of_others: u64) -> Work {
+        let mut work = Work::default();
+        let of_some = |number: &Option<Rational>| number.as_ref().map_or(0, Rational::bits);
+        for reading in readings {
+            let Measurement { row, regressor: [first, second], bounds } = reading.borrow();
+            let of_bounds = match bounds {
                 Bounds::Around { response, epsilon } => response.bits() + epsilon.bits(),
                 Bounds::Between { lower, upper, response } => {
                     of_some(lower) + of_some(upper) + of_some(response)
                 }
             };
-            work.add_bits(reading.row, first.bits() + second.bits() + of_bounds + of_others);
+            work.add_bits(*row, first.bits() + second.bits() + of_bounds + of_others);
         }
         for condition in &self.conditions {
             let inequality = condition.inequality();

@@ -16,7 +16,7 @@ use crate::options::{
 };
 use crate::output::{self, Output};
 use crate::progress::while_working;
-use crate::work::{refuse_long_problem, times};
+use crate::work::{refuse_long, times};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -88,9 +88,10 @@ pub(super) fn run(arguments: &ConvertArguments) -> CommandResult {
     }
     let data = arguments.data.words().open()?;
     let reading = data.origin.reading;
-    let problem = data.whole_problem()?;
+    let problem = data.problem_in_columns()?;
     let limits = &arguments.data.table.limits;
-    refuse_long_problem(arguments.data.file_name(), &problem, times::CONVERT, limits)?;
+    let work = problem.work_of_shown();
+    refuse_long(arguments.data.file_name(), &work, times::CONVERT * problem.looks(), limits)?;
     let read = &problem.measurements;
     input::say_table(arguments.data.file_name(), read.table(), read.rows_missing());
     let about = comments(arguments, reading, &problem);

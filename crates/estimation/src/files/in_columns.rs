@@ -26,6 +26,14 @@ impl InColumns {
         readings_of(&self.0, meaning)
     }
 
+    /// The readings one after the other. Exact. Cost: linear; memory for one.
+    pub(crate) fn each<'a>(&'a self, meaning: &'a Meaning) -> impl Iterator<Item = Measurement> + 'a {
+        self.0.iter().flat_map(move |batch| {
+            let at = move |position| meaning.of_columns(&batch.columns, position, batch.rows.get(position));
+            (0..batch.rows.len()).map(at)
+        })
+    }
+
     /// The reading at a position. Exact. Cost: that of a look at each batch.
     pub(crate) fn reading(&self, mut position: usize, meaning: &Meaning) -> Option<Measurement> {
         for batch in self.0.iter() {

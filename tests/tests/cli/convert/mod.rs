@@ -4,6 +4,8 @@ mod reader;
 
 use std::fs;
 use std::path::Path;
+#[cfg(unix)]
+use std::time::Duration;
 
 use boundfit_check::{ProgramRows, exchange_rows};
 use boundfit_estimation::{
@@ -13,6 +15,8 @@ use boundfit_exact::{Endpoint, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, Source, TableOptions};
 use boundfit_lp::{ExactOutcome, ExchangeFormat, Program, PuiEnd, Row, exact_simplex};
 use boundfit_tests::cli::directory_with;
+#[cfg(unix)]
+use boundfit_tests::hostile::{Cost, run_limited};
 use boundfit_tests::lp_cases::{hard_cases, number, ten_to};
 use boundfit_tests::program::{Run, root, run};
 use boundfit_tests::readings::{line, problem, with_error_bound};
@@ -88,6 +92,9 @@ fn cases() -> Vec<Case> {
         case("fixtures/norris/norris.csv", "x", "y", "1/2", None, &[]),
         case("fixtures/figures/two-regressors.csv", "1,2", "3", "1/4", None, &[binary64]),
         case("fixtures/claims/strip.csv", "x", "y", "0.2", None, &[]),
+        // Readings of a line that wait in their columns, others than those on a hull.
+        case("fixtures/tables/faithful.csv", "eruptions", "waiting", "20", Some((14, 250)), &conditions),
+        case("fixtures/tables/faithful.csv", "eruptions", "waiting", "1/3", None, &[binary64]),
     ];
     for hard in hard_cases() {
         let file = format!("fixtures/hard-lp/{}.csv", hard.name);
@@ -202,6 +209,19 @@ fn long_and_far_numbers_stay_exact_and_are_remarked_upon() {
         &problem,
         "mps",
     );
+}
+
+/// A reading of a line takes no more than its numbers in columns and its two rows as text.
+#[cfg(unix)]
+#[test]
+fn many_readings_are_written_in_little_memory() {
+    let rows: String = (0..200_000).map(|row| format!("{row},{}\n", row % 997)).collect();
+    let directory = directory_with(&[("many.csv", format!("x,y\n{rows}").as_bytes())]);
+    let words = "convert many.csv --x x --y y --eps 600 --to mps --objective theta1-min -o made.mps";
+    let words: Vec<String> = words.split(' ').map(str::to_owned).collect();
+    let cost = Cost { cpu: Duration::from_secs(60), data: 88 << 20 };
+    let ended = run_limited(directory.path(), &words, cost);
+    assert_eq!(ended.status, Some(0), "{}", ended.messages);
 }
 
 const STEAM: &str = "fixtures/steam-generator/steam_generator.csv --x x --y y --eps-column eps";
