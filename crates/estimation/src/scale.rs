@@ -10,8 +10,8 @@ use crate::growing::Growing;
 use crate::least_growth::{LeastGrowth, least_growth};
 use crate::measurement::Measurement;
 
-/// The choice of the bounds of readings.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// The choice of the bounds of readings. Of two of a kind the larger one has the larger number.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd)]
 pub(crate) enum Scale {
     /// The bounds as the readings state them.
     AsStated,
@@ -32,6 +32,15 @@ impl Scale {
             LeastGrowth::From { t, .. } if is_uniform => Some(Scale::Within(t)),
             LeastGrowth::From { t, .. } => Some(Scale::Times(t)),
             LeastGrowth::Never => None,
+        }
+    }
+
+    /// The scale that is this many times as large. Exact.
+    pub(crate) fn times(&self, factor: &Rational) -> Self {
+        match self {
+            Scale::AsStated => Scale::Times(factor.clone()),
+            Scale::Times(own) => Scale::Times(own * factor),
+            Scale::Within(epsilon) => Scale::Within(epsilon * factor),
         }
     }
 

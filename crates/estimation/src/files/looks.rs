@@ -8,6 +8,7 @@ use boundfit_geometry::{Region, System, envelope};
 
 use super::fixed::{FixedBounds, FixedSupport};
 use super::kept_columns::{KeptColumns, KeptPart};
+use super::nearby::Nearby;
 use super::reach::{SignedSums, Weights, merged_or_reason};
 use super::sums::column_totals;
 use super::vertices::AtVertices;
@@ -140,9 +141,17 @@ impl Looks<'_> {
         Some(bounds.again(keep)?.knowing(rows))
     }
 
+    /// Returns the readings that may touch an envelope at a scale, or at one that is a little larger. One look.
+    fn nearby(&self, meaning: &Meaning, scale: Scale, known: &[Measurement]) -> Result<Nearby, InputError> {
+        let (nearby, mut found) = (Nearby::new(scale, known, self.count), Vec::new());
+        let work = |columns: &[Column], rows: &RowNumbers| nearby.of_columns(meaning, columns, rows);
+        self.look(work, |part| found.extend(part))?;
+        Ok(nearby.with(found))
+    }
+
     /// Finds the readings that decide the least factor on the error bounds, from some that may not. The readings that
-    /// touch at the least factor of these are complete as soon as that factor leaves a point for all readings. A look
-    /// for each attempt, of which two or three suffice in practice.
+    /// touch at the least factor of these are complete as soon as that factor leaves a point for all readings. One look
+    /// serves all attempts whose factors are close to each other; where too many readings are that close, each takes one.
     pub(super) fn deciding_minimax(
         &self,
         meaning: &Meaning,
@@ -150,12 +159,19 @@ impl Looks<'_> {
         some: &[Measurement],
     ) -> Result<Vec<Measurement>, InputError> {
         let mut known = some.to_vec();
+        let mut nearby: Option<Nearby> = None;
         loop {
             let Some(scale) = Scale::least(known.iter(), meaning.error_bound.is_uniform(), conditions) else {
                 return Ok(known);
             };
+            if nearby.as_ref().is_none_or(|nearby| nearby.ends_before(&scale)) {
+                nearby = Some(self.nearby(meaning, scale.clone(), &known)?);
+            }
             let bounds = FixedBounds::new(meaning, &scale, 1).telling_vertices_as_one().knowing(&known);
-            let (touching, _) = self.touching(&bounds)?;
+            let touching = match nearby.as_ref().and_then(Nearby::readings) {
+                Some(nearby) => bounds.of_readings(nearby),
+                None => self.touching(&bounds)?.0,
+            };
             if scale.is_enough(touching.iter(), conditions) {
                 return Ok(touching);
             }

@@ -11,6 +11,7 @@ mod in_columns;
 mod kept_columns;
 mod looks;
 mod meaning;
+mod nearby;
 mod origin;
 mod outline;
 mod question;

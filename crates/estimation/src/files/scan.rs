@@ -30,7 +30,7 @@ impl Measurements {
     /// readings of a line depends on them.
     ///
     /// Exact. Cost: one pass, and another where the EUI is asked for of a file with more readings than are kept for
-    /// it. The factor ε_min then takes some more passes, in practice two or three, unless the model is a line under a uniform
+    /// it. The factor ε_min then takes another pass, rarely more, unless the model is a line under a uniform
     /// error bound.
     ///
     /// # Errors
