@@ -78,23 +78,27 @@ impl Looks<'_> {
     }
 
     /// Returns how far least squares may move, and the first of the readings that the estimate misses most, or else comes nearest to
-    /// missing. One look.
+    /// missing. The same look, the only one, finds the readings of a stretch.
     pub(super) fn reach_and_tightest(
         &self,
         meaning: &Meaning,
         sums: &Sums,
+        nearby: &mut Option<Nearby>,
     ) -> Result<(Result<Reach, NoEui>, Option<Measurement>), InputError> {
         let weights = Weights::new(sums);
         let theta = LeastSquares::theta_of(sums);
         let bounds = FixedBounds::new(meaning, &Scale::AsStated, 1);
         let mut total = Ok(SignedSums::default());
         let mut tightest: Option<(Rational, Measurement)> = None;
+        let mut found = Vec::new();
         let work = |columns: &[Column], rows: &RowNumbers| {
             let number = |k| rows.get(k);
             let tightest = theta.as_ref().and_then(|theta| bounds.tightest(columns, &number, theta));
-            (weights.of_columns(meaning, columns, &number), tightest)
+            let near = nearby.as_ref().map(|nearby| nearby.of_columns(meaning, columns, &number));
+            (weights.of_columns(meaning, columns, &number), tightest, near)
         };
-        self.look(work, |(sums, part)| {
+        self.look(work, |(sums, part, near)| {
+            found.extend(near.into_iter().flatten());
             let so_far = std::mem::replace(&mut total, Err(NoEui::NotAsked));
             total = merged_or_reason(so_far, sums);
             let is_tighter =
@@ -103,6 +107,7 @@ impl Looks<'_> {
                 tightest = Some(part);
             }
         })?;
+        nearby.iter_mut().for_each(|nearby| nearby.set(std::mem::take(&mut found)));
         Ok((total.map(|total| weights.reach(meaning, total)), tightest.map(|(_, reading)| reading)))
     }
 
@@ -141,35 +146,45 @@ impl Looks<'_> {
         Some(bounds.again(keep)?.knowing(rows))
     }
 
-    /// Returns the readings that may touch an envelope at a scale, or at one that is a little larger. One look.
-    fn nearby(&self, meaning: &Meaning, scale: Scale, known: &[Measurement]) -> Result<Nearby, InputError> {
-        let (nearby, mut found) = (Nearby::new(scale, known, self.count), Vec::new());
-        let work = |columns: &[Column], rows: &RowNumbers| nearby.of_columns(meaning, columns, rows);
+    /// The stretch that begins at the least factor of some readings, not looked at yet; `None` when no factor leaves anything.
+    pub(super) fn nearby_of(
+        &self,
+        meaning: &Meaning,
+        conditions: &[Condition],
+        some: &[Measurement],
+    ) -> Option<Nearby> {
+        let scale = Scale::least(some.iter(), meaning.error_bound.is_uniform(), conditions)?;
+        Some(Nearby::new(scale, some, self.count))
+    }
+
+    /// Finds the readings of a stretch. One look.
+    pub(super) fn find_nearby(&self, meaning: &Meaning, nearby: &mut Nearby) -> Result<(), InputError> {
+        let mut found = Vec::new();
+        let work =
+            |columns: &[Column], rows: &RowNumbers| nearby.of_columns(meaning, columns, &|k| rows.get(k));
         self.look(work, |part| found.extend(part))?;
-        Ok(nearby.with(found))
+        nearby.set(found);
+        Ok(())
     }
 
     /// Finds the readings that decide the least factor on the error bounds, from some that may not. The readings that
-    /// touch at the least factor of these are complete as soon as that factor leaves a point for all readings. One look
-    /// serves all attempts whose factors are close to each other; where too many readings are that close, each takes one.
+    /// touch at the least factor of these are complete as soon as that factor leaves a point for all readings. The first
+    /// stretch has been looked at; it mostly serves all attempts, since their factors are close to each other. Another one
+    /// takes another look, and where too many readings are that close, so does each attempt.
     pub(super) fn deciding_minimax(
         &self,
         meaning: &Meaning,
         conditions: &[Condition],
         some: &[Measurement],
+        first: Option<Nearby>,
     ) -> Result<Vec<Measurement>, InputError> {
         let mut known = some.to_vec();
-        let mut nearby: Option<Nearby> = None;
+        let Some(mut nearby) = first else { return Ok(known) };
+        let mut scale = nearby.least.clone();
         loop {
-            let Some(scale) = Scale::least(known.iter(), meaning.error_bound.is_uniform(), conditions) else {
-                return Ok(known);
-            };
-            if nearby.as_ref().is_none_or(|nearby| nearby.ends_before(&scale)) {
-                nearby = Some(self.nearby(meaning, scale.clone(), &known)?);
-            }
             let bounds = FixedBounds::new(meaning, &scale, 1).telling_vertices_as_one().knowing(&known);
-            let touching = match nearby.as_ref().and_then(Nearby::readings) {
-                Some(nearby) => bounds.of_readings(nearby),
+            let touching = match nearby.readings() {
+                Some(readings) => bounds.of_readings(readings),
                 None => self.touching(&bounds)?.0,
             };
             if scale.is_enough(touching.iter(), conditions) {
@@ -178,6 +193,12 @@ impl Looks<'_> {
             known.extend(touching);
             known.sort_by_key(|reading| reading.row);
             known.dedup_by_key(|reading| reading.row);
+            let Some(next) = self.nearby_of(meaning, conditions, &known) else { return Ok(known) };
+            scale = next.least.clone();
+            if nearby.ends_before(&scale) {
+                nearby = next;
+                self.find_nearby(meaning, &mut nearby)?;
+            }
         }
     }
 }
