@@ -10,7 +10,7 @@ use crate::growing::Growing;
 use crate::least_growth::{LeastGrowth, least_growth};
 use crate::measurement::Measurement;
 
-/// The choice of the bounds of readings. Of two of a kind the larger one has the larger number.
+/// The choice of the bounds of readings. The order is that of the numbers, within one kind.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd)]
 pub(crate) enum Scale {
     /// The bounds as the readings state them.
