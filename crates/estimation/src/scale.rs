@@ -36,6 +36,7 @@ impl Scale {
     }
 
     /// The scale that is this many times as large. Exact.
+    #[cfg(feature = "files")]
     pub(crate) fn times(&self, factor: &Rational) -> Self {
         match self {
             Scale::AsStated => Scale::Times(factor.clone()),
