@@ -10,8 +10,8 @@ use crate::growing::Growing;
 use crate::least_growth::{LeastGrowth, least_growth};
 use crate::measurement::Measurement;
 
-/// The choice of the bounds of readings. The order is that of the numbers, within one kind.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd)]
+/// The choice of the bounds of readings.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Scale {
     /// The bounds as the readings state them.
     AsStated,
@@ -32,16 +32,6 @@ impl Scale {
             LeastGrowth::From { t, .. } if is_uniform => Some(Scale::Within(t)),
             LeastGrowth::From { t, .. } => Some(Scale::Times(t)),
             LeastGrowth::Never => None,
-        }
-    }
-
-    /// The scale that is this many times as large. Exact.
-    #[cfg(feature = "files")]
-    pub(crate) fn times(&self, factor: &Rational) -> Self {
-        match self {
-            Scale::AsStated => Scale::Times(factor.clone()),
-            Scale::Times(own) => Scale::Times(own * factor),
-            Scale::Within(epsilon) => Scale::Within(epsilon * factor),
         }
     }
 

@@ -1,10 +1,10 @@
 //! The claim of a solver's file about one of the four programs.
 
-use boundfit_exact::{Limits, Rational};
+use boundfit_exact::Limits;
 use boundfit_judge::{
     Entry, Figure, Reference, SolutionError, SolutionFile, SolverStatus, quoted, read_solution,
 };
-use boundfit_lp::{BoundClaim, Claimed, End, MOST_ULPS, Printed, PuiEnd, ulp};
+use boundfit_lp::{BoundClaim, Claimed, Printed, PuiEnd};
 
 use super::programs::Programs;
 
@@ -41,26 +41,10 @@ pub(super) fn claim(file: &SolutionFile, target: PuiEnd, programs: Option<&Progr
             BoundClaim::nothing(&format!("the solver's status is {}", quoted(words)))
         }
         (SolverStatus::Optimal, Ok(Some(point))) => {
-            let own = BoundClaim::attained(target, point, duals(file, programs));
-            let stated = stated_end(file, target, &own.claimed);
-            BoundClaim { claimed: stated.unwrap_or(own.claimed), ..own }
+            BoundClaim::attained(target, point, duals(file, programs))
         }
         (SolverStatus::Optimal, _) => BoundClaim::nothing("an optimum that is not finite"),
     }
-}
-
-/// The end that the file's objective states, where it is not that of its point. The programs of `boundfit convert` minimise θ or -θ;
-/// those of other writers may maximise θ.
-fn stated_end(file: &SolutionFile, target: PuiEnd, claimed: &Claimed) -> Option<Claimed> {
-    let (Figure::Finite(stated), _) = file.objective.as_ref()? else { return None };
-    let Claimed::Value(own) = claimed else { return None };
-    let rounding = Rational::from(MOST_ULPS) * ulp(&own.value).unwrap_or_default();
-    let slack = stated.reach() + own.reach() + rounding;
-    let is_own = |end: &Rational| (end - &own.value).abs() <= slack;
-    let negated = -&stated.value;
-    let value = if target.end() == End::Lower { stated.value.clone() } else { negated.clone() };
-    let is_said = is_own(&stated.value) || target.end() == End::Upper && is_own(&negated);
-    (!is_said).then(|| Claimed::Value(Printed { value, ..stated.clone() }))
 }
 
 /// θ1 and θ2; `None` where one is infinite or not a number. Others are passed over.

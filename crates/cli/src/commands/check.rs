@@ -68,7 +68,7 @@ pub(crate) struct CheckArguments {
     solvers: Vec<String>,
     /// Judge the claims in this file: JSON, or a solution by GLPK, HiGHS, CPLEX (XML), CBC or SCIP of one of the
     /// programs of 'boundfit convert'. The file name says which program (theta1-min ...); a folder gives all solutions
-    /// in it. The claim of a solution is its point, or its objective if that is another value; repeatable
+    /// in it. The point of a solution is the claim ('boundfit judge' judges the objective, too); repeatable
     #[arg(long = "claim", value_name = "FILE|DIR")]
     claims: Vec<String>,
     /// Judge these ends of the intervals; inf and -inf claim an unbounded end; repeatable

@@ -15,7 +15,7 @@ use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::moments::Sums;
 use crate::reduction::NoLeastSquares;
-use crate::rounded::{may_be_tightest, strips_of};
+use crate::rounded::may_be_tightest;
 use crate::scale::Scale;
 use crate::ties::{TiedReading, Ties};
 
@@ -192,17 +192,6 @@ impl<'a> FixedBounds<'a> {
             }
         }
         self.touching(left.into_iter().map(tied).chain(through).collect())
-    }
-
-    /// The readings of some that touch an envelope. Exact.
-    pub(crate) fn of_readings(&self, readings: &[Measurement]) -> Vec<Measurement> {
-        let strips = strips_of(readings, self.scale);
-        let left = match self.sieve.get() {
-            Some(known) => known.sieve.survivors(&strips, |place| readings[place].regressor.clone()),
-            None => (0..readings.len()).collect(),
-        };
-        let tied = left.into_iter().map(|place| TiedReading::alone(readings[place].clone()));
-        TiedReading::by_row(self.touching(tied.collect())).0
     }
 
     fn touching(&self, readings: Vec<TiedReading>) -> Vec<TiedReading> {

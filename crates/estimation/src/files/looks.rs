@@ -8,7 +8,6 @@ use boundfit_geometry::{Region, System, envelope};
 
 use super::fixed::{FixedBounds, FixedSupport};
 use super::kept_columns::{KeptColumns, KeptPart};
-use super::nearby::Nearby;
 use super::reach::{SignedSums, Weights, merged_or_reason};
 use super::sums::column_totals;
 use super::vertices::AtVertices;
@@ -78,27 +77,23 @@ impl Looks<'_> {
     }
 
     /// Returns how far least squares may move, and the first of the readings that the estimate misses most, or else comes nearest to
-    /// missing. The same look, the only one, finds the readings of a stretch.
+    /// missing. One look.
     pub(super) fn reach_and_tightest(
         &self,
         meaning: &Meaning,
         sums: &Sums,
-        nearby: &mut Option<Nearby>,
     ) -> Result<(Result<Reach, NoEui>, Option<Measurement>), InputError> {
         let weights = Weights::new(sums);
         let theta = LeastSquares::theta_of(sums);
         let bounds = FixedBounds::new(meaning, &Scale::AsStated, 1);
         let mut total = Ok(SignedSums::default());
         let mut tightest: Option<(Rational, Measurement)> = None;
-        let mut found = Vec::new();
         let work = |columns: &[Column], rows: &RowNumbers| {
             let number = |k| rows.get(k);
             let tightest = theta.as_ref().and_then(|theta| bounds.tightest(columns, &number, theta));
-            let near = nearby.as_ref().map(|nearby| nearby.of_columns(meaning, columns, &number));
-            (weights.of_columns(meaning, columns, &number), tightest, near)
+            (weights.of_columns(meaning, columns, &number), tightest)
         };
-        self.look(work, |(sums, part, near)| {
-            found.extend(near.into_iter().flatten());
+        self.look(work, |(sums, part)| {
             let so_far = std::mem::replace(&mut total, Err(NoEui::NotAsked));
             total = merged_or_reason(so_far, sums);
             let is_tighter =
@@ -107,7 +102,6 @@ impl Looks<'_> {
                 tightest = Some(part);
             }
         })?;
-        nearby.iter_mut().for_each(|nearby| nearby.set(std::mem::take(&mut found)));
         Ok((total.map(|total| weights.reach(meaning, total)), tightest.map(|(_, reading)| reading)))
     }
 
@@ -146,59 +140,28 @@ impl Looks<'_> {
         Some(bounds.again(keep)?.knowing(rows))
     }
 
-    /// The stretch that begins at the least factor of some readings, not looked at yet; `None` when no factor leaves anything.
-    pub(super) fn nearby_of(
-        &self,
-        meaning: &Meaning,
-        conditions: &[Condition],
-        some: &[Measurement],
-    ) -> Option<Nearby> {
-        let scale = Scale::least(some.iter(), meaning.error_bound.is_uniform(), conditions)?;
-        Some(Nearby::new(scale, some, self.count))
-    }
-
-    /// Finds the readings of a stretch. One look.
-    pub(super) fn find_nearby(&self, meaning: &Meaning, nearby: &mut Nearby) -> Result<(), InputError> {
-        let mut found = Vec::new();
-        let work =
-            |columns: &[Column], rows: &RowNumbers| nearby.of_columns(meaning, columns, &|k| rows.get(k));
-        self.look(work, |part| found.extend(part))?;
-        nearby.set(found);
-        Ok(())
-    }
-
     /// Finds the readings that decide the least factor on the error bounds, from some that may not. The readings that
-    /// touch at the least factor of these are complete as soon as that factor leaves a point for all readings. The first
-    /// stretch has been looked at; it mostly serves all attempts, since their factors are close to each other. Another one
-    /// takes another look, and where too many readings are that close, so does each attempt.
+    /// touch at the least factor of these are complete as soon as that factor leaves a point for all readings. A look
+    /// for each attempt, of which two or three suffice in practice.
     pub(super) fn deciding_minimax(
         &self,
         meaning: &Meaning,
         conditions: &[Condition],
         some: &[Measurement],
-        first: Option<Nearby>,
     ) -> Result<Vec<Measurement>, InputError> {
         let mut known = some.to_vec();
-        let Some(mut nearby) = first else { return Ok(known) };
-        let mut scale = nearby.least.clone();
         loop {
-            let bounds = FixedBounds::new(meaning, &scale, 1).telling_vertices_as_one().knowing(&known);
-            let touching = match nearby.readings() {
-                Some(readings) => bounds.of_readings(readings),
-                None => self.touching(&bounds)?.0,
+            let Some(scale) = Scale::least(known.iter(), meaning.error_bound.is_uniform(), conditions) else {
+                return Ok(known);
             };
+            let bounds = FixedBounds::new(meaning, &scale, 1).telling_vertices_as_one().knowing(&known);
+            let (touching, _) = self.touching(&bounds)?;
             if scale.is_enough(touching.iter(), conditions) {
                 return Ok(touching);
             }
             known.extend(touching);
             known.sort_by_key(|reading| reading.row);
             known.dedup_by_key(|reading| reading.row);
-            let Some(next) = self.nearby_of(meaning, conditions, &known) else { return Ok(known) };
-            scale = next.least.clone();
-            if nearby.ends_before(&scale) {
-                nearby = next;
-                self.find_nearby(meaning, &mut nearby)?;
-            }
         }
     }
 }

@@ -11,7 +11,6 @@ mod in_columns;
 mod kept_columns;
 mod looks;
 mod meaning;
-mod nearby;
 mod origin;
 mod outline;
 mod question;

@@ -30,8 +30,8 @@ impl Measurements {
     /// readings of a line depends on them.
     ///
     /// Exact. Cost: one pass, and another where the EUI is asked for of a file with more readings than are kept for
-    /// it. The same pass mostly tells the factor ε_min, too. It takes more where too many readings are close to deciding it, and a line
-    /// under a uniform error bound needs none.
+    /// it. The factor ε_min then takes some more passes, in practice two or three, unless the model is a line under a uniform
+    /// error bound.
     ///
     /// # Errors
     /// The first thing wrong with the file, a negative error bound included.
@@ -205,15 +205,11 @@ fn readings_under_fixed_bounds(
     } else if !looks.are_possible() {
         (Err(NoEui::TooManyOnce), DecidingMinimax::Unknown(NoMinimax::TooManyOnce))
     } else {
-        let mut nearby = looks.nearby_of(meaning, conditions, &rows);
+        let own = looks.deciding_minimax(meaning, conditions, &rows)?;
         let (reach, tightest) = match &sums {
-            Ok(sums) => looks.reach_and_tightest(meaning, sums, &mut nearby)?,
-            Err(_) => {
-                nearby.iter_mut().try_for_each(|nearby| looks.find_nearby(meaning, nearby))?;
-                (Err(NoEui::NotAsked), None)
-            }
+            Ok(sums) => looks.reach_and_tightest(meaning, sums)?,
+            Err(_) => (Err(NoEui::NotAsked), None),
         };
-        let own = looks.deciding_minimax(meaning, conditions, &rows, nearby)?;
         add_tightest(&mut rows, &mut ties, tightest, bounds);
         (reach, DecidingMinimax::Own(own))
     };

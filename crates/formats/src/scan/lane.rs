@@ -358,23 +358,8 @@ impl Lane<'_> {
     fn after_cell(&self, at: usize) -> Option<usize> {
         let at = self.after_quotes(at)?;
         let rest = self.chunk.get(at..)?;
-        let length = self.end_of_plain_cell(rest)?;
+        let length = memchr2(self.layout.syntax.delimiter, b'\n', rest)?;
         (rest.get(length) == Some(&self.layout.syntax.delimiter)).then_some(at + length + 1)
-    }
-
-    /// The length of a cell without quotes at the start of a text; `None` where the text ends with it.
-    #[inline]
-    fn end_of_plain_cell(&self, text: &[u8]) -> Option<usize> {
-        let delimiter = self.layout.syntax.delimiter;
-        // Most cells are so short that a search for any length would take longer to begin than to end.
-        if let Some(first) = text.first_chunk::<16>() {
-            let ends = first.map(|byte| u8::from(byte == delimiter || byte == b'\n'));
-            let bits = u128::from_le_bytes(ends).trailing_zeros();
-            if bits < u128::BITS {
-                return Some(bits as usize / 8);
-            }
-        }
-        memchr2(delimiter, b'\n', text)
     }
 
     /// The start of the next line, when exactly so many separators come before it.
@@ -393,7 +378,7 @@ impl Lane<'_> {
         }
         let at = self.after_quotes(at)?;
         let rest = self.chunk.get(at..)?;
-        match self.end_of_plain_cell(rest) {
+        match memchr2(self.layout.syntax.delimiter, b'\n', rest) {
             Some(length) if rest.get(length) == Some(&b'\n') => Some(at + length + 1),
             Some(_) => None,
             None => Some(self.chunk.len()),

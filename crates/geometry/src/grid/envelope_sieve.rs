@@ -26,8 +26,6 @@ const MARGIN: f64 = 1.0 / (1_u64 << 48) as f64;
 const RANGE: [f64; 2] = [f64::from_bits((1023 - 500) << 52), f64::from_bits((1023 + 500) << 52)];
 /// More corners than these would take longer to look at than they are worth.
 const MOST_CORNERS: usize = 16;
-/// The corners of a larger set that is looked at first: most readings are far from all envelopes.
-const FEW_CORNERS: usize = 4;
 
 /// The number of rows that are tested together. Compilers turn loops over fewer numbers into single steps before they see that vector
 /// registers would do.
@@ -56,9 +54,7 @@ pub struct EnvelopeSieve {
 #[derive(Debug, Clone)]
 struct Corners {
     corners: Vec<[f64; 2]>,
-    /// The corners that fewer of the same half-planes leave.
-    few: Vec<[f64; 2]>,
-    /// The largest magnitudes of the coordinates of these few.
+    /// The largest magnitudes of their coordinates.
     farthest: [f64; 2],
     /// The normals of both unbounded edges, the one with the least a1/a2 first.
     edges: [Edge; 2],
@@ -235,41 +231,42 @@ impl Corners {
     /// without any, and where numbers are out of range.
     fn new(half_planes: &[&HalfPlane], mirror: f64) -> Option<Self> {
         let last = half_planes.len().checked_sub(1)?;
+        // A set that is larger discards less, and nothing wrongly.
+        let count = half_planes.len().min(MOST_CORNERS + 1);
+        let chosen: Vec<&HalfPlane> =
+            (0..count).map(|k| half_planes[k * last / (count - 1).max(1)]).collect();
         let corner = |[f, g]: [&HalfPlane; 2]| {
             let [theta1, theta2] = meet(f, g).unwrap_or_else(|| foot(f)).coordinates();
             [in_range(theta1.to_f64()), in_range(theta2.to_f64()) * mirror]
         };
-        // A set that is larger discards less, and nothing wrongly.
-        let corners_of = |most: usize| -> Vec<[f64; 2]> {
-            let count = most.min(last);
-            let chosen = |k: usize| half_planes[k * last / count.max(1)];
-            // One half-plane alone has its foot for a corner.
-            (0..count.max(1)).map(|k| corner([chosen(k), chosen((k + 1).min(count))])).collect()
-        };
-        let [corners, few] = [MOST_CORNERS, FEW_CORNERS].map(corners_of);
+        let pairs = chosen.windows(2).map(|pair| [pair[0], pair[1]]);
+        let mut corners: Vec<[f64; 2]> = pairs.map(corner).collect();
+        if corners.is_empty() {
+            corners.push(corner([chosen[0], chosen[0]]));
+        }
         let edge = |half_plane: &HalfPlane| {
             let [a1, a2] = [half_plane.a1(), half_plane.a2()].map(Rational::from);
             let exact = [a1, if mirror < 0.0 { -a2 } else { a2 }];
             let rounded = exact.each_ref().map(|number| in_range(number.to_f64()));
             Edge { exact, rounded }
         };
-        let mut edges = [edge(half_planes[0]), edge(half_planes[last])];
+        let mut edges = [edge(chosen[0]), edge(chosen[chosen.len() - 1])];
         if mirror < 0.0 {
             edges.reverse();
         }
-        let numbers = corners.iter().chain(&few).chain(edges.iter().map(|edge| &edge.rounded)).flatten();
+        let numbers = corners.iter().chain(edges.iter().map(|edge| &edge.rounded)).flatten();
         let is_known = numbers.copied().all(f64::is_finite);
-        let farthest = [0, 1].map(|axis| few.iter().map(|own| own[axis].abs()).fold(0.0, f64::max));
-        is_known.then_some(Corners { corners, few, farthest, edges })
+        let farthest = [0, 1].map(|axis| corners.iter().map(|own| own[axis].abs()).fold(0.0, f64::max));
+        is_known.then_some(Corners { corners, farthest, edges })
     }
 
     /// Returns for which half-planes the answers of [`Self::are_within`] and [`Self::is_between_edges`] are certain
-    /// and yes by a few corners. The margin is that of the farthest of them, so that little is left to do for each.
+    /// and yes. The margin is that of the farthest corner, so that little is left to do for each.
     #[inline]
     fn contain(&self, slope: &[f64; LANES], height: &[f64; LANES], bound: &[f64; LANES]) -> [bool; LANES] {
         let normals = || slope.iter().zip(height);
         let mut largest = [f64::NEG_INFINITY; LANES];
-        for &[v1, v2] in &self.few {
+        for &[v1, v2] in &self.corners {
             for (largest, (slope, height)) in largest.iter_mut().zip(normals()) {
                 let value = slope * v1 + height * v2;
                 *largest = if value > *largest { value } else { *largest };
