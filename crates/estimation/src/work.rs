@@ -21,7 +21,16 @@ impl Problem {
     /// Estimates the work of a look at each reading that can be shown ([`Measurements::each_shown`](crate::Measurements::each_shown)),
     /// as [`Problem::work`] does. Cost: linear.
     pub fn work_of_shown(&self) -> Work {
-        self.work_of(self.measurements.each_shown(), 0)
+        let mut work = self.work_of(self.measurements.each_shown(), 0);
+        // A short file of many rows may have one long bound, which stands in each row: none of its words is free then.
+        if let Some(bound) = self.measurements.error_bound().uniform()
+            && !Work::is_short(bound.bits())
+        {
+            let mut of_bound = Work::default();
+            (1..=self.measurements.shown()).for_each(|row| of_bound.add_bits(row, bound.bits()));
+            work.append(of_bound.of_every_word());
+        }
+        work
     }
 
     fn work_of<R: Borrow<Measurement>>(&self, readings: impl IntoIterator<Item = R>, of_others: u64) -> Work {

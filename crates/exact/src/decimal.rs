@@ -50,6 +50,8 @@ pub struct Decimal<'a> {
 
 /// People read 0.0005 more easily than 5e-4, as the `%g` of printf and R have it.
 const LEAST_PLAIN: i64 = -4;
+/// Programs need no zeros before the digits.
+const COMPACT: i64 = -1;
 
 /// Rounded digits of a number's absolute value.
 struct Significand<T> {
@@ -95,6 +97,27 @@ impl Rational {
         is_exact.then(|| self.decimal(digits, Rounding::Down))
     }
 
+    /// Returns whether the number is a finite decimal, whatever its length. Cost: that of a power of five as long as the denominator.
+    pub fn is_finite_decimal(&self) -> bool {
+        self.denominator().powers_of_two_and_five().is_some()
+    }
+
+    /// All digits of the number in [compact](Decimal::compact) form, if it is a finite decimal. Exact. Cost: that of
+    /// writing an integer as long as the result.
+    ///
+    /// ```
+    /// use boundfit_exact::Rational;
+    /// let digits = Rational::ratio(-1, 1 << 30).finite_decimal();
+    /// assert_eq!(digits.as_deref(), Some("-9.31322574615478515625e-10"));
+    /// assert_eq!(Rational::ratio(1, 3).finite_decimal(), None);
+    /// ```
+    pub fn finite_decimal(&self) -> Option<String> {
+        let (digits, exponent) = finite::long_digits(self)?;
+        let mut text = String::with_capacity(digits.len() + 8);
+        Parts::new(&digits, exponent, true, COMPACT).write(self.is_negative(), |part| text.push_str(part));
+        Some(text)
+    }
+
     /// The number that [`Rational::decimal`] says. Cost: one division of numbers of the value's size.
     pub fn rounded(&self, digits: usize, rounding: Rounding) -> Rational {
         if self.is_zero() {
@@ -126,7 +149,7 @@ impl Decimal<'_> {
     /// This decimal as files for programs have it: below 0.1 with a power of ten, so that no zeros stand before its digits.
     #[must_use]
     pub fn compact(self) -> Self {
-        Decimal { least_plain: -1, ..self }
+        Decimal { least_plain: COMPACT, ..self }
     }
 }
 

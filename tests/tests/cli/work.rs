@@ -69,6 +69,32 @@ fn a_long_bound_counts_in_every_row() {
     }
 }
 
+/// Programs of LPs have the bound in each row, and the least bound may have all digits of a condition.
+#[test]
+fn a_long_bound_is_written_in_every_row() {
+    let same = format!("x,y\n1,2\n2,3\n{}", "1,1\n".repeat(16_384));
+    let directory = directory_with(&[("data.csv", same.as_bytes())]);
+    let line = |bound: &str| {
+        format!("convert data.csv --x x --y y --to lp --objective theta1-max -o made.lp {bound}")
+    };
+    let (nines, sevens) = ("9".repeat(250), "7".repeat(250));
+    for bound in [
+        format!("--eps {nines}/{sevens}1"),
+        format!("--eps 1*min --where 3*theta1-2*theta2<=-{sevens}/{nines}1"),
+        "--eps 1*min --where 3*theta1-2*theta2<=-4e-10000".to_owned(),
+    ] {
+        let run = boundfit(directory.path(), &line(&bound));
+        let start = "error: data.csv: refused: exact arithmetic on ";
+        assert!(run.status == 1 && run.stderr.starts_with(start), "{bound}: {run:?}");
+        assert!(run.stderr.contains("6 rows of up to "), "{bound}: {run:?}");
+    }
+    for bound in ["--eps 1e-200", "--eps 1/3"] {
+        let words: Vec<_> = line(bound).split(' ').map(str::to_owned).collect();
+        let ended = run_limited(directory.path(), &words, LIMITS);
+        assert_eq!(ended.status, Some(0), "{bound}: {ended:?}");
+    }
+}
+
 #[test]
 fn many_different_denominators_are_refused_and_few_in_many_rows_are_not() {
     let directory = directory_with(&[("data.csv", fractions(20_000).as_bytes())]);

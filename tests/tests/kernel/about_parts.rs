@@ -135,20 +135,20 @@ fn prediction(clause: &str, set: Option<&Generators>) -> bool {
     let numbers = |text: &str| fractions(text).iter().map(|own| number(own)).collect::<Vec<_>>();
     // The numbers of a value stand in its own parentheses.
     let form = |text: &str| {
-        let given = between(text, "(value ", "))").map(|own| numbers(&format!("{own})"))).unwrap_or_default();
+        let given = numbers(&format!("{})", between(text, "(value ", "))")?));
         let second = given.get(1).cloned().unwrap_or_else(Rational::one);
-        ([given[0].clone(), second, Rational::zero()], given.len())
+        Some(([given.first()?.clone(), second, Rational::zero()], given.len()))
     };
     let has_end = |which: &str, form: &[Rational; 3], bound: Option<&Rational>| {
         set.has_end_of(form, which, bound.map(ToString::to_string).as_deref())
     };
-    let (own, count) = form(clause);
+    let Some((own, count)) = form(clause) else { return false };
     if clause.starts_with("is_range ") {
         let ends = &numbers(clause)[count..];
         return has_end("lowest", &own, ends.first()) && has_end("highest", &own, ends.last());
     }
     clause.trim_matches(['(', ')']).split(" /\\ ").all(|end| {
-        let (own, count) = form(&format!("{end})"));
+        let Some((own, count)) = form(&format!("{end})")) else { return false };
         let which = end.split(' ').next().unwrap_or_default();
         has_end(which, &own, numbers(&format!("{end})")).get(count))
     })

@@ -136,7 +136,7 @@ impl Question {
     /// # Errors
     /// When they are.
     pub fn problem_within(&self, measurements: Measurements, limit: u64) -> Result<Problem, TooMuchWork> {
-        self.work_of_every(measurements.kept_count()).check(1, limit)?;
+        self.work_of_every(measurements.shown()).check(1, limit)?;
         // A multiple of the least bound is work too.
         let stated = self.stated_problem(measurements);
         stated.check_work(1, limit)?;

@@ -1,6 +1,6 @@
 //! Decimals that end, found by looking at the factors of the denominator.
 
-use crate::Rational;
+use crate::{Integer, Rational};
 
 #[allow(
     clippy::indexing_slicing,
@@ -43,4 +43,14 @@ pub(super) fn digits(value: &Rational, most: usize) -> Option<(u64, i64)> {
     let digits = numerator.unsigned_abs().checked_mul(missing).filter(|_| is_lossless)?;
     let count = digits.ilog10() as usize + 1;
     (count <= most).then(|| (digits, count as i64 - 1 - i64::from(places)))
+}
+
+/// As [`digits`], of a number of any size. Cost: two products of numbers as long as the result.
+pub(super) fn long_digits(value: &Rational) -> Option<(String, i64)> {
+    let (twos, fives) = value.denominator().powers_of_two_and_five()?;
+    let places = twos.max(fives);
+    let digits: Integer = value.numerator().abs().times_powers(places - twos, places - fives);
+    let digits = digits.to_string();
+    let exponent = digits.len() as i64 - 1 - i64::from(places);
+    Some((digits, exponent))
 }

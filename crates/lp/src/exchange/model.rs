@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use boundfit_exact::Rational;
 
 use super::escaped;
-use super::number::{decimal, has_finite_decimal};
+use super::number::decimal;
 use super::rows::{INFINITE, LargeBounds, WrittenRows};
 use super::written::{Written, WrittenColumn};
 use crate::format::ExchangeFormat;
@@ -44,7 +44,7 @@ impl Model {
         {
             let Bounds { lower, upper } = &column.bounds;
             let is_readable = |bound: &Rational| {
-                has_finite_decimal(bound)
+                bound.is_finite_decimal()
                     && bound.decimal_exponent().is_none_or(|exponent| exponent < INFINITE)
             };
             if lower.iter().chain(upper).all(is_readable) {

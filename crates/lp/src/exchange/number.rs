@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use boundfit_exact::{Decimal, Rational};
+use boundfit_exact::Rational;
 
-/// A finite decimal, digit for digit: `0.5`, `1.25e-20`; a fraction where the number has none. Exact. Cost: that of some
-/// divisions of numbers as long as the result.
+/// A finite decimal, digit for digit: `0.5`, `1.25e-20`; a fraction where the number has none. Exact. Cost: that of
+/// writing an integer as long as the result.
 pub(super) fn push_decimal(text: &mut String, value: &Rational) {
     /// Integers below are written with all their digits.
     const LEAST_WITH_POWER: u64 = 1_000_000;
@@ -16,9 +16,14 @@ pub(super) fn push_decimal(text: &mut String, value: &Rational) {
         let _ = write!(text, "{whole}");
         return;
     }
-    let _ = match exact_decimal(value) {
+    /// The number of digits that machine words can write, which is enough for nearly every number that was read.
+    const FEW: usize = 18;
+    let _ = match value.to_words().and_then(|_| value.exact_decimal(FEW)) {
         Some(decimal) => write!(text, "{}", decimal.compact()),
-        None => write!(text, "{value}"),
+        None => match value.finite_decimal() {
+            Some(digits) => text.write_str(&digits),
+            None => write!(text, "{value}"),
+        },
     };
 }
 
@@ -27,11 +32,6 @@ pub(super) fn decimal(value: &Rational) -> String {
     let mut text = String::new();
     push_decimal(&mut text, value);
     text
-}
-
-/// Returns whether a finite decimal is the number. Exact. Cost: as [`push_decimal`].
-pub(super) fn has_finite_decimal(value: &Rational) -> bool {
-    exact_decimal(value).is_some()
 }
 
 /// Returns whether the number is a finite decimal of two machine words, so that it has fewer than a hundred digits and is within the
@@ -44,18 +44,6 @@ pub(super) fn is_short(value: &Rational) -> bool {
         }
         odd == 1
     })
-}
-
-fn exact_decimal(value: &Rational) -> Option<Decimal<'_>> {
-    /// The number of digits that machine words can write, which is enough for nearly every number that was read.
-    const FEW: usize = 18;
-    if let Some(short) = value.exact_decimal(FEW) {
-        return Some(short);
-    }
-    // A denominator that divides a power of ten divides that of its length in bits; of a whole number, three bits take less
-    // than a digit.
-    let digits = value.numerator().bits() / 3 + 1 + value.denominator().bits();
-    value.exact_decimal(usize::try_from(digits).ok()?)
 }
 
 #[cfg(test)]
@@ -90,7 +78,7 @@ mod tests {
         }
         for value in ["1/3", "-5/14", "1/30"] {
             assert_eq!(decimal(&number(value)), value);
-            assert!(!has_finite_decimal(&number(value)) && !is_short(&number(value)), "{value}");
+            assert!(!number(value).is_finite_decimal() && !is_short(&number(value)), "{value}");
         }
         let tenth = Rational::from_f64(0.1).unwrap();
         let digits = "0.1000000000000000055511151231257827021181583404541015625";

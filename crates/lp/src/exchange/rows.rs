@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 
 use boundfit_exact::{Integer, Rational};
 
-use super::number::{decimal, has_finite_decimal, is_short, push_decimal};
+use super::number::{decimal, is_short, push_decimal};
 use crate::model::Bounds;
 
 /// Bounds from this power of ten on are infinite for every reader.
@@ -91,7 +91,7 @@ impl WrittenRows {
             || coefficients.iter().map(|(_, value)| *value).chain(&bounds.lower).chain(&bounds.upper);
         if numbers().all(is_short) {
             // Neither too long nor beyond the range of doubles, and a word is less than what readers take for infinite.
-            self.push_numbers(coefficients, bounds, push_decimal);
+            self.push_numbers(coefficients, bounds);
             return;
         }
         let scale = scale_of(numbers());
@@ -103,30 +103,34 @@ impl WrittenRows {
             Some(scale) => value * &scale.by,
             None => value.clone(),
         };
-        let is_in_range = numbers().all(|value| is_in_range(&scaled(value)));
-        let longest = numbers().map(|value| decimal(&scaled(value)).len()).max().unwrap_or_default();
-        self.push_numbers(coefficients, bounds, |text, value| push_decimal(text, &scaled(value)));
+        let of_columns: Vec<_> =
+            coefficients.iter().map(|(column, value)| (*column, scaled(value))).collect();
+        let coefficients: Vec<_> = of_columns.iter().map(|(column, value)| (*column, value)).collect();
+        let bounds =
+            Bounds { lower: bounds.lower.as_ref().map(scaled), upper: bounds.upper.as_ref().map(scaled) };
+        let mut numbers =
+            coefficients.iter().map(|(_, value)| *value).chain(&bounds.lower).chain(&bounds.upper);
+        let is_in_range = numbers.all(is_in_range);
+        let longest = self.push_numbers(&coefficients, &bounds);
         let name = self.pieces.get(start..end).unwrap_or_default().to_owned();
         self.remark(&name, scale.as_ref(), longest, is_in_range);
     }
 
-    /// Adds the numbers of a row, each of them as it is written.
-    fn push_numbers(
-        &mut self,
-        coefficients: &[(usize, &Rational)],
-        bounds: &Bounds,
-        write: impl Fn(&mut String, &Rational),
-    ) {
+    /// Adds the numbers of a row. Returns the length of the longest one.
+    fn push_numbers(&mut self, coefficients: &[(usize, &Rational)], bounds: &Bounds) -> usize {
         let (pieces, lengths) = (&mut self.pieces, &mut self.lengths);
         let mut add = |value: &Rational| {
             let start = pieces.len();
-            write(pieces, value);
-            lengths.push(stored_length(pieces.len() - start));
+            push_decimal(pieces, value);
+            let length = pieces.len() - start;
+            lengths.push(stored_length(length));
             pieces.push('\n');
+            length
         };
+        let mut longest = 0;
         let mut used = 0;
         for (column, value) in coefficients.iter().filter(|(_, value)| !value.is_zero()) {
-            add(value);
+            longest = longest.max(add(value));
             self.columns.push(*column);
             used += 1;
         }
@@ -134,13 +138,17 @@ impl WrittenRows {
             (Some(lower), Some(upper)) if lower != upper => Some(upper - lower),
             _ => None,
         };
-        bounds.lower.iter().chain(&bounds.upper).chain(&range).for_each(add);
+        for bound in bounds.lower.iter().chain(&bounds.upper) {
+            longest = longest.max(add(bound));
+        }
+        range.iter().for_each(|range| _ = add(range));
         self.shapes.push(Shape {
             coefficients: used,
             has_lower: bounds.lower.is_some(),
             has_upper: bounds.upper.is_some(),
             has_range: range.is_some(),
         });
+        longest
     }
 
     fn remark(&mut self, name: &str, scale: Option<&Scale>, longest: usize, is_in_range: bool) {
@@ -237,7 +245,7 @@ struct Scale {
 
 /// The least number with which all of these become whole, unless all of them are finite decimals.
 fn scale_of<'a>(numbers: impl Iterator<Item = &'a Rational> + Clone) -> Option<Scale> {
-    if numbers.clone().all(has_finite_decimal) {
+    if numbers.clone().all(Rational::is_finite_decimal) {
         return None;
     }
     let by = numbers.fold(Integer::one(), |scale, value| scale.lcm(&value.denominator()));
