@@ -12,9 +12,9 @@ use crate::streams::Case;
 
 /// The columns of a table, where empty cells have no number.
 pub struct Table {
-    /// Their names.
+    /// Names of columns.
     pub names: Vec<String>,
-    /// Their numbers.
+    /// Numbers of each column.
     pub columns: Vec<Vec<Option<f64>>>,
 }
 

@@ -18,11 +18,11 @@ pub struct Case {
     pub text: String,
     /// The columns that are asked for, and the bounds.
     pub columns: Columns,
-    /// How texts become numbers.
+    /// The reading of its numbers.
     pub reading: Reading,
     /// Conditions on the parameters.
     pub conditions: Vec<Condition>,
-    /// Whether the line goes through the origin.
+    /// `true` for a line through the origin.
     pub is_through_origin: bool,
 }
 

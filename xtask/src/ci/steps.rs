@@ -267,9 +267,9 @@ fi",
         changes: "python, and every crate that it shows",
         needs: &[PYTHON, VENV],
         beside: true,
-        // The wheel of this step is built for its tests: its dependencies in the profile of tests, under the name that maturin knows, so
-        // that it shares what it can with their build, and our crates without optimisation. The link of the wheel that people get takes
-        // minutes and changes no answer. Most modules of other packages are never imported: Python compiles those that are.
+        // The wheel of this step is no optimised one, whose link takes minutes: people get that from `maturin build --release`. Its
+        // dependencies have the profile of tests, under the name that maturin knows, to share what is built already. Most modules of
+        // other packages are never imported: Python compiles those that are.
         script: "\
 python3 -m venv --clear target/python
 target/python/bin/pip install --quiet --no-compile 'maturin>=1.9,<2' -r python/tests/requirements.txt
