@@ -8,8 +8,7 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::oracle::Row;
 
-/// One generated case in this many is tried. `ONE_CASE_IN` sets another number, as the step `tests` of continuous
-/// integration does; 1 tries all.
+/// One generated case in this many is tried. `ONE_CASE_IN` sets another number; 1 tries all.
 pub fn one_in() -> usize {
     let Ok(text) = std::env::var("ONE_CASE_IN") else { return 8 };
     text.parse().ok().filter(|&number| number > 0).expect("ONE_CASE_IN is a number above 0")

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
+use crate::cli::{directory_with, words};
 use crate::program::binary;
 
 /// The cost that a run may have.
@@ -17,6 +18,13 @@ pub struct Cost {
 
 /// The cost that a small input may have.
 pub const LIMITS: Cost = Cost { cpu: Duration::from_secs(2), data: 64 << 20 };
+
+/// The cost of a refusal on a slow and busy machine that takes two seconds on a quiet one, with the memory that a laptop
+/// has to spare.
+pub const FEW_SECONDS: Cost = Cost { cpu: Duration::from_secs(15), data: 512 << 20 };
+
+/// The message on a file that is mostly repetition.
+pub const TOO_FAR: &str = "refused: it unpacks to more than 67108864 bytes and 100 times its size (the limit); --limit ratio=N raises it\n";
 
 /// The end of a run.
 #[derive(Debug)]
@@ -53,4 +61,15 @@ pub fn run_limited(folder: &Path, words: &[String], limits: Cost) -> Ended {
         .output()
         .expect("a shell starts");
     Ended { status: run.status.code(), messages: String::from_utf8_lossy(&run.stderr).into_owned() }
+}
+
+/// Checks that a command about a file ends in time with a message.
+pub fn refused(content: &[u8], line: &str, message: &str, limits: Cost) {
+    let directory = directory_with(&[("bomb", content), ("few.csv", b"x,y\n1,2\n2,3\n")]);
+    let ended = run_limited(directory.path(), &words(&line.replace("FILE", "bomb")), limits);
+    assert!(
+        ended.status == Some(1) && ended.messages.ends_with(message),
+        "{line}: {ended:?}, {} bytes",
+        content.len()
+    );
 }

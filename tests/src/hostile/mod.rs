@@ -13,7 +13,7 @@ use rand_chacha::ChaCha8Rng;
 use crate::generate::seeded;
 
 pub use files::{gzip, matlab_zeros, repeated_behind, repeated_by_zstandard};
-pub use limited::{Cost, Ended, LIMITS, run_limited};
+pub use limited::{Cost, Ended, FEW_SECONDS, LIMITS, TOO_FAR, refused, run_limited};
 
 /// The most bytes that the files of a case have together.
 pub const MOST_BYTES: usize = 4096;

@@ -9,27 +9,12 @@ use std::time::Duration;
 
 use boundfit_tests::cli::{boundfit, directory_with, words};
 use boundfit_tests::hostile::{
-    Cost, LIMITS, gzip, matlab_zeros, repeated_behind, repeated_by_zstandard, run_limited,
+    Cost, FEW_SECONDS, LIMITS, TOO_FAR, gzip, matlab_zeros, refused, repeated_behind, repeated_by_zstandard,
+    run_limited,
 };
 use boundfit_tests::workbooks::{ods, xlsx, xlsx_rows, xlsx_with};
 
 const FIT: &str = "fit FILE --x x --y y --eps 1 --no-lp";
-const TOO_FAR: &str = "refused: it unpacks to more than 67108864 bytes and 100 times its size (the limit); --limit ratio=N raises it\n";
-/// The cost of a refusal on a slow and busy machine that takes two seconds on a quiet one, with the memory that a laptop
-/// has to spare.
-const FEW_SECONDS: Cost = Cost { cpu: Duration::from_secs(15), data: 512 << 20 };
-
-/// Checks that a command about a file ends in time with a message.
-fn refused(content: &[u8], line: &str, message: &str, limits: Cost) {
-    let directory = directory_with(&[("bomb", content), ("few.csv", b"x,y\n1,2\n2,3\n")]);
-    let ended = run_limited(directory.path(), &words(&line.replace("FILE", "bomb")), limits);
-    assert!(
-        ended.status == Some(1) && ended.messages.ends_with(message),
-        "{line}: {ended:?}, {} bytes",
-        content.len()
-    );
-}
-
 /// A table whose rows go on and on, packed.
 fn packed_rows(piece: &str) -> Vec<u8> {
     let mut text = "x,y\n1,2\n2,3\n".to_owned();
@@ -88,64 +73,6 @@ fn sheets_of_one_cell_again_and_again_are_refused() {
     let cell = "<table:table-cell office:value-type=\"float\" office:value=\"1\"/>";
     let row = format!("<table:table-row>{}</table:table-row>", cell.repeat(2));
     refused(&ods(&[("S", &row.repeat(700_000))]), FIT, TOO_FAR, FEW_SECONDS);
-}
-
-#[cfg(feature = "arrow")]
-mod columns {
-    use std::sync::Arc;
-
-    use arrow_array::{ArrayRef, DictionaryArray, Int8Array, Int32Array, RecordBatch, StringArray};
-    use arrow_ipc::writer::FileWriter;
-    use parquet::arrow::ArrowWriter;
-
-    use super::*;
-
-    fn batch(column: &ArrayRef) -> RecordBatch {
-        RecordBatch::try_from_iter([("x", column.clone()), ("y", column.clone())]).unwrap()
-    }
-
-    fn files(column: &ArrayRef) -> [Vec<u8>; 2] {
-        let batch = batch(column);
-        let (mut parquet, mut arrow) = (Vec::new(), Vec::new());
-        let mut writer = ArrowWriter::try_new(&mut parquet, batch.schema(), None).unwrap();
-        writer.write(&batch).unwrap();
-        writer.close().unwrap();
-        let mut writer = FileWriter::try_new(&mut arrow, &batch.schema()).unwrap();
-        writer.write(&batch).unwrap();
-        writer.finish().unwrap();
-        [parquet, arrow]
-    }
-
-    #[test]
-    fn one_number_in_millions_of_rows_is_refused() {
-        let zeros: ArrayRef = Arc::new(Int8Array::from(vec![0; 6_000_000]));
-        let [parquet, _] = files(&zeros);
-        assert!(parquet.len() < 200_000);
-        refused(&parquet, FIT, TOO_FAR, FEW_SECONDS);
-    }
-
-    #[test]
-    fn record_batches_are_counted() {
-        let numbers: ArrayRef = Arc::new(Int32Array::from((0..200_000).collect::<Vec<i32>>()));
-        let [_, arrow] = files(&numbers);
-        let directory = directory_with(&[("bomb", &arrow)]);
-        let line = "fit bomb --x 1 --y 2 --eps 1 --no-lp --limit memory=1MiB";
-        let ended = run_limited(directory.path(), &words(line), LIMITS);
-        let what = "error: bomb: the record batches that are read together take ";
-        assert!(ended.status == Some(1) && ended.messages.starts_with(what), "{ended:?}");
-    }
-
-    /// Every row names one text of nine thousand digits.
-    #[test]
-    fn one_long_number_in_many_rows_is_refused_for_its_work() {
-        let long = "7".repeat(9_000);
-        let texts = StringArray::from(vec![long.as_str()]);
-        let column = DictionaryArray::try_new(Int32Array::from(vec![0; 100_000]), Arc::new(texts)).unwrap();
-        let work = " products of machine words, more than 400000000 (the limit); --limit work=N raises it\n";
-        for file in files(&(Arc::new(column) as ArrayRef)) {
-            refused(&file, FIT, work, FEW_SECONDS);
-        }
-    }
 }
 
 const COMMANDS: [&str; 10] = [

@@ -8,11 +8,9 @@ use boundfit_formats::{
     ColumnSelector, MemoryNumbers, MemoryTable, RowRange, ScanOptions, Source, TableOptions, read_table,
 };
 use boundfit_tests::generate::{seeded, share};
+use boundfit_tests::reducing::{essence, options, reduced, reduced_source, try_reduced};
+use boundfit_tests::streams::Case;
 use rand::RngExt;
-
-use crate::reducing::{reduced, reduced_source, try_reduced};
-use crate::reduction::{essence, options};
-use crate::streams::Case;
 
 /// Names and cells of a table.
 fn cells(text: &str) -> (Vec<&str>, Vec<Vec<&str>>) {

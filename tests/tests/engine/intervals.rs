@@ -13,12 +13,12 @@ use boundfit_formats::{ColumnSelector, ScanOptions, Source, TableOptions};
 use boundfit_tests::generate::{seeded, share};
 use boundfit_tests::oracle::{Row, solve};
 use boundfit_tests::readings::parse_condition;
+use boundfit_tests::reducing::{shuffled_parts, try_reduced};
 use boundfit_tests::shape::{Tally, shape};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
 use crate::oracle::in_oracle_terms;
-use crate::reducing::{shuffled_parts, try_reduced};
 
 /// The statement of a generated row.
 #[derive(Debug, Clone)]

@@ -25,7 +25,6 @@ mod predict;
 mod proof;
 mod published;
 mod range;
-mod reducing;
 mod reduction;
 mod status;
 mod stored;

@@ -6,14 +6,15 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use boundfit_estimation::{
-    ActiveBounds, BoundName, Columns, Condition, EpsilonColumn, ErrorBound, Fit, Keep, LeastSquares,
-    LineForm, Measurement, Measurements, Model, NoEui, ParameterBound, Problem, ReducedTable, fit,
+    Columns, Condition, EpsilonColumn, ErrorBound, Fit, Keep, LeastSquares, LineForm, Measurement,
+    Measurements, Model, NoEui, Problem, ReducedTable, fit,
 };
 use boundfit_exact::{Column, Rational, Reading};
-use boundfit_formats::{ColumnSelector, Progress, ScanOptions, Source, TableOptions};
+use boundfit_formats::{ColumnSelector, Progress, ScanOptions, Source};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::generate::{one_in, seeded, share};
 use boundfit_tests::readings::{parse_condition, y_and_epsilon};
+use boundfit_tests::reducing::{essence, essence_by, options};
 use boundfit_tests::tables::TableKind;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -31,11 +32,6 @@ fn columns(epsilon: &Rational) -> Columns {
 
 fn text(rows: &[[String; 2]]) -> String {
     rows.iter().fold("x,y\n".to_owned(), |text, [x, y]| text + x + "," + y + "\n")
-}
-
-pub(crate) fn options(reading: Reading, chunk_bytes: usize) -> ScanOptions {
-    let table = TableOptions { reading, ..TableOptions::default() };
-    ScanOptions { table, chunk_bytes, ..ScanOptions::default() }
 }
 
 pub(crate) fn pools() -> Vec<ThreadPool> {
@@ -125,69 +121,6 @@ impl Case {
         table.write(&mut text).unwrap();
         String::from_utf8(text).unwrap()
     }
-}
-
-/// Everything about a fit that does not need every reading, with rows renamed.
-pub(crate) fn essence(fitted: &(Problem, Fit), row: &dyn Fn(usize) -> usize) -> String {
-    essence_by(fitted, row, &|_| true)
-}
-
-/// Returns the number of active bounds, and the names of the bounds of some rows, which have new names.
-pub(crate) fn essence_by(
-    (problem, fit): &(Problem, Fit),
-    row: &dyn Fn(usize) -> usize,
-    is_named: &dyn Fn(usize) -> bool,
-) -> String {
-    let name = |name: BoundName| match name {
-        BoundName::Upper(own) => BoundName::Upper(row(own)),
-        BoundName::Lower(own) => BoundName::Lower(row(own)),
-        of_condition => of_condition,
-    };
-    let indices = |indices: &[usize]| -> (usize, Vec<BoundName>) {
-        let ActiveBounds { names, more } = fit.fps.active(indices, usize::MAX);
-        let count = names.len() + more;
-        let names = names.into_iter().map(name);
-        (count, names.filter(|name| name.row().is_none_or(is_named)).collect())
-    };
-    let named = |terms: Vec<(BoundName, Rational)>| -> Vec<_> {
-        terms.into_iter().map(|(own, m)| (name(own), m)).collect()
-    };
-    let region = fit.fps.polyhedron().region();
-    let vertices: Vec<_> = region
-        .vertices()
-        .iter()
-        .map(|vertex| (vertex.point().coordinates(), indices(vertex.active())))
-        .collect();
-    let boundaries: Vec<_> = region.boundaries().iter().map(|boundary| indices(boundary.active())).collect();
-    let ends: Vec<_> = fit
-        .pui
-        .iter()
-        .flatten()
-        .flat_map(|interval| [&interval.lower, &interval.upper])
-        .map(|end| match end {
-            ParameterBound::Bounded { value, proof } => {
-                let terms =
-                    proof.multipliers.iter().map(|m| (fit.fps.name(m.index), m.value.clone())).collect();
-                Some((value.clone(), named(terms)))
-            }
-            ParameterBound::Unbounded(_) => None,
-        })
-        .collect();
-    let theta = fit.least_squares.as_ref().map(|estimate| estimate.theta.clone());
-    let minimax = fit.minimax.as_ref().map(|minimax| {
-        let proof = named(minimax.proof.multipliers.clone());
-        (minimax.least.clone(), minimax.theta.clone(), minimax.unique, proof)
-    });
-    let slack = fit.least_squares_slack().map(|(slack, own)| (slack, name(own)));
-    let contradiction = fit.contradiction(problem.measurements.error_bound()).map(named);
-    format!(
-        "{} readings\n{:?} {vertices:?} {boundaries:?} {:?} {:?}\n{ends:?}\n{:?}\n{theta:?} {slack:?}\n{minimax:?}\n{contradiction:?}",
-        problem.measurements.fitted(),
-        region.kind(),
-        region.rays(),
-        region.lines(),
-        fit.central,
-    )
 }
 
 #[test]

@@ -5,294 +5,123 @@ use std::fs;
 use std::ops::{Range, RangeInclusive};
 use std::path::Path;
 
-use boundfit_estimation::{
-    Columns, Condition, EpsilonColumn, Fit, Keep, Law, LineForm, Measurements, NoMinimax, Problem, fit,
-};
-use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_formats::{ColumnSelector, Source};
+use boundfit_estimation::{Columns, EpsilonColumn, Fit, Keep, LineForm, Measurements, NoMinimax, Problem};
+use boundfit_exact::{Rational, Reading};
+use boundfit_formats::Source;
 use boundfit_geometry::RegionKind;
 use boundfit_tests::generate::{one_in, seeded, share};
-use boundfit_tests::readings::parse_condition;
+use boundfit_tests::reducing::{essence, essence_by, options, reduced, shuffled_parts};
 use boundfit_tests::shape::shape;
+use boundfit_tests::streams::{Case, FAR, LONG, SHORT, column};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rayon::ThreadPool;
 
-use crate::reducing::{reduced, shuffled_parts};
-use crate::reduction::{essence, essence_by, options, pools};
+use crate::reduction::pools;
 
-/// A table with columns a, b, y, e, lo and up, and how it is to be fitted.
-pub(crate) struct Case {
-    pub(crate) text: String,
-    pub(crate) columns: Columns,
-    pub(crate) reading: Reading,
-    conditions: Vec<Condition>,
-    is_through_origin: bool,
+fn whole(case: &Case) -> (Problem, Fit) {
+    let source = Source::new("table", std::io::Cursor::new(case.text.clone().into_bytes()));
+    let table = options(case.reading, 1).table;
+    case.fitted(Measurements::read(source, &case.columns, &table).unwrap())
 }
 
-fn column(name: &str) -> ColumnSelector {
-    ColumnSelector::name_or_number(name)
+/// The fit of a reduction, or of several.
+fn of_reduction(case: &Case, text: &str) -> (Problem, Fit) {
+    let source = Source::new("reduced", std::io::Cursor::new(text.as_bytes().to_vec()));
+    let options = options(case.reading, 7);
+    let keep = Keep::default();
+    case.fitted(Measurements::scan(source, &case.columns, &case.conditions, &options, keep).unwrap())
 }
 
-/// A number of one of several sizes, as it may be written.
-fn number(rng: &mut ChaCha8Rng, units: i64, style: u32) -> String {
-    match style {
-        0 => units.to_string(),
-        1 => Rational::ratio(units, 8).to_string(),
-        2 => format!("{}e-3", units * 125),
-        3 => format!("{}.{:018}", units, rng.random_range(0..3_u64)),
-        4 => format!("{}", units as f64 / 3.0),
-        5 => format!("{}.{:016}", units, rng.random_range(0..10_u64.pow(16))),
-        6 => format!("{}.{1:018}{1:017}{1:018}", units, rng.random_range(0..10_u64.pow(17))),
-        _ => {
-            format!(
-                "{}.{:05}e{}",
-                units,
-                rng.random_range(0..20_000),
-                [-400, -170, 0, 160][rng.random_range(0..4)]
-            )
-        }
+/// Returns whether a reduction decides for every multiple of the bounds.
+fn is_open(case: &Case) -> bool {
+    case.columns.second.is_none() && matches!(case.columns.epsilon, EpsilonColumn::Column(_))
+}
+
+/// Checks reductions. For any threads and chunks the reduction of the whole is the same text, and its fit is the
+/// fit of the whole, row by row. Reductions of parts in any order have the same set, and reduced again they keep
+/// the same rows.
+fn check_reductions(
+    case: &Case,
+    (problem, whole): &(Problem, Fit),
+    pools: &[ThreadPool],
+    rng: &mut ChaCha8Rng,
+) {
+    let context = || format!("{:?}\n{}", case.columns, case.text);
+    let texts = [1, 100, 1 << 18].into_iter().zip(pools).map(|(chunk, pool)| {
+        pool.install(|| reduced(&case.text, &case.columns, &options(case.reading, chunk)))
+    });
+    let texts: Vec<String> = texts.collect();
+    assert!(texts.iter().all(|text| *text == texts[0]), "{}", context());
+    let own = reduced(&texts[0], &case.columns, &options(case.reading, 1));
+    assert_eq!(own, texts[0], "{}", context());
+
+    let ids = ids(&texts[0]);
+    let found = of_reduction(case, &texts[0]);
+    let of_kept = |fitted: &(Problem, Fit), row: &dyn Fn(usize) -> usize| {
+        essence_by(fitted, row, &|row| ids.contains(&row))
+    };
+    let (found_text, expected) =
+        (of_kept(&found, &|row| ids[row - 1]), of_kept(&(problem.clone(), whole.clone()), &|row| row));
+    let lines = |text: &str| -> Vec<String> {
+        let lines = text.lines().enumerate();
+        // Least squares and its slack, and what decides under other bounds, stand in lines of their own.
+        let is_told = |line: usize| match line {
+            4 => case.columns.second.is_none(),
+            5 => is_open(case) || !problem.measurements.has_widths(),
+            _ => true,
+        };
+        lines.filter(|(line, _)| is_told(*line)).map(|(_, text)| text.to_owned()).collect()
+    };
+    assert_eq!(lines(&found_text), lines(&expected), "{}", context());
+    check_answers(case, &found, (problem, whole));
+
+    let parts = shuffled_parts(&case.text, &case.columns, &options(case.reading, 1), rng);
+    check_answers(case, &of_reduction(case, &parts), (problem, whole));
+    let again = reduced(&parts, &case.columns, &options(case.reading, 64));
+    check_answers(case, &of_reduction(case, &again), (problem, whole));
+    // Among rows without regressors the first one that nothing agrees with is kept, or the first one where no row
+    // decides. The order decides which of several rows represents the others; the number of rows that it stands
+    // for is the same.
+    let kept = |text: &str| -> Vec<usize> {
+        let regressors = |id: &usize| -> Vec<f64> {
+            let cells = case.text.lines().nth(*id).unwrap().split(',').take(2);
+            cells.map(|cell| cell.parse().unwrap_or(1.0)).collect()
+        };
+        let has_none = |id: &usize| case.columns.second.is_some() && regressors(id) == [0.0, 0.0];
+        let rows = self::ids(text).into_iter().zip(counts(text));
+        let mut counts: Vec<usize> = rows.filter(|(id, _)| !has_none(id)).map(|(_, count)| count).collect();
+        counts.sort_unstable();
+        counts
+    };
+    assert_eq!(kept(&again), kept(&own), "{}", context());
+}
+
+/// Checks the answers that do not depend on names and order of rows.
+fn check_answers(case: &Case, (found_problem, found): &(Problem, Fit), (problem, whole): (&Problem, &Fit)) {
+    let context = || format!("{:?}\n{}", case.columns, case.text);
+    let region = |fit: &Fit| shape(fit.fps.polyhedron().region());
+    assert_eq!(region(found), region(whole), "{}", context());
+    assert_eq!(found.vertices(), whole.vertices(), "{}", context());
+    assert_eq!(found.pui_intervals(), whole.pui_intervals(), "{}", context());
+    assert_eq!(found.central, whole.central, "{}", context());
+    let theta = |fit: &Fit| fit.least_squares.as_ref().map(|own| own.theta.clone()).map_err(|why| *why);
+    assert_eq!(theta(found), theta(whole), "{}", context());
+    assert_eq!(found_problem.measurements.fitted(), problem.measurements.fitted(), "{}", context());
+    assert_eq!(found_problem.measurements.has_widths(), problem.measurements.has_widths(), "{}", context());
+    let least = |fit: &Fit| fit.minimax.as_ref().map(|own| (own.least.clone(), own.theta.clone()));
+    if is_open(case) || !problem.measurements.has_widths() {
+        assert_eq!(least(found), least(whole), "{}", context());
+    } else {
+        assert_eq!(found_problem.measurements.deciding_minimax(), Err(NoMinimax::Reduced));
+        assert_eq!(least(found), None, "{}", context());
     }
 }
 
-/// The styles of numbers of which columns of integers hold many.
-const SHORT: Range<u32> = 0..5;
-/// Numbers of 17 and 53 digits, of which no two are alike.
-const LONG: Range<u32> = 5..7;
-/// The styles of long numbers, and numbers so far from 1 that a filter by floats may not tell them.
-const FAR: Range<u32> = 5..8;
-
-impl Case {
-    pub(crate) fn random(rng: &mut ChaCha8Rng, rows: RangeInclusive<usize>) -> Self {
-        Case::written(rng, rows, SHORT)
-    }
-
-    /// Returns a case with numbers written in one of these styles.
-    fn written(rng: &mut ChaCha8Rng, rows: RangeInclusive<usize>, styles: Range<u32>) -> Self {
-        let is_line = rng.random_bool(0.5);
-        let kind = rng.random_range(0..6);
-        let style = rng.random_range(styles);
-        let size = [1, 2, 5, 40][rng.random_range(0..4)];
-        let noise = [0, 1, 3, 30][rng.random_range(0..4)];
-        let widest = [0, 1, 3, 60][rng.random_range(0..4)];
-        let slopes = [0; 2].map(|_| rng.random_range(-3..=3));
-        let crossing = rng.random_bool(0.1);
-        let one_sided = [0.0, 0.2, 1.0][rng.random_range(0..3)];
-        let mut text = "a,b,y,e,lo,up,id\n".to_owned();
-        for id in 1..=rng.random_range(rows) {
-            let [a, b] = [0; 2].map(|_| rng.random_range(-size..=size));
-            let second = if is_line { 1 } else { b };
-            let y = slopes[0] * a + slopes[1] * second + rng.random_range(-noise..=noise);
-            let e = rng.random_range(0..=widest);
-            let below = rng.random_range(if crossing { -widest } else { 0 }..=widest);
-            let mut cells = [a, b, y, e, y - below, y + e].map(|units| number(rng, units, style));
-            if rng.random_bool(one_sided) {
-                cells[rng.random_range(4..6)].clear();
-            }
-            text += &format!("{},{id}\n", cells.join(","));
-        }
-        let uniform = Rational::ratio(rng.random_range(0..=widest), [1, 8][rng.random_range(0..2)]);
-        let law =
-            |text: &str| EpsilonColumn::Law(Law::parse(text, Reading::Decimal, &Limits::default()).unwrap());
-        let [lower, upper] = ["lo", "up"].map(|name| Some(column(name)));
-        let epsilon = match kind {
-            0 if !is_line => EpsilonColumn::Uniform(uniform),
-            0 | 1 => EpsilonColumn::Column(column("e")),
-            2 | 3 => EpsilonColumn::Interval { lower, upper },
-            // A fraction has no last digit.
-            4 if style == 1 => law("10%*|y| + 1/8"),
-            4 => law("10%*|y| + 1/8 + 2*written"),
-            _ => law("+1/2/-25%*|y|"),
-        };
-        let is_interval = matches!(epsilon, EpsilonColumn::Interval { .. });
-        let x_origin = Rational::ratio([0, 3][rng.random_range(0..2)], 2);
-        let columns = Columns {
-            first: column("a"),
-            second: (!is_line).then(|| column("b")),
-            response: (!is_interval || rng.random_bool(0.5)).then(|| column("y")),
-            epsilon,
-            form: LineForm { x_origin, through_origin: false },
-        };
-        let mut conditions = Vec::new();
-        while rng.random_bool(0.2) {
-            let [a, b, c] = [0; 3].map(|_| rng.random_range(-4..=4));
-            let relation = if rng.random_bool(0.5) { "<=" } else { ">=" };
-            conditions.push(parse_condition(&format!("{a}*theta1 + {b}*theta2 {relation} {c}")));
-        }
-        let reading = if rng.random_bool(0.3) { Reading::Binary64 } else { Reading::Decimal };
-        let is_through_origin = is_line && rng.random_bool(0.15);
-        Case { text, columns, reading, conditions, is_through_origin }
-    }
-
-    /// Integers of two regressors, of which many go through one point exactly: what many rows say at once, in any order.
-    fn of_ties(rng: &mut ChaCha8Rng, rows: RangeInclusive<usize>) -> Self {
-        let size = [1, 3, 30, 1000][rng.random_range(0..4)];
-        let noise = [0, 1, 1, 3][rng.random_range(0..4)];
-        let is_positive = rng.random_bool(0.5);
-        let centres = [0; 2].map(|_| [0; 2].map(|_| rng.random_range(-3..=3)));
-        let parted = [0.0, 0.0, 0.02, 0.5][rng.random_range(0..4)];
-        let mut readings: Vec<[i64; 3]> = (0..rng.random_range(rows))
-            .map(|_| {
-                let least = if is_positive { 0 } else { -size };
-                let [a, b] = [0; 2].map(|_| rng.random_range(least..=size));
-                let [p, q] = centres[usize::from(rng.random_bool(parted))];
-                [a, b, p * a + q * b + rng.random_range(-noise..=noise)]
-            })
-            .collect();
-        match rng.random_range(0..4) {
-            0 => readings.sort_unstable(),
-            1 => readings.sort_by_key(|[a, b, _]| 5000 * a / b.abs().max(1)),
-            _ => {}
-        }
-        let unit = ["", ".0", "e-2"][rng.random_range(0..3)];
-        let row = |(id, [a, b, y]): (usize, &[i64; 3])| format!("{a},{b},{y}{unit},{}\n", id + 1);
-        let rows: String = readings.iter().enumerate().map(row).collect();
-        let epsilon = Rational::ratio(2 * noise + [-1, 0, 0, 0, 1, 2][rng.random_range(0..6)], 2).abs();
-        let epsilon = if unit == "e-2" { epsilon * Rational::ratio(1, 100) } else { epsilon };
-        let columns = Columns {
-            first: column("a"),
-            second: Some(column("b")),
-            response: Some(column("y")),
-            epsilon: EpsilonColumn::Uniform(epsilon),
-            form: LineForm::default(),
-        };
-        let condition = rng.random_bool(0.2).then(|| parse_condition("theta1 + theta2 <= 1"));
-        let (text, conditions) = ("a,b,y,id\n".to_owned() + &rows, condition.into_iter().collect());
-        Case { text, columns, reading: Reading::Decimal, conditions, is_through_origin: false }
-    }
-
-    /// Returns whether half units of last digits are asked for.
-    pub(crate) fn needs_written(&self) -> bool {
-        matches!(&self.columns.epsilon, EpsilonColumn::Law(law) if law.needs_written())
-    }
-
-    /// The conditions, with that of a line through the origin.
-    pub(crate) fn all_conditions(&self) -> Vec<Condition> {
-        let own = self.is_through_origin.then(Condition::no_intercept);
-        self.conditions.iter().cloned().chain(own).collect()
-    }
-
-    pub(crate) fn fitted(&self, measurements: Measurements) -> (Problem, Fit) {
-        let problem = Problem { measurements, conditions: self.conditions.clone() };
-        // A line through the origin takes its sums and its EUI from the same looks.
-        let problem = if self.is_through_origin { problem.through_origin() } else { problem };
-        let fit = fit(&problem);
-        fit.verify(&problem).unwrap();
-        (problem, fit)
-    }
-
-    fn whole(&self) -> (Problem, Fit) {
-        let source = Source::new("table", std::io::Cursor::new(self.text.clone().into_bytes()));
-        let table = options(self.reading, 1).table;
-        self.fitted(Measurements::read(source, &self.columns, &table).unwrap())
-    }
-
-    /// The fit of a reduction, or of several.
-    fn of_reduction(&self, text: &str) -> (Problem, Fit) {
-        let source = Source::new("reduced", std::io::Cursor::new(text.as_bytes().to_vec()));
-        let options = options(self.reading, 7);
-        let keep = Keep::default();
-        self.fitted(Measurements::scan(source, &self.columns, &self.conditions, &options, keep).unwrap())
-    }
-
-    /// Returns whether a reduction decides for every multiple of the bounds.
-    fn is_open(&self) -> bool {
-        self.columns.second.is_none() && matches!(self.columns.epsilon, EpsilonColumn::Column(_))
-    }
-
-    /// Checks reductions. For any threads and chunks the reduction of the whole is the same text, and its fit is the
-    /// fit of the whole, row by row. Reductions of parts in any order have the same set, and reduced again they keep
-    /// the same rows.
-    fn check_reductions(
-        &self,
-        (problem, whole): &(Problem, Fit),
-        pools: &[ThreadPool],
-        rng: &mut ChaCha8Rng,
-    ) {
-        let context = || format!("{:?}\n{}", self.columns, self.text);
-        let texts = [1, 100, 1 << 18].into_iter().zip(pools).map(|(chunk, pool)| {
-            pool.install(|| reduced(&self.text, &self.columns, &options(self.reading, chunk)))
-        });
-        let texts: Vec<String> = texts.collect();
-        assert!(texts.iter().all(|text| *text == texts[0]), "{}", context());
-        let own = reduced(&texts[0], &self.columns, &options(self.reading, 1));
-        assert_eq!(own, texts[0], "{}", context());
-
-        let ids = ids(&texts[0]);
-        let found = self.of_reduction(&texts[0]);
-        let of_kept = |fitted: &(Problem, Fit), row: &dyn Fn(usize) -> usize| {
-            essence_by(fitted, row, &|row| ids.contains(&row))
-        };
-        let (found_text, expected) =
-            (of_kept(&found, &|row| ids[row - 1]), of_kept(&(problem.clone(), whole.clone()), &|row| row));
-        let lines = |text: &str| -> Vec<String> {
-            let lines = text.lines().enumerate();
-            // Least squares and its slack, and what decides under other bounds, stand in lines of their own.
-            let is_told = |line: usize| match line {
-                4 => self.columns.second.is_none(),
-                5 => self.is_open() || !problem.measurements.has_widths(),
-                _ => true,
-            };
-            lines.filter(|(line, _)| is_told(*line)).map(|(_, text)| text.to_owned()).collect()
-        };
-        assert_eq!(lines(&found_text), lines(&expected), "{}", context());
-        self.check_answers(&found, (problem, whole));
-
-        let parts = shuffled_parts(&self.text, &self.columns, &options(self.reading, 1), rng);
-        self.check_answers(&self.of_reduction(&parts), (problem, whole));
-        let again = reduced(&parts, &self.columns, &options(self.reading, 64));
-        self.check_answers(&self.of_reduction(&again), (problem, whole));
-        // Among rows without regressors the first one that nothing agrees with is kept, or the first one where no row
-        // decides. The order decides which of several rows represents the others; the number of rows that it stands
-        // for is the same.
-        let kept = |text: &str| -> Vec<usize> {
-            let regressors = |id: &usize| -> Vec<f64> {
-                let cells = self.text.lines().nth(*id).unwrap().split(',').take(2);
-                cells.map(|cell| cell.parse().unwrap_or(1.0)).collect()
-            };
-            let has_none = |id: &usize| self.columns.second.is_some() && regressors(id) == [0.0, 0.0];
-            let rows = self::ids(text).into_iter().zip(counts(text));
-            let mut counts: Vec<usize> =
-                rows.filter(|(id, _)| !has_none(id)).map(|(_, count)| count).collect();
-            counts.sort_unstable();
-            counts
-        };
-        assert_eq!(kept(&again), kept(&own), "{}", context());
-    }
-
-    /// Checks the answers that do not depend on names and order of rows.
-    fn check_answers(&self, (found_problem, found): &(Problem, Fit), (problem, whole): (&Problem, &Fit)) {
-        let context = || format!("{:?}\n{}", self.columns, self.text);
-        let region = |fit: &Fit| shape(fit.fps.polyhedron().region());
-        assert_eq!(region(found), region(whole), "{}", context());
-        assert_eq!(found.vertices(), whole.vertices(), "{}", context());
-        assert_eq!(found.pui_intervals(), whole.pui_intervals(), "{}", context());
-        assert_eq!(found.central, whole.central, "{}", context());
-        let theta = |fit: &Fit| fit.least_squares.as_ref().map(|own| own.theta.clone()).map_err(|why| *why);
-        assert_eq!(theta(found), theta(whole), "{}", context());
-        assert_eq!(found_problem.measurements.fitted(), problem.measurements.fitted(), "{}", context());
-        assert_eq!(
-            found_problem.measurements.has_widths(),
-            problem.measurements.has_widths(),
-            "{}",
-            context()
-        );
-        let least = |fit: &Fit| fit.minimax.as_ref().map(|own| (own.least.clone(), own.theta.clone()));
-        if self.is_open() || !problem.measurements.has_widths() {
-            assert_eq!(least(found), least(whole), "{}", context());
-        } else {
-            assert_eq!(found_problem.measurements.deciding_minimax(), Err(NoMinimax::Reduced));
-            assert_eq!(least(found), None, "{}", context());
-        }
-    }
-
-    fn scanned(&self, path: &Path, chunk_bytes: usize, keep: Keep) -> (Problem, Fit) {
-        let options = options(self.reading, chunk_bytes);
-        let source = Source::open(path.to_str().unwrap()).unwrap();
-        self.fitted(
-            Measurements::scan(source, &self.columns, &self.all_conditions(), &options, keep).unwrap(),
-        )
-    }
+fn scanned(case: &Case, path: &Path, chunk_bytes: usize, keep: Keep) -> (Problem, Fit) {
+    let options = options(case.reading, chunk_bytes);
+    let source = Source::open(path.to_str().unwrap()).unwrap();
+    case.fitted(Measurements::scan(source, &case.columns, &case.all_conditions(), &options, keep).unwrap())
 }
 
 /// Returns the last column of the rows of reductions.
@@ -338,7 +167,7 @@ fn compare_cases(
     for round in 0..share(rounds) {
         let case = case(&mut rng);
         fs::write(&path, &case.text).unwrap();
-        let whole = case.whole();
+        let whole = whole(&case);
         kinds.push(whole.1.fps.polyhedron().region().kind());
         let expected = essence(&whole, &|row| row);
         // The numbers in memory, and the file read again.
@@ -347,7 +176,7 @@ fn compare_cases(
             // The first rows wait until there are too many.
             let most_rows = [0, case.text.lines().count() / 2][round / 2 % 2];
             let keep = Keep { most_rows, most_bytes, ..Keep::default() };
-            let streamed = pool.install(|| case.scanned(&path, chunk, keep));
+            let streamed = pool.install(|| scanned(&case, &path, chunk, keep));
             assert_eq!(
                 essence(&streamed, &|row| row),
                 expected,
@@ -357,7 +186,7 @@ fn compare_cases(
             );
             assert_eq!(streamed.1.eui(), whole.1.eui(), "case {round}: {:?}\n{}", case.columns, case.text);
         }
-        case.check_reductions(&whole, &pools, &mut order);
+        check_reductions(&case, &whole, &pools, &mut order);
     }
     kinds
 }
@@ -420,7 +249,7 @@ fn of_readings_through_one_vertex_few_are_kept() {
             conditions: Vec::new(),
             is_through_origin: false,
         };
-        let (problem, fit) = case.scanned(&path, 10_000, Keep { most_rows: 0, ..Keep::default() });
+        let (problem, fit) = scanned(&case, &path, 10_000, Keep { most_rows: 0, ..Keep::default() });
         let region = fit.fps.polyhedron().region();
         assert_eq!(region.kind(), kind);
         let measurements = &problem.measurements;

@@ -1,7 +1,5 @@
 //! Files in: tables, MATLAB, Parquet and Arrow, and what the fuzzer makes of them.
 
-#[cfg(feature = "arrow")]
-mod arrow;
 mod foreign;
 mod fuzz_smoke;
 mod guesses;

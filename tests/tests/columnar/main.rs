@@ -1,9 +1,14 @@
 //! Parquet and Arrow IPC files: the same rows as from a CSV of the same table, and errors that name row and column.
+//!
+//! A program of its own, with all that the feature `arrow` changes: the other tests need not be built once more.
 
-mod cli;
+mod bombs;
 mod errors;
 mod fixtures;
 mod floats;
+mod foreign;
+mod program;
+mod stored;
 mod tables;
 mod types;
 

@@ -1,5 +1,7 @@
 //! `boundfit fit` on binary tables.
 
+use boundfit_tests::cli::{boundfit, directory_with};
+use boundfit_tests::hostile::gzip;
 use boundfit_tests::program::{root, run, run_with_input};
 use serde_json::Value;
 
@@ -36,6 +38,17 @@ fn standard_input_asks_for_a_file() {
     let words = "this is a Parquet file; it is read from a named file, not from standard input";
     assert_eq!((run.status, run.stdout.as_str()), (1, ""));
     assert!(run.stderr.contains(words), "{}", run.stderr);
+}
+
+#[test]
+fn nothing_unpacks_to_a_columnar_file() {
+    let directory = directory_with(&[("b", &gzip(b"PAR1 and more"))]);
+    let words = "error: b: this is a Parquet file; it is read from a file of its own, not out of a compressed one or another stream";
+    for command in ["fit", "check"] {
+        let run = boundfit(directory.path(), &format!("{command} b --x x --y y --eps 1"));
+        assert_eq!((run.status, run.stdout.as_str()), (1, ""));
+        assert!(run.stderr.starts_with(words), "{}", run.stderr);
+    }
 }
 
 #[test]
