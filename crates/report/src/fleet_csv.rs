@@ -136,7 +136,8 @@ impl FleetCsv {
 
     /// Adds a cell that needs no quotes behind others.
     fn cell(&mut self, content: impl fmt::Display) {
-        write!(self.text, ",{content}").expect(WRITTEN);
+        self.text.push(',');
+        write!(self.text, "{content}").expect(WRITTEN);
     }
 }
 

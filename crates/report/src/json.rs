@@ -34,9 +34,9 @@ impl RangeJson {
 impl From<BoundName> for ActiveJson {
     fn from(name: BoundName) -> Self {
         match name {
-            BoundName::Upper(row) => ActiveJson { row: Some(row), bound: "upper".to_owned() },
-            BoundName::Lower(row) => ActiveJson { row: Some(row), bound: "lower".to_owned() },
-            of_condition => ActiveJson { row: None, bound: of_condition.to_string() },
+            BoundName::Upper(row) => ActiveJson { row: Some(row), bound: "upper".into() },
+            BoundName::Lower(row) => ActiveJson { row: Some(row), bound: "lower".into() },
+            of_condition => ActiveJson { row: None, bound: of_condition.to_string().into() },
         }
     }
 }
@@ -47,10 +47,10 @@ impl From<BoxBound> for ActiveJson {
         match bound {
             BoxBound::Bound(name, corner) => {
                 let ActiveJson { row, bound } = name.into();
-                let bound = corner.map_or(bound.clone(), |corner| format!("{bound} {corner}"));
+                let bound = corner.map_or(bound.clone(), |corner| format!("{bound} {corner}").into());
                 ActiveJson { row, bound }
             }
-            BoxBound::Slope(_) => ActiveJson { row: None, bound: bound.to_string() },
+            BoxBound::Slope(_) => ActiveJson { row: None, bound: bound.to_string().into() },
         }
     }
 }

@@ -1,5 +1,7 @@
 //! The answer of `check`.
 
+use std::borrow::Cow;
+
 use boundfit_exact::Foreign;
 use serde::Serialize;
 
@@ -121,7 +123,7 @@ pub struct ClaimedEndJson {
     /// The row of the half-plane that the claimed point violates most; null for a condition and without a violation.
     pub row: Option<usize>,
     /// The bound of that half-plane; null without a violation.
-    pub bound: Option<String>,
+    pub bound: Option<Cow<'static, str>>,
     /// The amount by which the point violates it, exact; null without a violation.
     pub violation: Option<Number>,
     /// A feasible point that an unsafe end cuts off, exact; null for other verdicts.

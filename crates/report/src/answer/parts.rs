@@ -1,5 +1,7 @@
 //! What the answers have in common: intervals, names of half-planes, ends with their proofs, sets.
 
+use std::borrow::Cow;
+
 use serde::Serialize;
 
 use crate::number::{Number, Reader};
@@ -22,7 +24,7 @@ pub struct ActiveJson {
     pub row: Option<usize>,
     /// The bound of the row, `upper` or `lower`; or the condition, `where:1`; of an equation `where:1 upper` (≤) or `where:1 lower`
     /// (≥). Under errors in x a corner of the box follows, `upper left`, and `theta1 >= 0` is the side itself.
-    pub bound: String,
+    pub bound: Cow<'static, str>,
 }
 
 /// The number of a row in the file, from 1.
@@ -53,7 +55,7 @@ pub struct TermJson {
     /// The number of the row in the file, from 1; null for a condition and for the sign of the slope.
     pub row: Option<usize>,
     /// The bound of the row or the condition, as in `active`; `facet` for a half-plane of the list `facets`.
-    pub bound: String,
+    pub bound: Cow<'static, str>,
     /// The exact multiplier, greater than 0.
     pub multiplier: Number,
 }

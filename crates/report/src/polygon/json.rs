@@ -71,5 +71,5 @@ fn name_of(file: &HalfPlaneFile, index: usize) -> ActiveJson {
         (None, true) => "lower",
         (None, false) => "upper",
     };
-    ActiveJson { row: Some(row), bound: bound.to_owned() }
+    ActiveJson { row: Some(row), bound: bound.into() }
 }

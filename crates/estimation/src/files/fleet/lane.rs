@@ -1,6 +1,8 @@
 //! The lines of groups whose readings are integers on powers of ten, as in most files. They follow from the two hulls
 //! alone, without half-planes, vertices, proofs or a fraction for each number.
 
+use std::borrow::Cow;
+
 use boundfit_exact::{Endpoint, Integer, Interval, Rational, Scaled, Unit, Wide, WideProducts, WideQuotient};
 use boundfit_geometry::RegionKind;
 
@@ -24,13 +26,24 @@ impl Counts {
     /// thousands of readings, of which some may have more digits.
     fn coarsened(&self) -> Self {
         let places = (-self.exponent).clamp(0, 18).unsigned_abs();
-        let whole = |places: u32, count: &i128| {
-            (0..=places).rev().find(|&places| count % 10_i128.pow(places) == 0).unwrap_or_default()
+        let whole = |places: u32, &count: &i128| {
+            (0..=places).rev().find(|&places| divided(count, 10_i64.pow(places)).1 == 0).unwrap_or_default()
         };
         let places = self.counts.iter().fold(places, whole);
-        let power = 10_i128.pow(places);
-        let counts = self.counts.iter().map(|count| count / power).collect();
+        let counts = match places {
+            0 => self.counts.clone(),
+            _ => self.counts.iter().map(|&count| divided(count, 10_i64.pow(places)).0).collect(),
+        };
         Counts { counts, exponent: self.exponent + places as i32 }
+    }
+}
+
+/// Quotient and remainder. A division of 64 bits is several times faster than one of 128.
+#[inline]
+fn divided(count: i128, power: i64) -> (i128, i128) {
+    match i64::try_from(count) {
+        Ok(count) => ((count / power).into(), (count % power).into()),
+        Err(_) => (count / i128::from(power), count % i128::from(power)),
     }
 }
 
@@ -45,7 +58,7 @@ const MOST_REFINED: u32 = 18;
 struct Group<'a> {
     x: &'a [i128],
     /// The ordinates, on the unit of ε.
-    y: Vec<i128>,
+    y: Cow<'a, [i128]>,
     epsilon: i128,
     /// The powers of ten of θ1 and of θ2.
     exponents: [i32; 2],
@@ -77,14 +90,16 @@ impl Hulls {
 
 impl<'a> Group<'a> {
     /// Readings (x, y) under a uniform error bound. Returns `None` unless the FPS is a polygon, and for numbers that are too long.
-    fn new(x: &'a Counts, y: &Counts, epsilon: &Rational) -> Option<Self> {
+    fn new(x: &'a Counts, y: &'a Counts, epsilon: &Rational) -> Option<Self> {
         if x.exponent.unsigned_abs().max(y.exponent.unsigned_abs()) > MOST_EXPONENT {
             return None;
         }
         let (epsilon, refined) = on_power_of_ten(epsilon, y.exponent)?;
         let exponent = y.exponent - refined as i32;
-        let factor = 10_i128.pow(refined);
-        let y: Vec<i128> = y.counts.iter().map(|count| count.checked_mul(factor)).collect::<Option<_>>()?;
+        let y = match 10_i128.pow(refined) {
+            1 => Cow::Borrowed(y.counts.as_slice()),
+            factor => y.counts.iter().map(|count| count.checked_mul(factor)).collect::<Option<_>>()?,
+        };
         let exponents = [exponent - x.exponent, exponent];
         let x = x.counts.as_slice();
         let widest = |counts: &[i128]| bits(counts.iter().fold(0, |all, count| all | count.unsigned_abs()));
@@ -148,7 +163,7 @@ impl<'a> Group<'a> {
     /// Returns whether no reading is farther than ε from the least-squares line.
     fn is_feasible(&self, Solution { numerators: [slope, offset], determinant }: &Solution<Wide>) -> bool {
         let room = determinant * &Wide::from(self.epsilon);
-        self.x.iter().zip(&self.y).all(|(&x, &y)| {
+        self.x.iter().zip(self.y.iter()).all(|(&x, &y)| {
             let apart = determinant * &Wide::from(y) - slope * &Wide::from(x) - *offset;
             !(room - apart.negated_if(apart.is_negative())).is_negative()
         })
@@ -172,7 +187,7 @@ impl<'a> Group<'a> {
             let y = if is_ceiling { y - self.epsilon } else { y + self.epsilon };
             // The first of those at one place stands for all.
             let position =
-                self.x.iter().zip(&self.y).position(|(&own_x, &own_y)| own_x == x && own_y == y)?;
+                self.x.iter().zip(self.y.iter()).position(|(&own_x, &own_y)| own_x == x && own_y == y)?;
             let name = if is_ceiling { BoundName::Upper } else { BoundName::Lower };
             Some((
                 name(row(position)),
