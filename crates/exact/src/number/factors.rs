@@ -4,7 +4,7 @@ use super::Integer;
 use super::library::{BigInt, BigUint};
 
 /// `log2(5)`.
-const BITS_OF_FIVE: f64 = 2.321_928_094_887_362_3;
+const BITS_OF_FIVE: f64 = 2.321_928_094_887_362;
 
 impl Integer {
     /// The exponents of 2 and 5, if this positive integer is a product of their powers. Cost: that of the power of five.
