@@ -106,7 +106,7 @@ def of_fit(fit: boundfit.Fit) -> Any:
 
 @pytest.mark.parametrize("reading", ["decimal", "binary64"])
 def test_every_type_of_column_gives_the_answers_of_the_program(reading: Any, program: Program, tmp_path: Path) -> None:
-    cases = problems(5000)
+    cases = problems(2000)
     lines = [f"{index},{x},{y}" for index, (xs, ys) in enumerate(cases) for x, y in zip(xs, ys, strict=True)]
     (tmp_path / "all.csv").write_text("\n".join(["case,x,y", *lines, ""]))
     options = ["--by", "case", "--x", "x", "--y", "y", "--eps", "0.5", "--format", "json"]

@@ -267,15 +267,15 @@ fi",
         changes: "python, and every crate that it shows",
         needs: &[PYTHON, VENV],
         beside: true,
-        // The wheel of this step is no optimised one, whose link takes minutes: people get that from `maturin build --release`. Its
-        // dependencies have the profile of tests, under the name that maturin knows, to share what is built already. Most modules of
-        // other packages are never imported: Python compiles those that are.
+        // The link of the wheel that people get takes minutes, and so does the optimisation of what it is linked from. This step's wheel
+        // has the profile of the tests, under the name that maturin knows, and shares what they have built; it answers the same. Most
+        // modules of other packages are never imported: Python compiles those that are.
         script: "\
 python3 -m venv --clear target/python
 target/python/bin/pip install --quiet --no-compile 'maturin>=1.9,<2' -r python/tests/requirements.txt
 rm -rf target/wheels
 export VIRTUAL_ENV=$PWD/target/python CARGO_TARGET_DIR=$built
-sed -n '/^.profile.test/,/^$/{/^boundfit-/d; s/profile.test/profile.dev/; p}' Cargo.toml > target/wheel.toml
+sed -n '/^.profile.test/,/^$/{s/profile.test/profile.dev/; p}' Cargo.toml > target/wheel.toml
 target/python/bin/maturin build --config Cargo.toml --config target/wheel.toml --locked --out target/wheels
 target/python/bin/pip install --quiet target/wheels/*.whl
 cargo clippy --manifest-path python/Cargo.toml --config Cargo.toml --locked -- -D warnings
