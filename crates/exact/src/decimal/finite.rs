@@ -45,7 +45,7 @@ pub(super) fn digits(value: &Rational, most: usize) -> Option<(u64, i64)> {
     (count <= most).then(|| (digits, count as i64 - 1 - i64::from(places)))
 }
 
-/// As [`digits`], of a number of any size. Cost: two products of numbers as long as the result.
+/// Returns what [`digits`] does, of a number of any size. Cost: two products of numbers as long as the result.
 pub(super) fn long_digits(value: &Rational) -> Option<(String, i64)> {
     let (twos, fives) = value.denominator().powers_of_two_and_five()?;
     let places = twos.max(fives);
