@@ -7,7 +7,7 @@ use rand::RngExt;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
 
-/// Returns the options of a scan in chunks of so many bytes.
+/// The options of a scan that reads this many bytes at a time.
 pub fn options(reading: Reading, chunk_bytes: usize) -> ScanOptions {
     let table = TableOptions { reading, ..TableOptions::default() };
     ScanOptions { table, chunk_bytes, ..ScanOptions::default() }
