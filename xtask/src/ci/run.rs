@@ -4,6 +4,7 @@ use std::env;
 use std::fmt;
 use std::fs::{self, File};
 use std::io::{self, BufRead, BufReader, Write};
+use std::iter;
 use std::path::PathBuf;
 use std::process::{Command, ExitCode, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -144,11 +145,14 @@ impl Run {
     }
 
     /// Runs the steps of a lane one after the other, up to the first of any lane that fails.
-    fn lane(&self, steps: &[&Step], mut run: impl FnMut(&Step) -> Outcome) -> Outcome {
-        for step in steps {
-            if self.has_failed.load(Ordering::Relaxed) {
-                break;
-            }
+    fn lane<'a>(
+        &self,
+        mut steps: impl Iterator<Item = &'a Step>,
+        mut run: impl FnMut(&Step) -> Outcome,
+    ) -> Outcome {
+        while !self.has_failed.load(Ordering::Relaxed)
+            && let Some(step) = steps.next()
+        {
             let started = Instant::now();
             let _ = fs::remove_file(file_of(step, "times"));
             let outcome = self.wait_for_programs(step).and_then(|()| run(step));
@@ -165,7 +169,8 @@ impl Run {
         Ok(())
     }
 
-    /// Runs all steps up to the first that fails. Steps that run beside others have a lane of their own.
+    /// Runs all steps up to the first that fails. Steps that run beside others have a lane of their own; the other lane takes of them
+    /// what has not begun when it has no more steps.
     fn all(&self, steps: &[&Step], tests: &mut Tests) -> Outcome {
         let (beside, others): (Vec<&Step>, Vec<&Step>) = steps.iter().partition(|step| step.beside);
         let shown = |step: &Step| {
@@ -173,11 +178,14 @@ impl Run {
             run_script(step, tests)
         };
         if others.is_empty() {
-            return self.lane(&beside, shown);
+            return self.lane(beside.into_iter(), shown);
         }
+        let beside = Mutex::new(beside.into_iter());
+        let next = || beside.lock().unwrap_or_else(PoisonError::into_inner).next();
         thread::scope(|scope| {
-            let lane = scope.spawn(|| self.lane(&beside, |step| run_beside(step, &self.has_failed)));
-            let outcome = self.lane(&others, shown);
+            let lane =
+                scope.spawn(|| self.lane(iter::from_fn(next), |step| run_beside(step, &self.has_failed)));
+            let outcome = self.lane(others.into_iter().chain(iter::from_fn(next)), shown);
             let outcome_beside = lane.join().unwrap_or_else(|_| Err("a thread has failed".to_owned()));
             outcome.and(outcome_beside)
         })
@@ -285,5 +293,14 @@ mod tests {
         let (outcome, count) = lane(&[&beside, &Step { script: "touch target/beside-3.begun", ..STEP }]);
         assert!(outcome.unwrap_err().contains("step beside-3 failed"));
         assert_eq!((count, begun.exists()), (2, true));
+    }
+
+    #[test]
+    fn a_lane_without_steps_takes_those_of_the_lane_beside() {
+        mark("beside-5.begun");
+        let waits = "for _ in {1..600}; do [ -e target/beside-5.begun ] && exit; sleep 0.05; done; exit 3";
+        let first = Step { name: "beside-4", beside: true, script: waits, ..STEP };
+        let second = Step { name: "beside-5", script: "touch target/beside-5.begun", ..first };
+        assert_eq!(lane(&[&first, &second, &Step { script: "true", ..STEP }]), (Ok(()), 3));
     }
 }

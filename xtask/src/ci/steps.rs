@@ -218,17 +218,6 @@ cargo test --workspace --locked --no-run --quiet
         ..PLAIN
     },
     Step {
-        name: "growth",
-        holds: "no command costs more per row where there are more rows, nor 5 % more than xtask/growth.txt says",
-        changes: "everything that reads input or computes",
-        needs: &[VALGRIND],
-        // One program after the other is counted.
-        beside: true,
-        script: "\
-cargo build --release --locked
-cargo xtask growth",
-    },
-    Step {
         name: "small-inputs",
         holds: "every command ends within two seconds of processor time and 64 MB for any input of 4 kB",
         changes: "everything that reads input or computes",
@@ -268,7 +257,8 @@ fi",
         needs: &[PYTHON, VENV],
         beside: true,
         // The link of the wheel that people get takes minutes, and so does the optimisation of what it is linked from. This step's wheel
-        // has the profile of the tests, under the name that maturin knows, and shares what they have built; it answers the same. Most
+        // has the profile of the tests, under the name that maturin knows, and shares what they have built; it answers the same.
+        // `cargo clippy` would check every crate below once more; in place of the compiler, its driver takes those of the wheel. Most
         // modules of other packages are never imported: Python compiles those that are.
         script: "\
 python3 -m venv --clear target/python
@@ -278,31 +268,13 @@ export VIRTUAL_ENV=$PWD/target/python CARGO_TARGET_DIR=$built
 sed -n '/^.profile.test/,/^$/{s/profile.test/profile.dev/; p}' Cargo.toml > target/wheel.toml
 target/python/bin/maturin build --config Cargo.toml --config target/wheel.toml --locked --out target/wheels
 target/python/bin/pip install --quiet target/wheels/*.whl
-cargo clippy --manifest-path python/Cargo.toml --config Cargo.toml --locked -- -D warnings
+wheel='--manifest-path python/Cargo.toml --config Cargo.toml --config target/wheel.toml --locked --lib'
+RUSTC_WORKSPACE_WRAPPER=clippy-driver cargo rustc $wheel -- -D warnings
 cargo build --release --locked
 export BOUNDFIT_PROGRAM=$built/release/boundfit
 target/python/bin/python -m pytest --quiet python/tests
 target/python/bin/python -m mypy --strict python/boundfit
 target/python/bin/python -m pyright --pythonpath target/python/bin/python python/boundfit",
-    },
-    Step {
-        name: "wasm",
-        holds: "the checked-in WebAssembly module answers as the program does",
-        changes: "answers, wasm, crates/lesson/engine",
-        needs: &[NODE],
-        beside: true,
-        script: "\
-cargo build --release --locked
-BOUNDFIT_PROGRAM=$built/release/boundfit node --test wasm/test.mjs",
-    },
-    Step {
-        name: "page",
-        holds: "the program writes the page for those who have only a browser, into target/boundfit.html",
-        changes: "crate lesson",
-        script: "\
-cargo run --release --locked -- playground -o target/boundfit.html
-ls -l target/boundfit.html",
-        ..PLAIN
     },
     Step {
         name: "browser",
@@ -316,6 +288,36 @@ export BOUNDFIT=$built/release/boundfit
 npm --prefix tests/browser ci
 npm --prefix tests/browser run types
 npm --prefix tests/browser test",
+    },
+    Step {
+        name: "wasm",
+        holds: "the checked-in WebAssembly module answers as the program does",
+        changes: "answers, wasm, crates/lesson/engine",
+        needs: &[NODE],
+        beside: true,
+        script: "\
+cargo build --release --locked
+BOUNDFIT_PROGRAM=$built/release/boundfit node --test wasm/test.mjs",
+    },
+    Step {
+        name: "growth",
+        holds: "no command costs more per row where there are more rows, nor 5 % more than xtask/growth.txt says",
+        changes: "everything that reads input or computes",
+        needs: &[VALGRIND],
+        // One program after the other is counted.
+        beside: true,
+        script: "\
+cargo build --release --locked
+cargo xtask growth",
+    },
+    Step {
+        name: "page",
+        holds: "the program writes the page for those who have only a browser, into target/boundfit.html",
+        changes: "crate lesson",
+        script: "\
+cargo run --release --locked -- playground -o target/boundfit.html
+ls -l target/boundfit.html",
+        ..PLAIN
     },
     Step {
         name: "tests",
