@@ -122,7 +122,11 @@ fn run_beside(step: &Step, has_failed: &AtomicBool) -> Outcome {
     outcome(status)
 }
 
-/// The steps while they run, in two lanes.
+/// Lanes of steps that run beside others. Such a step often waits: for a browser, a compiler's lock, a download. Two lanes of them
+/// keep both processors busy.
+const LANES_BESIDE: usize = 2;
+
+/// The steps while they run, in lanes.
 struct Run {
     installation: Mutex<Option<Installation>>,
     times: Mutex<Vec<String>>,
@@ -169,7 +173,7 @@ impl Run {
         Ok(())
     }
 
-    /// Runs all steps up to the first that fails. Steps that run beside others have a lane of their own; the other lane takes of them
+    /// Runs all steps up to the first that fails. Steps that run beside others have lanes of their own; the other lane takes of them
     /// what has not begun when it has no more steps.
     fn all(&self, steps: &[&Step], tests: &mut Tests) -> Outcome {
         let (beside, others): (Vec<&Step>, Vec<&Step>) = steps.iter().partition(|step| step.beside);
@@ -183,11 +187,12 @@ impl Run {
         let beside = Mutex::new(beside.into_iter());
         let next = || beside.lock().unwrap_or_else(PoisonError::into_inner).next();
         thread::scope(|scope| {
-            let lane =
-                scope.spawn(|| self.lane(iter::from_fn(next), |step| run_beside(step, &self.has_failed)));
+            let run_next = || self.lane(iter::from_fn(next), |step| run_beside(step, &self.has_failed));
+            let lanes = [(); LANES_BESIDE].map(|()| scope.spawn(run_next));
             let outcome = self.lane(others.into_iter().chain(iter::from_fn(next)), shown);
-            let outcome_beside = lane.join().unwrap_or_else(|_| Err("a thread has failed".to_owned()));
-            outcome.and(outcome_beside)
+            lanes.into_iter().fold(outcome, |outcome, lane| {
+                outcome.and(lane.join().unwrap_or_else(|_| Err("a thread has failed".to_owned())))
+            })
         })
     }
 }
@@ -276,31 +281,35 @@ mod tests {
 
     #[test]
     fn a_step_that_fails_ends_those_beside_it() {
-        let (begun, ended) = (mark("beside-1.log"), mark("beside-1.ended"));
+        let (begun, ended) = (mark("ends-1.log"), mark("ends-1.ended"));
+        mark("ends-2.log");
         let beside =
-            Step { name: "beside-1", beside: true, script: "sleep 60; touch target/beside-1.ended", ..STEP };
-        let fails = Step { script: "until [ -e target/beside-1.log ]; do sleep 0.05; done; exit 3", ..STEP };
-        let (outcome, count) = lane(&[&beside, &Step { name: "beside-2", ..beside }, &fails]);
+            Step { name: "ends-1", beside: true, script: "sleep 60; touch target/ends-1.ended", ..STEP };
+        let others = ["ends-2", "ends-3"].map(|name| Step { name, ..beside });
+        let waits = "until [ -e target/ends-1.log ] && [ -e target/ends-2.log ]; do sleep 0.05; done; exit 3";
+        let fails = Step { script: waits, ..STEP };
+        let (outcome, count) = lane(&[&beside, &others[0], &others[1], &fails]);
         assert!(outcome.unwrap_err().contains("step s failed"));
-        assert_eq!((count, begun.exists(), ended.exists()), (2, true, false));
+        assert_eq!((count, begun.exists(), ended.exists()), (3, true, false));
     }
 
     #[test]
     fn a_step_beside_others_fails_for_all() {
-        let begun = mark("beside-3.begun");
-        let waits = "until [ -e target/beside-3.begun ]; do sleep 0.05; done; exit 3";
-        let beside = Step { name: "beside-3", beside: true, script: waits, ..STEP };
-        let (outcome, count) = lane(&[&beside, &Step { script: "touch target/beside-3.begun", ..STEP }]);
-        assert!(outcome.unwrap_err().contains("step beside-3 failed"));
+        let begun = mark("fails.begun");
+        let waits = "until [ -e target/fails.begun ]; do sleep 0.05; done; exit 3";
+        let beside = Step { name: "fails", beside: true, script: waits, ..STEP };
+        let (outcome, count) = lane(&[&beside, &Step { script: "touch target/fails.begun", ..STEP }]);
+        assert!(outcome.unwrap_err().contains("step fails failed"));
         assert_eq!((count, begun.exists()), (2, true));
     }
 
     #[test]
-    fn a_lane_without_steps_takes_those_of_the_lane_beside() {
-        mark("beside-5.begun");
-        let waits = "for _ in {1..600}; do [ -e target/beside-5.begun ] && exit; sleep 0.05; done; exit 3";
-        let first = Step { name: "beside-4", beside: true, script: waits, ..STEP };
-        let second = Step { name: "beside-5", script: "touch target/beside-5.begun", ..first };
-        assert_eq!(lane(&[&first, &second, &Step { script: "true", ..STEP }]), (Ok(()), 3));
+    fn a_lane_without_steps_takes_those_of_the_lanes_beside() {
+        mark("taken.begun");
+        let waits = "for _ in {1..600}; do [ -e target/taken.begun ] && exit; sleep 0.05; done; exit 3";
+        let waiting = ["waits-1", "waits-2"].map(|name| Step { name, beside: true, script: waits, ..STEP });
+        let taken = Step { name: "taken", script: "touch target/taken.begun", ..waiting[0] };
+        let own = Step { script: "true", ..STEP };
+        assert_eq!(lane(&[&waiting[0], &waiting[1], &taken, &own]), (Ok(()), 4));
     }
 }

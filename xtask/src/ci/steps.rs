@@ -16,7 +16,7 @@ pub(super) struct Step {
     pub(super) changes: &'static str,
     /// The programs that it starts, cargo aside.
     pub(super) needs: &'static [Program],
-    /// `true` for a step that runs beside others, since it would leave a processor free. Such steps have a lane of their own.
+    /// `true` for a step that runs beside others, since it would leave a processor free. Such steps have lanes of their own.
     pub(super) beside: bool,
     /// Commands of bash, run from the top of the repository; the first that fails ends the step. `$built` is cargo's folder.
     pub(super) script: &'static str,
