@@ -40,7 +40,7 @@ fn of_an_empty_set_the_readings_that_alone_can_go_are_outliers() {
     assert_eq!(column(&found, "/rows", "without"), ["null", "null", "outlier", "outlier"]);
     assert_eq!(found["rows"][3]["without_residual"]["exact"], "6");
     let text = run(TABLE, "--x x --y y --eps 1").stdout;
-    assert!(text.contains("Without any one of these readings the set is not empty"), "{text}");
+    assert!(text.contains("Without any one of the readings below the set is not empty"), "{text}");
     assert!(!text.contains("\n  1  "), "{text}");
     // Where two are wrong, none alone can go.
     let found = json("x,y\n0,0\n1,9\n2,0\n3,9\n4,0\n", "--x x --y y --eps 1", 3);

@@ -79,8 +79,8 @@ fn of_all(problem: &Problem, fit: &Fit, ranking: &Ranking) -> Vec<String> {
         let verb = if names.len() == 1 { "cannot hold" } else { "contradict each other" };
         let mending = match ranking.count_without(Some(Status::Outlier)) {
             0 => "No single reading is an outlier: without any one of them the set stays empty.",
-            1 => "Without this reading alone the set is not empty; no other reading has this effect.",
-            _ => "Without any one of these readings the set is not empty; no other reading has this effect.",
+            1 => "Without the reading below the set is not empty; no other reading has this effect.",
+            _ => "Without any one of the readings below the set is not empty; no other reading has this effect.",
         };
         return vec![
             format!("No theta meets every bound. These {verb}: {}.", names.collect::<Vec<_>>().join(", ")),
