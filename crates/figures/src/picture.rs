@@ -112,14 +112,6 @@ impl Picture {
     /// The bytes of a file in this format.
     ///
     /// # Errors
-    /// When the pixels of a PNG cannot be encoded, and for PNG and PDF in a build without the feature `outlines`.
-    pub fn encoded(&self, format: PictureFormat) -> Result<Vec<u8>, FigureError> {
-        self.encoded_as(format, &Encoding::default())
-    }
-
-    /// The bytes of a file in this format, encoded in a way of its own.
-    ///
-    /// # Errors
     /// When the pixels of a PNG are too many, or cannot be encoded, and for PNG and PDF in a build without the feature `outlines`.
     pub fn encoded_as(&self, format: PictureFormat, encoding: &Encoding) -> Result<Vec<u8>, FigureError> {
         match format {
