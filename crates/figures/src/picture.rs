@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use crate::drawing::Drawing;
 use crate::error::FigureError;
 use crate::outlines::Outlines;
-use crate::render::{self, Look};
+use crate::render::Look;
 use crate::text;
 
 /// The format of a picture.
@@ -92,6 +92,7 @@ pub struct Picture {
     /// The document with its texts.
     source: String,
     drawing: Drawing,
+    #[cfg_attr(not(feature = "tikz"), expect(dead_code, reason = "the SVG has it already"))]
     look: Look,
 }
 
@@ -119,9 +120,9 @@ impl Picture {
             PictureFormat::Png => self.outlines()?.png(encoding.dpi),
             PictureFormat::Pdf => self.outlines()?.pdf(&self.drawing.title, &self.drawing.description),
             #[cfg(feature = "tikz")]
-            PictureFormat::Tikz => Ok(render::source(&self.drawing, &self.look, false)?.into_bytes()),
+            PictureFormat::Tikz => Ok(crate::render::source(&self.drawing, &self.look, false)?.into_bytes()),
             #[cfg(feature = "tikz")]
-            PictureFormat::Tex => Ok(render::source(&self.drawing, &self.look, true)?.into_bytes()),
+            PictureFormat::Tex => Ok(crate::render::source(&self.drawing, &self.look, true)?.into_bytes()),
         }
     }
 
