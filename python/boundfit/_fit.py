@@ -280,8 +280,6 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
 
         :raises ValueError: where the readings come from a file that is not plain delimited text, or from a reduction.
         """
-        if self._core.is_of_reductions:
-            raise ValueError("a proof is about every reading, and this is a reduction: prove the answer about the table that it was made from")
         proof = self._readings.proof() if self._readings.is_in_memory else self._core.proof()
         if proof is None:
             raise ValueError(

@@ -61,8 +61,6 @@ class Asked:
         count = self._readings.regressors
         if count == 2 and (from_ is not None or grid is not None):
             raise ValueError("from_ and grid are about a line: with two regressors there is no single x (ask at pairs)")
-        if at is None and grid is None and from_ is None:
-            raise ValueError("nothing is to be predicted: expected at, grid or from_")
         reading = self._readings.reading
         # A column is asked for by its number: both of two regressors have one name.
         given = {"at": at, "from_": from_}

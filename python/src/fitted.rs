@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use boundfit::ask::{self, Ask, Fittable, Form, Refusal};
+use boundfit::ask::{self, Ask, Fittable, Form, NoProof, Refusal};
 use boundfit::engine::estimation::{Measurements, least_squares_is_feasible};
 use boundfit::engine::exact::Foreign;
 use boundfit::report::{NextStep, Origin, Style};
@@ -138,12 +138,6 @@ impl Fitted {
     #[getter]
     fn rows(&self) -> usize {
         self.measurements().fitted()
-    }
-
-    /// Returns whether the rows are those that reductions kept.
-    #[getter]
-    fn is_of_reductions(&self) -> bool {
-        self.measurements().is_of_reductions()
     }
 
     /// The number of rows, fitted or not.
@@ -311,14 +305,17 @@ impl Fitted {
         text.map_err(|refusal| refuse(in_words(&refusal, slf.get().file.is_some())))
     }
 
-    /// The proof, where the readings come from delimited text.
+    /// The proof, where the readings come from delimited text. Refuses to prove a reduction.
     fn proof(slf: &Bound<'_, Self>) -> PyResult<Option<String>> {
         let held = slf.clone().unbind();
         let proof = waiting(slf.py(), move |_| {
             let own = held.get();
             own.written(&ask::Fit::default(), Form::Proof, own.origin(), Style::default())
         })?;
-        Ok(proof.ok())
+        match proof {
+            Err(refusal @ Refusal::NoProof(NoProof::Reduction)) => Err(refuse(in_words(&refusal, false))),
+            proof => Ok(proof.ok()),
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use boundfit::Reading;
-use boundfit::ask::{self, Asked, Fit, Form, Refusal, Request, Shows};
+use boundfit::ask::{self, Asked, Fit, Form, NoProof, Refusal, Request, Shows};
 use boundfit::files::Source;
 use boundfit::report::{Origin, Style};
 use pyo3::prelude::*;
@@ -150,7 +150,7 @@ impl Readings {
             let origin = Some(written.origin());
             match question.answer(&written.asked, written.source()?, Form::Proof, origin, &Style::default()) {
                 Ok(proof) => Ok(Some(proof.text)),
-                Err(Refusal::NoProof(_)) => Ok(None),
+                Err(Refusal::NoProof(why)) if !matches!(why, NoProof::Reduction) => Ok(None),
                 Err(refusal) => Err(questions::in_words(&refusal, own.has_limits())),
             }
         })?;

@@ -169,6 +169,14 @@ impl Misuse {
 }
 
 impl NoProof {
+    /// The most statements of a proof where each of them takes a set of its own.
+    pub(crate) const MOST: usize = 1_000;
+
+    /// Refuses a proof about too many parts.
+    pub(crate) fn check(parts: usize, most: usize, of: &'static str) -> Result<(), Self> {
+        if parts > most { Err(NoProof::TooMany { most, of }) } else { Ok(()) }
+    }
+
     /// The reason why there is no proof about readings that are not those of plain delimited text.
     pub(crate) fn about(measurements: &Measurements) -> Self {
         if measurements.is_of_reductions() {

@@ -13,9 +13,6 @@ use crate::paper::Paper;
 use crate::question::{Ask, AskedTheorem};
 use crate::refusal::{Refusal, ValueProblem};
 
-/// Runs that a proof may be about, each of which it fits.
-const MOST_PROVED: usize = 1_000;
-
 /// Every run of readings that some parameters agree with: the linear range.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -43,10 +40,7 @@ impl Runs {
 
     /// Refuses to prove what is said of too many runs.
     fn check_proof(&self) -> Result<(), Refusal> {
-        match self.range.runs.len() > MOST_PROVED {
-            true => Err(Refusal::NoProof(NoProof::TooMany { most: MOST_PROVED, of: "runs" })),
-            false => Ok(()),
-        }
+        NoProof::check(self.range.runs.len(), NoProof::MOST, "runs").map_err(Refusal::NoProof)
     }
 }
 

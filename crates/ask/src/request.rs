@@ -154,14 +154,6 @@ impl Request {
         Request::of_keys(object(json)?)
     }
 
-    /// Reads a request as [`Request::parse`] does, from parsed JSON.
-    ///
-    /// # Errors
-    /// The errors of [`Request::parse`].
-    pub fn of_json(json: Value) -> Result<Self, Refusal> {
-        Request::of_keys(serde_json::from_value(json).map_err(no_request)?)
-    }
-
     /// Reads a request together with the readings that it is about, and how it is answered:
     /// `{"ask": "range", "by": "row", "x": "V", "y": "z", "eps": "1/2", "format": "csv"}`. The schema `boundfit/request/1` describes it.
     ///

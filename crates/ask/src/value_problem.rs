@@ -96,9 +96,7 @@ impl ValueProblem {
             }
             ValueProblem::Negative(expected) => format!("negative ({expected})"),
             ValueProblem::Bound(error) => text_problem(error, of_bound(error)),
-            ValueProblem::LawOfX => {
-                "two regressors have no |x| (expected a law of |y|, range(y) and written)".to_owned()
-            }
+            ValueProblem::LawOfX => no_law_of_x("|y|, range(y) and written"),
             ValueProblem::Condition(error) => text_problem(error, of_condition(error)),
             ValueProblem::RowCondition(error) if self.limit().is_some() => error.to_string(),
             ValueProblem::RowCondition(error) => format!(
@@ -123,6 +121,11 @@ impl ValueProblem {
             ValueProblem::Other(problem) => problem.clone(),
         }
     }
+}
+
+/// Says that two regressors have laws of these terms alone.
+pub(crate) fn no_law_of_x(terms: &str) -> String {
+    format!("two regressors have no |x| (expected a law of {terms})")
 }
 
 fn of_bound(error: &ParseBoundError) -> Option<&ParseNumberErrorKind> {

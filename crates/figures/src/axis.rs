@@ -107,6 +107,7 @@ impl Axis {
     }
 
     /// The marks, ascending.
+    #[cfg(feature = "tikz")]
     pub(crate) fn ticks(&self) -> &[Tick] {
         &self.ticks
     }

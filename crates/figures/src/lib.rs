@@ -29,9 +29,6 @@
 //! # Ok::<(), boundfit_figures::FigureError>(())
 //! ```
 
-// Names of colours and the places of ticks are written by TikZ alone.
-#![cfg_attr(not(feature = "tikz"), allow(dead_code, unused_imports))]
-
 mod axis;
 mod clip;
 mod data_plane;

@@ -14,31 +14,7 @@ impl Colour {
         let light = u8::try_from(light).unwrap_or(u8::MAX);
         Colour(light, light, light)
     }
-
-    /// The name in source that people read; `None` for one of many greys.
-    pub(crate) fn name(self) -> Option<&'static str> {
-        NAMES.iter().find(|(colour, _)| *colour == self).map(|(_, name)| *name)
-    }
 }
-
-/// Colours by name.
-const NAMES: [(Colour, &str); 15] = [
-    (PAPER, "paper"),
-    (INK, "ink"),
-    (FAINT_INK, "faint ink"),
-    (GRID, "grid"),
-    (FRAME, "frame"),
-    (GREY, "grey"),
-    (LIGHT_GREY, "light grey"),
-    (ORANGE, "orange"),
-    (SKY, "sky"),
-    (GREEN, "green"),
-    (BLUE, "blue"),
-    (VERMILLION, "vermillion"),
-    (PURPLE, "purple"),
-    (DARK_PURPLE, "dark purple"),
-    (YELLOW, "yellow"),
-];
 
 pub(crate) const PAPER: Colour = Colour(0xff, 0xff, 0xff);
 pub(crate) const INK: Colour = Colour(0x26, 0x26, 0x26);
@@ -53,7 +29,6 @@ pub(crate) const GREEN: Colour = Colour(0x00, 0x9e, 0x73);
 pub(crate) const BLUE: Colour = Colour(0x00, 0x72, 0xb2);
 pub(crate) const VERMILLION: Colour = Colour(0xd5, 0x5e, 0x00);
 pub(crate) const PURPLE: Colour = Colour(0xcc, 0x79, 0xa7);
-pub(crate) const YELLOW: Colour = Colour(0xf0, 0xe4, 0x42);
 /// The edge of purple areas.
 pub(crate) const DARK_PURPLE: Colour = Colour(0x8f, 0x3c, 0x6b);
 

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use crate::drawing::Drawing;
 use crate::error::FigureError;
 use crate::outlines::Outlines;
-use crate::render::{self, Look};
+use crate::render::Look;
 use crate::text;
 
 /// The format of a picture.
@@ -92,6 +92,7 @@ pub struct Picture {
     /// The document with its texts.
     source: String,
     drawing: Drawing,
+    #[cfg_attr(not(feature = "tikz"), expect(dead_code, reason = "the SVG has it already"))]
     look: Look,
 }
 
@@ -112,14 +113,6 @@ impl Picture {
     /// The bytes of a file in this format.
     ///
     /// # Errors
-    /// When the pixels of a PNG cannot be encoded, and for PNG and PDF in a build without the feature `outlines`.
-    pub fn encoded(&self, format: PictureFormat) -> Result<Vec<u8>, FigureError> {
-        self.encoded_as(format, &Encoding::default())
-    }
-
-    /// The bytes of a file in this format, encoded in a way of its own.
-    ///
-    /// # Errors
     /// When the pixels of a PNG are too many, or cannot be encoded, and for PNG and PDF in a build without the feature `outlines`.
     pub fn encoded_as(&self, format: PictureFormat, encoding: &Encoding) -> Result<Vec<u8>, FigureError> {
         match format {
@@ -127,9 +120,9 @@ impl Picture {
             PictureFormat::Png => self.outlines()?.png(encoding.dpi),
             PictureFormat::Pdf => self.outlines()?.pdf(&self.drawing.title, &self.drawing.description),
             #[cfg(feature = "tikz")]
-            PictureFormat::Tikz => Ok(render::source(&self.drawing, &self.look, false)?.into_bytes()),
+            PictureFormat::Tikz => Ok(crate::render::source(&self.drawing, &self.look, false)?.into_bytes()),
             #[cfg(feature = "tikz")]
-            PictureFormat::Tex => Ok(render::source(&self.drawing, &self.look, true)?.into_bytes()),
+            PictureFormat::Tex => Ok(crate::render::source(&self.drawing, &self.look, true)?.into_bytes()),
         }
     }
 

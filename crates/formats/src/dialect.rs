@@ -158,11 +158,6 @@ impl Encoding {
         Encoding::Utf16Be,
     ];
 
-    /// The names that may be asked for, in words.
-    pub fn names() -> String {
-        Encoding::ALL.map(|encoding| encoding.name().to_lowercase()).join(", ")
-    }
-
     /// The encoding with this name, in small or large letters, or with a usual other one: `utf8`, `cp1252`, `latin-1`.
     pub fn named(name: &str) -> Option<Self> {
         let letters = |name: &str| -> String {

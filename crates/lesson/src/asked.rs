@@ -25,7 +25,7 @@ pub(crate) struct AskedJson {
     #[serde(skip_serializing_if = "Option::is_none")]
     y: Option<String>,
     #[serde(flatten)]
-    bounds: BoundsJson,
+    bounds: Bounds<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     r#where: Vec<String>,
     #[serde(skip_serializing_if = "std::ops::Not::not")]
@@ -52,26 +52,23 @@ enum Regressors {
     Two([String; 2]),
 }
 
-#[derive(Debug, Default, Serialize)]
-struct BoundsJson {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    eps: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    eps_column: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    lower: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    upper: Option<String>,
-}
-
 /// The bounds on the errors, by what is asked for and the columns that the table needs for it.
-enum Bounds {
+#[derive(Debug, Serialize)]
+enum Bounds<C> {
     /// Bounds in words, which need no column.
+    #[serde(rename = "eps")]
     Words(String),
     /// A column of distances.
-    Column(Foreign),
+    #[serde(rename = "eps_column")]
+    Column(C),
     /// Columns of lower and upper bounds.
-    Interval { lower: Option<Foreign>, upper: Option<Foreign> },
+    #[serde(untagged)]
+    Interval {
+        #[serde(skip_serializing_if = "Option::is_none")]
+        lower: Option<C>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        upper: Option<C>,
+    },
 }
 
 /// The question, and the names of the columns of the table. `others` are the readings of the page that are not fitted.
@@ -93,10 +90,10 @@ pub(crate) fn asked(
     };
     let y = measurements.has_response().then(&mut next);
     let bounds = match bounds {
-        Bounds::Words(eps) => BoundsJson { eps: Some(eps), ..BoundsJson::default() },
-        Bounds::Column(_) => BoundsJson { eps_column: Some(next()), ..BoundsJson::default() },
+        Bounds::Words(eps) => Bounds::Words(eps),
+        Bounds::Column(_) => Bounds::Column(next()),
         Bounds::Interval { lower, upper } => {
-            BoundsJson { lower: lower.map(|_| next()), upper: upper.map(|_| next()), ..BoundsJson::default() }
+            Bounds::Interval { lower: lower.map(|_| next()), upper: upper.map(|_| next()) }
         }
     };
     let shown = measurements.kept().iter().chain(others.iter().copied());
@@ -130,7 +127,7 @@ pub(crate) fn asked(
     (asked, columns)
 }
 
-fn bounds(measurements: &Measurements) -> Bounds {
+fn bounds(measurements: &Measurements) -> Bounds<Foreign> {
     let has_cells = measurements.kept().iter().all(|row| measurements.cells(row.row).is_some());
     if let Some(MultipleOfLeast { factor, .. }) = measurements.multiple_of_least() {
         return Bounds::Words(format!("{factor}*min"));
@@ -149,14 +146,14 @@ fn bounds(measurements: &Measurements) -> Bounds {
 }
 
 /// Returns the bounds that a law gives each reading, as columns.
-fn own_bounds(law: &Law) -> Bounds {
+fn own_bounds(law: &Law) -> Bounds<Foreign> {
     match law.is_asymmetric() {
         true => Bounds::Interval { lower: Some("lower".into()), upper: Some("upper".into()) },
         false => Bounds::Column(law.text().clone()),
     }
 }
 
-fn columns(measurements: &Measurements, bounds: &Bounds) -> Vec<String> {
+fn columns(measurements: &Measurements, bounds: &Bounds<Foreign>) -> Vec<String> {
     let regressors: Vec<&Foreign> = match measurements.model() {
         Model::Line { x } => vec![x],
         Model::TwoRegressors { regressors } => regressors.iter().collect(),

@@ -53,6 +53,7 @@ mod points;
 mod polytope;
 mod questions;
 mod readings;
+mod redundancy;
 mod region;
 mod sweep;
 mod template;

@@ -2,7 +2,7 @@
 
 use boundfit_estimation::{Fit, Model, Problem};
 use boundfit_exact::Rational;
-use boundfit_geometry::clipping::{Step, StepRedundancy, steps};
+use boundfit_geometry::clipping::{Step, steps};
 use boundfit_geometry::predicates::by_angle;
 use boundfit_geometry::{Region, System};
 use boundfit_report::Number;
@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use crate::number::STYLE;
 use crate::points::Points;
+use crate::redundancy::RedundantJson;
 use crate::region::IndexedRegion;
 use crate::texts::{Message, text};
 
@@ -29,20 +30,7 @@ struct StepJson {
     region: IndexedRegion,
     born: Vec<usize>,
     lost: Vec<usize>,
-    redundant: Option<RedundantJson>,
-}
-
-#[derive(Debug, Serialize)]
-struct RedundantJson {
-    why: &'static str,
-    by: Vec<MultiplierJson>,
-    slack: Option<Number>,
-}
-
-#[derive(Debug, Serialize)]
-struct MultiplierJson {
-    half_plane: usize,
-    multiplier: Number,
+    redundant: Option<RedundantJson<Number>>,
 }
 
 /// The orders in which the half-planes can be clipped. Exact.
@@ -124,27 +112,12 @@ fn outcome(steps: &[Step]) -> Message {
 }
 
 fn step_json(step: &Step, region: IndexedRegion, points: &mut Points) -> StepJson {
+    let number = |value: &Rational| STYLE.number(value);
     StepJson {
         half_plane: step.index,
         region,
         born: step.born.iter().map(|point| points.index(point)).collect(),
         lost: step.lost.iter().map(|point| points.index(point)).collect(),
-        redundant: step.redundant.as_ref().map(redundant),
-    }
-}
-
-fn redundant(redundancy: &StepRedundancy) -> RedundantJson {
-    let without_proof = |why| RedundantJson { why, by: Vec::new(), slack: None };
-    match redundancy {
-        StepRedundancy::Always => without_proof("always"),
-        StepRedundancy::AlreadyEmpty => without_proof("already-empty"),
-        StepRedundancy::Dominated { by, slack } => RedundantJson {
-            why: "dominated",
-            by: by
-                .iter()
-                .map(|m| MultiplierJson { half_plane: m.index, multiplier: STYLE.number(&m.value) })
-                .collect(),
-            slack: Some(STYLE.number(slack)),
-        },
+        redundant: step.redundant.as_ref().map(|own| RedundantJson::of_step(own, number)),
     }
 }

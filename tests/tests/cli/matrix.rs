@@ -93,7 +93,7 @@ fn library(words: &Words<'_>, request: &Value, form: Form) -> Result<Answer, Ref
     let is_stored = source.is_stored();
     let asked = words.asked(request["ask"] == "fit-x-errors", is_stored);
     let origin = Origin { file: Some(Foreign::of(&path)), reading: asked.options.table.reading, is_stored };
-    Request::of_json(request.clone())?.answer(&asked, source, form, Some(origin), &Style::default())
+    Request::parse(&request.to_string())?.answer(&asked, source, form, Some(origin), &Style::default())
 }
 
 /// Returns the document that the program writes, where it writes an answer.

@@ -20,10 +20,8 @@ use crate::misuse::{Misuse, NoProof};
 use crate::paper::Paper;
 use crate::question::{Ask, AskedTheorem};
 use crate::refusal::{Refusal, ValueProblem};
+use crate::value_problem::no_law_of_x;
 use values::{ValueKey, Values};
-
-/// Values that a proof may be about.
-const MOST_PROVED: usize = 1_000;
 
 /// Values that a theorem may be about: Coq's time for its last step grows with their square, and these take some ten seconds.
 const MOST_IN_THEOREM: usize = 200;
@@ -80,10 +78,7 @@ impl Predicted {
 
     /// Refuses to prove statements about too many values.
     fn check_proof(&self, most: usize) -> Result<(), Refusal> {
-        match self.at.len() + self.from.len() > most {
-            true => Err(Refusal::NoProof(NoProof::TooMany { most, of: "values" })),
-            false => Ok(()),
-        }
+        NoProof::check(self.at.len() + self.from.len(), most, "values").map_err(Refusal::NoProof)
     }
 }
 
@@ -100,8 +95,7 @@ impl Predict {
             _ => refuse(ValueProblem::Bound(error)),
         })?;
         if law.needs_x() && !is_line {
-            let problem = "two regressors have no |x| (expected a law of |y| and range(y))";
-            return Err(refuse(ValueProblem::Expected(problem)));
+            return Err(refuse(ValueProblem::Other(no_law_of_x("|y| and range(y)"))));
         }
         Ok(Some(law))
     }
@@ -190,7 +184,7 @@ impl Ask for Predict {
                 buffer.flush()?;
             }
             Form::Proof => {
-                asked.check_proof(MOST_PROVED)?;
+                asked.check_proof(NoProof::MOST)?;
                 let why = NoProof::about(&problem.measurements);
                 paper.put(prediction_proof(&prediction, origin.reading).ok_or(Refusal::NoProof(why))?)?;
             }

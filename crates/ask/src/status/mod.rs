@@ -8,7 +8,7 @@ use boundfit_estimation::{Fit, Keep, Measurement, Measurements, Seen, fit};
 use boundfit_formats::Source;
 use boundfit_questions::{Deciding, NoRepair, Others, Ranking, Repair, Standing, Statuses, times};
 use boundfit_report::{
-    NewReadings, StatusCsv, StatusJson, StatusReport, kernel_status, status_document, status_proof,
+    Document, NewReadings, StatusCsv, StatusJson, StatusReport, kernel_status, status_document, status_proof,
 };
 use serde::Deserialize;
 
@@ -20,12 +20,6 @@ use crate::question::{Ask, AskedTheorem};
 use crate::refusal::Refusal;
 pub use looks::Judgeable;
 use looks::Parts;
-
-/// Readings that the text lists where nobody asks for all.
-const MOST_LISTED: usize = 40;
-
-/// Readings that decide of which a proof has a statement each.
-const MOST_PROVED: usize = 1_000;
 
 /// The status of every reading: what it says of the set of all readings, and of that of all others.
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -50,7 +44,7 @@ pub struct Judgement {
 
 impl Status {
     fn most_listed(&self) -> usize {
-        if self.all { usize::MAX } else { MOST_LISTED }
+        if self.all { usize::MAX } else { Document::MOST_LISTED }
     }
 
     /// Finds the statuses, where they are not found yet, and for reports what these list.
@@ -260,8 +254,6 @@ impl Ask for Status {
 
 /// Refuses to prove what is said of too many readings.
 fn check_proof(statuses: &Statuses) -> Result<(), Refusal> {
-    match statuses.deciding().count() > MOST_PROVED {
-        true => Err(Refusal::NoProof(NoProof::TooMany { most: MOST_PROVED, of: "readings that decide" })),
-        false => Ok(()),
-    }
+    let deciding = statuses.deciding().count();
+    NoProof::check(deciding, NoProof::MOST, "readings that decide").map_err(Refusal::NoProof)
 }

@@ -3,87 +3,8 @@
 use std::path::Path;
 
 use boundfit_ask::Form;
-use clap::ValueEnum;
 
 use crate::exit::Failure;
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub(crate) enum Format {
-    /// A report for people
-    #[default]
-    Text,
-    /// Everything, for programs
-    Json,
-}
-
-/// Formats of an answer that is a document or a table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub(crate) enum TableFormat {
-    /// A report for people
-    #[default]
-    Text,
-    /// Everything, for programs
-    Json,
-    /// The report's tables in LaTeX (booktabs)
-    Latex,
-    /// The report's tables in Markdown
-    Markdown,
-    /// The answer as a table
-    Csv,
-}
-
-impl From<TableFormat> for Form {
-    fn from(format: TableFormat) -> Self {
-        match format {
-            TableFormat::Text => Form::Text,
-            TableFormat::Json => Form::Json,
-            TableFormat::Latex => Form::Latex,
-            TableFormat::Markdown => Form::Markdown,
-            TableFormat::Csv => Form::Csv,
-        }
-    }
-}
-
-/// Formats of a fit or a region.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub(crate) enum ReportFormat {
-    /// A report for people
-    #[default]
-    Text,
-    /// Everything, for programs
-    Json,
-    /// The report's tables in LaTeX (booktabs)
-    Latex,
-    /// The report's tables in Markdown
-    Markdown,
-    /// A table: of 'fit' intervals and estimates (--vertices: the vertices), with --by a row per group; of 'polygon'
-    /// the vertices
-    Csv,
-    /// The set as well-known text, in decimals of at least 17 digits; bounded sets only
-    Wkt,
-    /// A MATLAB or Octave script that defines the vertices
-    M,
-    /// The irredundant half-planes as cdd's and lrs's H-representation
-    Ine,
-    /// The vertices, rays and lines as cdd's and lrs's V-representation
-    Ext,
-}
-
-impl From<ReportFormat> for Form {
-    fn from(format: ReportFormat) -> Self {
-        match format {
-            ReportFormat::Text => Form::Text,
-            ReportFormat::Json => Form::Json,
-            ReportFormat::Latex => Form::Latex,
-            ReportFormat::Markdown => Form::Markdown,
-            ReportFormat::Csv => Form::Csv,
-            ReportFormat::Wkt => Form::Wkt,
-            ReportFormat::M => Form::M,
-            ReportFormat::Ine => Form::Ine,
-            ReportFormat::Ext => Form::Ext,
-        }
-    }
-}
 
 /// A format of answers that a file's name may tell.
 pub(crate) trait NamedFormat: Copy + Default + 'static {
@@ -91,37 +12,83 @@ pub(crate) trait NamedFormat: Copy + Default + 'static {
     const ENDINGS: &'static [(&'static str, Self)];
 }
 
-impl NamedFormat for Format {
-    const ENDINGS: &'static [(&'static str, Self)] = &[("json", Format::Json), ("txt", Format::Text)];
+/// Defines the formats of a command besides text, which is the default, each with its help and the ends of names that tell it.
+macro_rules! formats {
+    ($(#[$meaning:meta])* $name:ident { $($(#[$help:meta])* $format:ident: $($ending:literal),+;)* }) => {
+        $(#[$meaning])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+        pub(crate) enum $name {
+            /// A report for people
+            #[default]
+            Text,
+            $($(#[$help])* $format,)*
+        }
+
+        impl $crate::options::NamedFormat for $name {
+            const ENDINGS: &'static [(&'static str, Self)] =
+                &[$($(($ending, $name::$format),)+)* ("txt", $name::Text)];
+        }
+    };
+}
+pub(crate) use formats;
+
+/// States that formats are forms of the same names.
+macro_rules! forms {
+    ($format:ident: $($name:ident),+) => {
+        impl From<$format> for Form {
+            fn from(format: $format) -> Self {
+                match format { $($format::$name => Form::$name),+ }
+            }
+        }
+    };
 }
 
-impl NamedFormat for TableFormat {
-    const ENDINGS: &'static [(&'static str, Self)] = &[
-        ("json", TableFormat::Json),
-        ("tex", TableFormat::Latex),
-        ("md", TableFormat::Markdown),
-        ("markdown", TableFormat::Markdown),
-        ("csv", TableFormat::Csv),
-        ("txt", TableFormat::Text),
-    ];
+formats! {
+    /// Formats of an answer without tables.
+    Format {
+        /// Everything, for programs
+        Json: "json";
+    }
 }
 
-impl NamedFormat for ReportFormat {
-    const ENDINGS: &'static [(&'static str, Self)] = &[
-        ("json", ReportFormat::Json),
-        ("ndjson", ReportFormat::Json),
-        ("jsonl", ReportFormat::Json),
-        ("tex", ReportFormat::Latex),
-        ("md", ReportFormat::Markdown),
-        ("markdown", ReportFormat::Markdown),
-        ("csv", ReportFormat::Csv),
-        ("wkt", ReportFormat::Wkt),
-        ("m", ReportFormat::M),
-        ("ine", ReportFormat::Ine),
-        ("ext", ReportFormat::Ext),
-        ("txt", ReportFormat::Text),
-    ];
+formats! {
+    /// Formats of an answer that is a document or a table.
+    TableFormat {
+        /// Everything, for programs
+        Json: "json";
+        /// The report's tables in LaTeX (booktabs)
+        Latex: "tex";
+        /// The report's tables in Markdown
+        Markdown: "md", "markdown";
+        /// The answer as a table
+        Csv: "csv";
+    }
 }
+forms!(TableFormat: Text, Json, Latex, Markdown, Csv);
+
+formats! {
+    /// Formats of a fit or a region.
+    ReportFormat {
+        /// Everything, for programs
+        Json: "json", "ndjson", "jsonl";
+        /// The report's tables in LaTeX (booktabs)
+        Latex: "tex";
+        /// The report's tables in Markdown
+        Markdown: "md", "markdown";
+        /// A table: of 'fit' intervals and estimates (--vertices: the vertices), with --by a row per group; of 'polygon'
+        /// the vertices
+        Csv: "csv";
+        /// The set as well-known text, in decimals of at least 17 digits; bounded sets only
+        Wkt: "wkt";
+        /// A MATLAB or Octave script that defines the vertices
+        M: "m";
+        /// The irredundant half-planes as cdd's and lrs's H-representation
+        Ine: "ine";
+        /// The vertices, rays and lines as cdd's and lrs's V-representation
+        Ext: "ext";
+    }
+}
+forms!(ReportFormat: Text, Json, Latex, Markdown, Csv, Wkt, M, Ine, Ext);
 
 /// Ends of names that are those of one format, so that nothing else belongs in such a file.
 const TELLING: [&str; 42] = [

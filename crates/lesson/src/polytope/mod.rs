@@ -7,15 +7,16 @@ mod path;
 mod set;
 
 use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_geometry::clipping::{Step, StepRedundancy, steps};
+use boundfit_geometry::clipping::{Step, steps};
 use boundfit_geometry::{Multiplier, Polyhedron, Redundancy, System};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::redundancy::RedundantJson;
 use lines::{HalfPlaneLine, LineError, read};
 use objective::ObjectiveJson;
 use path::PathJson;
-use set::{MultiplierJson, SetJson, multipliers, theta};
+use set::{SetJson, theta};
 
 /// The most half-planes that are taken; an equation has two.
 pub const MOST_HALF_PLANES: usize = 60;
@@ -87,7 +88,7 @@ struct HalfPlaneJson {
     line: HalfPlaneLine,
     a: [String; 2],
     b: String,
-    redundant: Option<RedundantJson>,
+    redundant: Option<RedundantJson<String>>,
 }
 
 /// One half-plane more, and the set after it.
@@ -97,16 +98,7 @@ struct StepJson {
     set: SetJson,
     born: Vec<[String; 2]>,
     lost: Vec<[String; 2]>,
-    redundant: Option<RedundantJson>,
-}
-
-/// The reason why a half-plane changes nothing: positive multiples of others add up to it, with a right-hand side
-/// smaller by the slack.
-#[derive(Debug, Serialize)]
-struct RedundantJson {
-    why: &'static str,
-    by: Vec<MultiplierJson>,
-    slack: Option<String>,
+    redundant: Option<RedundantJson<String>>,
 }
 
 /// Returns the facts about half-planes, one a line as [`boundfit_estimation::Condition::parse_in_plane`] reads them,
@@ -200,36 +192,26 @@ fn half_planes(lines: Vec<HalfPlaneLine>, polyhedron: &Polyhedron) -> Vec<HalfPl
         .collect()
 }
 
-fn redundant(redundancy: &Redundancy) -> RedundantJson {
-    let alone = |why| RedundantJson { why, by: Vec::new(), slack: None };
+fn redundant(redundancy: &Redundancy) -> RedundantJson<String> {
+    let by = |why, terms: &[Multiplier], slack| RedundantJson::by(why, terms, slack, Rational::to_string);
     match redundancy {
-        Redundancy::Always => alone("always"),
-        Redundancy::EmptyWithout => alone("empty-without"),
-        Redundancy::SameAs(index) => RedundantJson {
-            why: "same-as",
-            by: vec![MultiplierJson { half_plane: *index, multiplier: Rational::one().to_string() }],
-            slack: Some(Rational::zero().to_string()),
-        },
-        Redundancy::Dominated { by, slack } => dominated(by, slack),
+        Redundancy::Always => RedundantJson::alone("always"),
+        Redundancy::EmptyWithout => RedundantJson::alone("empty-without"),
+        Redundancy::SameAs(index) => {
+            let itself = Multiplier { index: *index, value: Rational::one() };
+            by("same-as", &[itself], &Rational::zero())
+        }
+        Redundancy::Dominated { by: terms, slack } => by("dominated", terms, slack),
     }
 }
 
-fn dominated(by: &[Multiplier], slack: &Rational) -> RedundantJson {
-    RedundantJson { why: "dominated", by: multipliers(by), slack: Some(slack.to_string()) }
-}
-
 fn step_json(system: &System, step: &Step) -> StepJson {
-    let alone = |why| RedundantJson { why, by: Vec::new(), slack: None };
     StepJson {
         half_plane: step.index,
         set: SetJson::new(system, &step.after),
         born: step.born.iter().map(theta).collect(),
         lost: step.lost.iter().map(theta).collect(),
-        redundant: step.redundant.as_ref().map(|redundancy| match redundancy {
-            StepRedundancy::Always => alone("always"),
-            StepRedundancy::AlreadyEmpty => alone("already-empty"),
-            StepRedundancy::Dominated { by, slack } => dominated(by, slack),
-        }),
+        redundant: step.redundant.as_ref().map(|own| RedundantJson::of_step(own, Rational::to_string)),
     }
 }
 

@@ -4,7 +4,7 @@ use boundfit_exact::Rational;
 use boundfit_geometry::{Face, Multiplier, Polyhedron, Region, RegionKind, Support, System};
 use serde::Serialize;
 
-use super::set::{MultiplierJson, direction, multipliers, theta};
+use super::set::{Multipliers, direction, multipliers, theta};
 
 /// The most sets of multipliers that are written down.
 const MOST_WAYS: usize = 12;
@@ -24,7 +24,7 @@ enum OutcomeJson {
     /// The objective grows for ever along a ray from a point of the set.
     Unbounded { point: [String; 2], ray: [String; 2] },
     /// The maximum is attained on a face, and multiples of half-planes add up to the objective.
-    Bounded { value: String, proof: Vec<MultiplierJson>, face: FaceJson, ways: WaysJson },
+    Bounded { value: String, proof: Multipliers, face: FaceJson, ways: WaysJson },
 }
 
 #[derive(Debug, Serialize)]
@@ -39,7 +39,7 @@ struct FaceJson {
 struct WaysJson {
     count: usize,
     unique: bool,
-    first: Vec<Vec<MultiplierJson>>,
+    first: Vec<Multipliers>,
 }
 
 impl ObjectiveJson {

@@ -1,18 +1,16 @@
 //! A set of half-planes with what holds it.
 
+use boundfit_exact::Rational;
 use boundfit_geometry::{Boundary, Direction, Multiplier, NormalCone, Point, Region, System, Vertex};
 use serde::Serialize;
 
-/// The multiple of a half-plane.
-#[derive(Debug, Clone, Serialize)]
-pub(super) struct MultiplierJson {
-    pub(super) half_plane: usize,
-    pub(super) multiplier: String,
-}
+use crate::redundancy::{self, MultiplierJson};
 
-pub(super) fn multipliers(terms: &[Multiplier]) -> Vec<MultiplierJson> {
-    let term = |m: &Multiplier| MultiplierJson { half_plane: m.index, multiplier: m.value.to_string() };
-    terms.iter().map(term).collect()
+/// Multiples of half-planes, as fractions.
+pub(super) type Multipliers = Vec<MultiplierJson<String>>;
+
+pub(super) fn multipliers(terms: &[Multiplier]) -> Multipliers {
+    redundancy::multipliers(terms, Rational::to_string)
 }
 
 /// A set: half-planes are indices, numbers fractions, rays and lines integer directions.
@@ -45,7 +43,7 @@ struct ConeJson {
 
 #[derive(Debug, Serialize)]
 struct ContradictionJson {
-    by: Vec<MultiplierJson>,
+    by: Multipliers,
     sum: String,
 }
 
@@ -72,7 +70,7 @@ fn contradiction(system: &System, terms: &[Multiplier]) -> ContradictionJson {
     let right = terms.iter().filter_map(|m| Some(&system.inequalities().get(m.index)?.b * &m.value));
     ContradictionJson {
         by: multipliers(terms),
-        sum: right.fold(boundfit_exact::Rational::zero(), |sum, b| sum + b).to_string(),
+        sum: right.fold(Rational::zero(), |sum, b| sum + b).to_string(),
     }
 }
 

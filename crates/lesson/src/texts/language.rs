@@ -43,10 +43,4 @@ impl Language {
             Language::Italian | Language::German => ",",
         }
     }
-
-    /// The language with a code.
-    #[must_use]
-    pub fn of_code(code: &str) -> Option<Language> {
-        Language::ALL.into_iter().find(|language| language.code() == code)
-    }
 }

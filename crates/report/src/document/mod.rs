@@ -58,6 +58,9 @@ impl Table {
 }
 
 impl Document {
+    /// The most readings, values or runs that a report lists unless more are asked for. JSON and CSV have all.
+    pub const MOST_LISTED: usize = 40;
+
     pub(crate) fn new(blocks: Vec<Block>) -> Self {
         Document(blocks)
     }

@@ -25,9 +25,6 @@ pub use proof::prediction_proof;
 #[cfg(feature = "files")]
 pub(crate) use proof::proved_forms;
 
-/// Rows of a table of text; other formats have all.
-const MOST_LISTED: usize = 40;
-
 /// Values that are asked about, which may be more than are to be in memory: each time that they are asked for they
 /// come anew. The values are x and 1 of a line, both regressors of a model with two, y and 0 of a reading.
 pub struct AskedValues<'a> {
@@ -177,7 +174,7 @@ fn values(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<
         let reading = reading.map_or("-".into(), |reading| interval(&reading));
         vec![asked(prediction, &value, style), interval(&line), reading]
     };
-    let rows = values().take(MOST_LISTED).map(row).collect();
+    let rows = values().take(Document::MOST_LISTED).map(row).collect();
     let (title, what) = match prediction.is_line() {
         true => ("The line, and a further reading", "line"),
         false => ("The model, and a further reading", "model"),
@@ -206,7 +203,7 @@ fn sources(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec
         };
         vec![style.given(&y), text]
     };
-    let rows = values().take(MOST_LISTED).map(row).collect();
+    let rows = values().take(Document::MOST_LISTED).map(row).collect();
     let title = Block::Title("The x that a reading may come from".into());
     let mut blocks = vec![title, Block::Table(Table::new(["reading", "x"], rows))];
     blocks.extend(more(count, "reading", "readings"));
@@ -215,7 +212,7 @@ fn sources(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec
 
 /// Returns the note that there are more entries than are listed.
 fn more(count: usize, one: &str, several: &str) -> Option<Block> {
-    let more = count.checked_sub(MOST_LISTED).filter(|more| *more > 0)?;
+    let more = count.checked_sub(Document::MOST_LISTED).filter(|more| *more > 0)?;
     let more = counted(more, one, several);
     Some(Block::Paragraph(format!("And {more} more, which CSV and JSON have.").into()))
 }
@@ -252,7 +249,7 @@ fn proofs(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<
     let (pui, fps) = (prediction.fit.pui_intervals(), prediction.fit.fps.polyhedron());
     let scales = scales(style, pui.as_ref(), &[], &[], fps.region().vertices());
     let mut rows: Vec<Vec<Text>> = Vec::new();
-    for value in (prediction.at.values)().take(MOST_LISTED) {
+    for value in (prediction.at.values)().take(Document::MOST_LISTED) {
         let ends = predictor.ends(&prediction.form(&value));
         for (relation, support) in [Symbol::AtLeast, Symbol::AtMost].into_iter().zip(ends) {
             let place = asked(prediction, &value, style);
@@ -260,7 +257,7 @@ fn proofs(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<
         }
     }
     let of = prediction.sources(predictor);
-    for [y, _] in (prediction.from.values)().take(MOST_LISTED) {
+    for [y, _] in (prediction.from.values)().take(Document::MOST_LISTED) {
         for own in of(&y) {
             let own_style = between(&own).map_or(*style, |interval| style.resolving(&interval));
             for (end, outward) in [(own.lower, Rounding::Down), (own.upper, Rounding::Up)] {

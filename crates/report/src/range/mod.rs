@@ -22,9 +22,6 @@ use crate::origin::Origin;
 use crate::region::kind_text;
 use crate::style::Style;
 
-/// Runs and readings that the text lists; JSON and CSV have all.
-const MOST_LISTED: usize = 40;
-
 /// Runs that a sentence names.
 const MOST_IN_SENTENCE: usize = 8;
 
@@ -122,7 +119,7 @@ pub fn range_document(report: &RangeReport<'_>, origin: &Origin, style: &Style) 
     if !range.runs.is_empty() {
         blocks.push(Block::Table(table(report, style)));
     }
-    let more = range.runs.len().saturating_sub(MOST_LISTED);
+    let more = range.runs.len().saturating_sub(Document::MOST_LISTED);
     if more > 0 {
         blocks.push(Block::Paragraph(format!("{more} more: CSV and JSON have every one.").into()));
     }
@@ -165,7 +162,7 @@ fn summary(report: &RangeReport<'_>) -> String {
 
 /// A row for each run: where it is, and which bounds stand against another place at either end.
 fn table(report: &RangeReport<'_>, style: &Style) -> Table {
-    let runs: Vec<&Run> = report.range.runs.iter().take(MOST_LISTED).collect();
+    let runs: Vec<&Run> = report.range.runs.iter().take(Document::MOST_LISTED).collect();
     let reaches = report.x(0).is_some();
     let has_rows = runs.iter().any(|run| report.consecutive_rows(run).is_some());
     // The columns that name a run come first.
@@ -246,8 +243,8 @@ fn alone(report: &RangeReport<'_>) -> Vec<String> {
         let verb = if contradiction.terms.len() == 1 { "cannot hold" } else { "contradict each other" };
         format!("Row {} is in no run: {} {verb}.", report.row(*position), names(contradiction))
     };
-    let mut lines: Vec<String> = alone.iter().take(MOST_LISTED).map(line).collect();
-    let more = alone.len().saturating_sub(MOST_LISTED);
+    let mut lines: Vec<String> = alone.iter().take(Document::MOST_LISTED).map(line).collect();
+    let more = alone.len().saturating_sub(Document::MOST_LISTED);
     if more > 0 {
         lines.push(format!("{more} more readings are in no run: JSON has every one."));
     }

@@ -58,9 +58,7 @@ impl StatusJson {
             },
             deciding: deciding.collect(),
         };
-        let text = to_text(&head);
-        let open = text.trim_end().trim_end_matches('}').trim_end();
-        format!("{open},\n  \"rows\": [\n")
+        format!("{},\n  \"rows\": [\n", to_text(&head).trim_end_matches(Self::TAIL))
     }
 
     /// The least total widening, or why there is none.

@@ -12,15 +12,15 @@ use boundfit_report::{
     JudgeJson, Theory, h_representation, judge_document, judge_json, kernel_program, solutions_document,
     solutions_json, solutions_junit, solutions_sarif, v_representation,
 };
+use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
-use clap::{Args, ValueEnum};
 
 use self::solutions::SolutionArguments;
 use super::set_files::SetFiles;
 use crate::exit::{CommandResult, Exit, Failure, command_for};
 use crate::input;
 use crate::options::{
-    BAD_DATA, BAD_USAGE, LimitArguments, NamedFormat, Notes, OutputArguments, PictureArguments,
+    BAD_DATA, BAD_USAGE, LimitArguments, Notes, OutputArguments, PictureArguments, formats,
 };
 use crate::progress::while_working;
 use crate::work::{refuse_long, refuse_long_text, times};
@@ -78,40 +78,24 @@ pub(crate) struct JudgeArguments {
     limits: LimitArguments,
 }
 
-/// Formats of the answer to a linear program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub(crate) enum JudgeFormat {
-    /// A report for people
-    #[default]
-    Text,
-    /// Everything, for programs
-    Json,
-    /// The report's tables in LaTeX (booktabs)
-    Latex,
-    /// The report's tables in Markdown
-    Markdown,
-    /// Findings about solutions, for code hosts: SARIF 2.1.0, a rule for each aspect
-    Sarif,
-    /// Findings about solutions, for continuous integration: JUnit XML, a test case for each aspect
-    Junit,
-    /// The irredundant half-planes of the feasible set as cdd's and lrs's H-representation
-    Ine,
-    /// The vertices, rays and lines of the feasible set as cdd's and lrs's V-representation
-    Ext,
-}
-
-impl NamedFormat for JudgeFormat {
-    const ENDINGS: &'static [(&'static str, Self)] = &[
-        ("json", JudgeFormat::Json),
-        ("tex", JudgeFormat::Latex),
-        ("md", JudgeFormat::Markdown),
-        ("markdown", JudgeFormat::Markdown),
-        ("sarif", JudgeFormat::Sarif),
-        ("xml", JudgeFormat::Junit),
-        ("ine", JudgeFormat::Ine),
-        ("ext", JudgeFormat::Ext),
-        ("txt", JudgeFormat::Text),
-    ];
+formats! {
+    /// Formats of the answer to a linear program.
+    JudgeFormat {
+        /// Everything, for programs
+        Json: "json";
+        /// The report's tables in LaTeX (booktabs)
+        Latex: "tex";
+        /// The report's tables in Markdown
+        Markdown: "md", "markdown";
+        /// Findings about solutions, for code hosts: SARIF 2.1.0, a rule for each aspect
+        Sarif: "sarif";
+        /// Findings about solutions, for continuous integration: JUnit XML, a test case for each aspect
+        Junit: "xml";
+        /// The irredundant half-planes of the feasible set as cdd's and lrs's H-representation
+        Ine: "ine";
+        /// The vertices, rays and lines of the feasible set as cdd's and lrs's V-representation
+        Ext: "ext";
+    }
 }
 
 /// Reads the model, solves it and writes the report.

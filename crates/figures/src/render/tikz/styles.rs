@@ -4,7 +4,28 @@ use std::fmt::Write;
 
 use super::path::number;
 use crate::drawing::LegendEntry;
-use crate::palette::{Colour, Fill, Stroke};
+use crate::palette::{
+    BLUE, Colour, DARK_PURPLE, FAINT_INK, FRAME, Fill, GREEN, GREY, GRID, INK, LIGHT_GREY, ORANGE, PAPER,
+    PURPLE, SKY, Stroke, VERMILLION,
+};
+
+/// Colours by name in source that people read; there are many more greys.
+const NAMES: [(Colour, &str); 14] = [
+    (PAPER, "paper"),
+    (INK, "ink"),
+    (FAINT_INK, "faint ink"),
+    (GRID, "grid"),
+    (FRAME, "frame"),
+    (GREY, "grey"),
+    (LIGHT_GREY, "light grey"),
+    (ORANGE, "orange"),
+    (SKY, "sky"),
+    (GREEN, "green"),
+    (BLUE, "blue"),
+    (VERMILLION, "vermillion"),
+    (PURPLE, "purple"),
+    (DARK_PURPLE, "dark purple"),
+];
 
 /// The ratio of the distance of lines, of which there is one, to the size of letters.
 const LEADING: f64 = 1.2;
@@ -106,8 +127,8 @@ fn meaning(legend: &[LegendEntry], is_of: impl Fn(&LegendEntry) -> bool) -> Stri
 /// The name of a colour, which no other package has.
 fn name(colour: Colour) -> String {
     let Colour(red, green, blue) = colour;
-    match colour.name() {
-        Some(name) => format!("boundfit {name}"),
+    match NAMES.iter().find(|(own, _)| *own == colour) {
+        Some((_, name)) => format!("boundfit {name}"),
         None => format!("boundfit {red:02x}{green:02x}{blue:02x}"),
     }
 }
