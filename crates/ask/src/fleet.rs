@@ -8,7 +8,8 @@ use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{ColumnSelector, Source, TableNotes};
 use boundfit_questions::times;
 use boundfit_report::{
-    FleetCsv, FleetSummary, FleetTable, GroupCells, TableJson, in_page_width, table_line, write_group_json,
+    FleetCsv, FleetSummary, FleetTable, GroupCells, LineInput, TableJson, in_page_width, table_line,
+    write_group_json,
 };
 use serde::Deserialize;
 
@@ -110,16 +111,17 @@ impl Groups {
 
     fn write_json(&self, paper: &mut Paper<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {
         let style = paper.style;
-        let table = self.fleet.table().map(TableJson::new);
-        let table = table.as_ref();
-        let lines = |groups| {
-            let mut lines = Vec::new();
+        let input = LineInput::new(self.fleet.table().map(TableJson::new));
+        let lines = |groups: Range<usize>| {
+            /// The length of the line of a polygon.
+            const USUAL: usize = 4096;
+            let mut lines = Vec::with_capacity(USUAL * groups.len());
             let mut summary = FleetSummary::default();
             for group in groups {
                 let key = self.fleet.key(group);
                 let answer = self.question.answer_of_group(&self.fleet, group);
                 summary.add(key, answer.fit.rows, answer.fit.kind);
-                write_group_json(&mut lines, key, &answer, table, &style);
+                write_group_json(&mut lines, key, &answer, &input, &style);
             }
             (lines, summary)
         };

@@ -4,7 +4,8 @@ use boundfit_estimation::{Measurements, MultipleOfLeast, Problem};
 use boundfit_formats::Source;
 use boundfit_questions::{Extent, Moving, Turn, times};
 use boundfit_report::{
-    FleetTable, TableJson, WindowReport, WindowSummary, in_page_width, table_line, write_window_json,
+    FleetTable, LineInput, TableJson, WindowReport, WindowSummary, in_page_width, table_line,
+    write_window_json,
 };
 use serde::Deserialize;
 
@@ -117,7 +118,7 @@ impl Ask for Window {
         let Paper { form, style, .. } = *paper;
         let style = &style;
         let (mut summary, mut table) = (WindowSummary::default(), FleetTable::of_windows(moving.order()));
-        let taken_for = TableJson::of_measurements(&problem.measurements);
+        let input = LineInput::new(TableJson::of_measurements(&problem.measurements));
         let mut last_answer = None;
         // A call of the system for each line would take longer than the line.
         let mut ready = Vec::new();
@@ -128,7 +129,7 @@ impl Ask for Window {
             let Some(window) = WindowReport::new(&turn, problem, moving.order()) else { return Ok(()) };
             summary.add(&window, style);
             match form {
-                Form::Json => write_window_json(&mut ready, &window, taken_for.as_ref(), style),
+                Form::Json => write_window_json(&mut ready, &window, &input, style),
                 Form::Csv => ready.extend_from_slice(window.csv(style, &mut last_answer).as_bytes()),
                 Form::Text => {
                     let mut text = String::new();

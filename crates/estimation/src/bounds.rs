@@ -90,10 +90,18 @@ pub fn central_of([first, second]: &[Interval; 2]) -> Option<Central> {
     })
 }
 
-/// The largest |θ_j - estimate_j| over the FPS: the error that can be guaranteed for an estimate. `None` unless the
-/// interval is bounded.
-pub(crate) fn guaranteed_error(estimate: &Rational, interval: &Interval) -> Option<Rational> {
-    let (lower, upper) = interval.ends()?;
-    // Comparing takes no greatest common divisor, a difference takes one or two.
-    Some(if *estimate < interval.midpoint()? { upper - estimate } else { estimate - lower })
+/// The largest |θ_j - estimate_j| over the FPS, whose box has this central estimate: the error that can be guaranteed for an
+/// estimate. `None` unless both intervals are bounded.
+pub(crate) fn guaranteed_error(
+    estimate: &[Rational; 2],
+    pui: &[Interval; 2],
+    central: &Central,
+) -> Option<[Rational; 2]> {
+    let error = |axis: usize| {
+        let (lower, upper) = pui[axis].ends()?;
+        let own = &estimate[axis];
+        // Comparing takes no greatest common divisor, a difference takes one or two.
+        Some(if *own < central.theta[axis] { upper - own } else { own - lower })
+    };
+    Some([error(0)?, error(1)?])
 }

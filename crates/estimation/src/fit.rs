@@ -144,8 +144,7 @@ impl Fit {
     /// The largest |θ_j - θ̂_j| over the FPS for the least-squares estimate; `None` unless both PUI are bounded.
     pub fn least_squares_guaranteed_error(&self) -> Option<[Rational; 2]> {
         let estimate = self.least_squares.as_ref().ok()?;
-        let [first, second] = self.pui_intervals()?;
-        Some([guaranteed_error(&estimate.theta[0], &first)?, guaranteed_error(&estimate.theta[1], &second)?])
+        guaranteed_error(&estimate.theta, &self.pui_intervals()?, self.central.as_ref()?)
     }
 
     /// Area of the FPS over area of the PUI box, between 0 and 1; `None` when the box has no finite positive area.

@@ -8,7 +8,6 @@ mod words;
 
 use std::fmt;
 
-use crate::short_text::ShortText;
 use crate::{Integer, Rational};
 
 pub use plus_minus::{PlacedDecimal, PlusMinus};
@@ -114,7 +113,7 @@ impl Rational {
     pub fn finite_decimal(&self) -> Option<String> {
         let (digits, exponent) = finite::long_digits(self)?;
         let mut text = String::with_capacity(digits.len() + 8);
-        Parts::new(&digits, exponent, true, COMPACT).write(self.is_negative(), |part| text.push_str(part));
+        Parts::new(&digits, exponent, true, COMPACT).write(self.is_negative(), &mut text).ok()?;
         Some(text)
     }
 
@@ -151,32 +150,35 @@ impl Decimal<'_> {
     pub fn compact(self) -> Self {
         Decimal { least_plain: COMPACT, ..self }
     }
-}
 
-impl fmt::Display for Decimal<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    /// Writes the decimal, as the [`Display`](fmt::Display) form has it, without a formatter.
+    ///
+    /// # Errors
+    /// The first error of what is written to.
+    pub fn write_to(&self, out: &mut impl fmt::Write) -> fmt::Result {
         let Decimal { value, digits, rounding, least_plain, known } = *self;
         if value.is_zero() {
-            return f.write_str("0");
+            return out.write_str("0");
         }
         let known = known.map(|(digits, exponent)| Significand { digits, exponent, exact: true });
         match known.or_else(|| words::significand(value, digits, rounding)) {
             Some(found) => {
                 let mut digits = itoa::Buffer::new();
-                let mut text = ShortText::new();
-                let parts = Parts::new(digits.format(found.digits), found.exponent, found.exact, least_plain);
-                parts.write(value.is_negative(), |part| text.push(part));
-                f.write_str(text.as_str()?)
+                let digits = digits.format(found.digits);
+                Parts::new(digits, found.exponent, found.exact, least_plain).write(value.is_negative(), out)
             }
             None => {
                 let found = long_significand(value, digits, rounding);
                 let digits = found.digits.to_string();
-                let mut text = String::new();
-                let parts = Parts::new(&digits, found.exponent, found.exact, least_plain);
-                parts.write(value.is_negative(), |part| text.push_str(part));
-                f.write_str(&text)
+                Parts::new(&digits, found.exponent, found.exact, least_plain).write(value.is_negative(), out)
             }
         }
+    }
+}
+
+impl fmt::Display for Decimal<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write_to(f)
     }
 }
 
@@ -281,20 +283,20 @@ impl<'a> Parts<'a> {
         }
     }
 
-    fn write(&self, negative: bool, mut write: impl FnMut(&str)) {
-        if negative {
-            write("-");
+    fn write(&self, negative: bool, out: &mut impl fmt::Write) -> fmt::Result {
+        let sign = if negative { "-" } else { "" };
+        let point = if self.fraction.is_empty() { "" } else { "." };
+        for part in [sign, self.before, self.whole, point, self.fraction, self.zeros] {
+            if !part.is_empty() {
+                out.write_str(part)?;
+            }
         }
-        write(self.before);
-        write(self.whole);
-        if !self.fraction.is_empty() {
-            write(".");
-            write(self.fraction);
-        }
-        write(self.zeros);
-        if let Some(power) = self.power {
-            write("e");
-            write(itoa::Buffer::new().format(power));
+        match self.power {
+            Some(power) => {
+                out.write_str("e")?;
+                out.write_str(itoa::Buffer::new().format(power))
+            }
+            None => Ok(()),
         }
     }
 }

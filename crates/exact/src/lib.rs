@@ -8,7 +8,7 @@
 //! |---|---|
 //! | hold numbers | `number`, `decimal`, `dyadic`, `wide`, `interval`, `column` |
 //! | read text | `parse`, `plain`, `long_decimal`, `notation`, `written`, `limit` |
-//! | write decimals | `decimal`, `shortest`, `serial`, `short_text`, `latex` |
+//! | write decimals | `decimal`, `shortest`, `serial`, `latex` |
 //! | add many numbers | `sum`, `long_sum`, `decimal_sum`, `double_sum`, `wide_sum`, `multiples`, `work` |
 //! | convert to and from doubles | `binary64` |
 //! | print texts from outside, and English | `foreign`, `english` |
@@ -46,7 +46,6 @@ mod parse;
 mod plain;
 mod powers_of_ten;
 mod serial;
-mod short_text;
 mod shortest;
 mod sum;
 mod wide;

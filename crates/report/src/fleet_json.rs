@@ -4,21 +4,30 @@
 use boundfit_estimation::GroupAnswer;
 use boundfit_exact::Foreign;
 
-use crate::answer::input::LineInputJson;
 use crate::answer::parts::{BoundJson, CertificateJson, IntervalJson, RangeJson};
-use crate::answer::table::TableJson;
 use crate::answer::window::{GroupJson, GroupSetJson};
 use crate::fit_json::{central_of, least_squares_of};
+use crate::json_line::{JsonLine, LineInput};
 use crate::style::Style;
 
-/// Appends the line of the group of a table that was taken for this, whose rows have this text in common, with its line end.
+/// Appends the line of a group of this input, whose rows have this text in common, with its line end.
 pub fn write_group_json(
     text: &mut Vec<u8>,
     key: Foreign<&str>,
     group: &GroupAnswer,
-    table: Option<&TableJson>,
+    input: &LineInput,
     style: &Style,
 ) {
+    group_json(key, group, input, style).write(text);
+    text.push(b'\n');
+}
+
+pub(crate) fn group_json<'a>(
+    key: Foreign<&'a str>,
+    group: &GroupAnswer,
+    input: &'a LineInput,
+    style: &Style,
+) -> GroupJson<'a> {
     let GroupAnswer { fit, guaranteed_error, is_feasible, .. } = group;
     let [epsilon_min, epsilon_factor] = [true, false].map(|is_bound| {
         fit.least
@@ -26,9 +35,9 @@ pub fn write_group_json(
             .filter(|_| is_bound == group.is_bounded_alike)
             .map(|least| style.upper_number(least))
     });
-    let written = GroupJson {
+    GroupJson {
         schema: GroupJson::SCHEMA,
-        input: LineInputJson { table },
+        input: input.json(),
         group: key,
         rows: fit.rows,
         first_row: fit.first_row,
@@ -46,10 +55,7 @@ pub fn write_group_json(
         central: fit.central.as_ref().map(|central| central_of(central, style)),
         epsilon_min,
         epsilon_factor,
-    };
-    // The types hold strings, numbers and lists only, and memory takes whatever is written.
-    serde_json::to_writer(&mut *text, &written).expect("a group that is not JSON");
-    text.push(b'\n');
+    }
 }
 
 /// The parameter uncertainty intervals with their proofs; `None` when no end is bounded.

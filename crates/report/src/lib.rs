@@ -5,7 +5,7 @@
 //!
 //! | to | modules |
 //! |---|---|
-//! | answer as data (JSON) | `answer`, `json`, `number` |
+//! | answer as data (JSON) | `answer`, `json`, `json_line`, `number` |
 //! | build a document: text, LaTeX, Markdown | `document`, `align`, `style`, `scale`, `formula` |
 //! | report each question | `fit`, `predict`, `next_reading`, `status`, `outliers`, `range`, `linearity`, `window`, `x_errors`, `sweep`, `polygon`, `judge`, `check`, `verify` |
 //! | write proofs and theorems | `proof_json`, `statements`, `kernel` |
@@ -56,6 +56,7 @@ mod generators;
 mod guarantee;
 mod input_json;
 mod json;
+mod json_line;
 mod judge;
 #[cfg(feature = "files")]
 mod kernel;
@@ -110,6 +111,7 @@ pub use fleet_summary::FleetSummary;
 pub use fleet_text::{FleetTable, GroupCells};
 pub use generators::ActiveNames;
 pub use guarantee::guarantee_document;
+pub use json_line::LineInput;
 pub use judge::{judge_document, judge_json};
 #[cfg(feature = "files")]
 pub use kernel::{

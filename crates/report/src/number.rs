@@ -1,6 +1,5 @@
 //! A number of the JSON documents.
 
-use std::cmp::Ordering;
 use std::fmt;
 
 use boundfit_exact::{PlacedDecimal, Rational, Rounding};
@@ -10,7 +9,7 @@ use serde::ser::{Serialize, SerializeStruct, Serializer};
 /// nearest double, and null beyond the largest one. `exact` is null where the fraction is too long to be written, or
 /// there is none. Ends of intervals and error bounds have `outward` too, a double that is not inside. A person gets
 /// the decimal without powers of ten and no double. It becomes text only where it is written.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Number {
     /// The number, or one that rounds like it.
     value: Rational,
@@ -37,15 +36,15 @@ enum DecimalForm {
     Placed(PlacedDecimal),
 }
 
-/// The side of a number on which its double may stand.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// A double that is not inside.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Outward {
     /// The double of a lower end: below.
     Down,
     /// The double of an upper end or an error bound: above.
     Up,
-    /// The double of an error bound: above what covers the rounding of this estimate to a double too.
-    Beside(Rational),
+    /// This double.
+    At(f64),
 }
 
 impl Number {
@@ -71,7 +70,7 @@ impl Number {
         Number { is_exact: false, ..Number::rounded(&alike, digits, rounding, reader) }
     }
 
-    /// This number with a double on this side of it.
+    /// This number with a double that is not inside.
     #[must_use]
     pub(crate) fn outward(self, outward: Outward) -> Self {
         Number { outward: Some(outward), ..self }
@@ -82,42 +81,62 @@ impl Number {
         !self.is_exact
     }
 
-    /// The double on that side of the number; infinite where there is none. `nearest` is the nearest, and how it compares.
-    fn double(&self, outward: &Outward, (nearest, side): (f64, Ordering)) -> f64 {
+    /// The number, unless its fraction is too long to be written.
+    pub(crate) fn exact(&self) -> Option<&Rational> {
+        self.is_exact.then_some(&self.value)
+    }
+
+    /// Writes the decimal.
+    pub(crate) fn write_decimal(&self, out: &mut impl fmt::Write) -> fmt::Result {
+        match &self.decimal {
+            DecimalForm::Digits(digits, rounding) => {
+                let decimal = self.value.decimal(*digits, *rounding);
+                if self.reader == Reader::Program { decimal.compact() } else { decimal }.write_to(out)
+            }
+            DecimalForm::Placed(decimal) => decimal.write_to(out),
+        }
+    }
+
+    /// The nearest double, and the one that is not inside if there is one; infinite where there is none. `None` for a person.
+    pub(crate) fn doubles(&self) -> Option<(f64, Option<f64>)> {
+        if self.reader == Reader::Person {
+            return None;
+        }
+        let (nearest, side) = self.value.nearest_f64();
         // One that is rounded to the same double may be on its other side.
-        let double = match outward {
-            Outward::Beside(estimate) => self.value.ceil_to_f64_beside(estimate),
+        let beside = |outward: Outward| match outward {
+            Outward::At(double) => double,
             Outward::Down if side.is_gt() || !self.is_exact => nearest.next_down(),
             Outward::Up if side.is_lt() || !self.is_exact => nearest.next_up(),
             Outward::Down | Outward::Up => nearest,
         };
         // Not -0.0 for 0.
-        double + 0.0
+        Some((nearest, self.outward.map(|outward| beside(outward) + 0.0)))
     }
 }
 
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut fields = serializer.serialize_struct("Number", 4)?;
-        fields.serialize_field("exact", &self.is_exact.then_some(Written(&self.value)))?;
-        let is_for_program = self.reader == Reader::Program;
-        match &self.decimal {
-            DecimalForm::Digits(digits, rounding) => {
-                let decimal = self.value.decimal(*digits, *rounding);
-                let decimal = if is_for_program { decimal.compact() } else { decimal };
-                fields.serialize_field("decimal", &Written(decimal))?;
-            }
-            DecimalForm::Placed(decimal) => fields.serialize_field("decimal", &Written(decimal))?,
-        }
-        if is_for_program {
-            // No double is finite beyond the largest one, and JSON has no other.
-            let nearest = self.value.nearest_f64();
-            fields.serialize_field("value", &nearest.0)?;
-            if let Some(outward) = &self.outward {
-                fields.serialize_field("outward", &self.double(outward, nearest))?;
+        fields.serialize_field("exact", &self.exact().map(Written))?;
+        fields.serialize_field("decimal", &Written(ShownDecimal(self)))?;
+        // No double is finite beyond the largest one, and JSON has no other.
+        if let Some((value, outward)) = self.doubles() {
+            fields.serialize_field("value", &value)?;
+            if let Some(outward) = outward {
+                fields.serialize_field("outward", &outward)?;
             }
         }
         fields.end()
+    }
+}
+
+/// The decimal of a number.
+struct ShownDecimal<'a>(&'a Number);
+
+impl fmt::Display for ShownDecimal<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.write_decimal(f)
     }
 }
 
@@ -164,8 +183,7 @@ mod tests {
         assert!(shown(&upper).ends_with(r#""value":0.3333333333333333,"outward":0.33333333333333337}"#));
         let lower = tenth.clone().outward(Outward::Down);
         assert!(shown(&lower).ends_with(r#""value":0.3333333333333333,"outward":0.3333333333333333}"#));
-        let covering = tenth.outward(Outward::Beside(Rational::ratio(2, 1)));
-        assert!(shown(&covering).ends_with(r#""outward":0.33333333333333337}"#));
+        assert!(shown(&tenth.outward(Outward::At(0.5))).ends_with(r#""outward":0.5}"#));
         let huge = Number::rounded(&Rational::scientific(1, 400), 3, Rounding::Up, Reader::Program);
         assert!(shown(&huge.outward(Outward::Up)).ends_with(r#""value":null,"outward":null}"#));
     }

@@ -173,7 +173,7 @@ impl Style {
                     [number(theta, centre), number(error, bound)]
                 }
             };
-            [shown, bound.outward(Outward::Beside(theta.clone()))]
+            [shown, bound.outward(Outward::At(error.ceil_to_f64_beside(theta)))]
         });
         ([theta1, theta2], [error1, error2])
     }

@@ -80,7 +80,13 @@ impl<I> Default for Scaled<I> {
 impl<I: Count> Scaled<I> {
     /// Returns a column of these counts of units; `None` when one is too large.
     pub fn new(counts: impl IntoIterator<Item = i128>, unit: Unit) -> Option<Self> {
-        Some(Scaled { counts: counts.into_iter().map(I::new).collect::<Option<_>>()?, unit })
+        let counts = counts.into_iter();
+        // An `Option` of a list does not know how long it gets, and takes memory again and again.
+        let mut own = Vec::with_capacity(counts.size_hint().0);
+        for count in counts {
+            own.push(I::new(count)?);
+        }
+        Some(Scaled { counts: own, unit })
     }
 
     /// Returns a column of these counts of units; `None` when one is missing or too large.

@@ -4,7 +4,6 @@ use std::fmt;
 
 use super::enclosing::{Enclosing, Terms};
 use super::{LEAST_PLAIN, Parts, Rounding, significand, significand_of, words};
-use crate::short_text::ShortText;
 use crate::{Integer, Rational};
 
 /// The most digits of an estimate that its error bound asks for.
@@ -155,33 +154,33 @@ impl PlacedDecimal {
         };
         first + self.place >= LEAST_PLAIN
     }
+
+    /// Writes the decimal, as the [`Display`](fmt::Display) form has it, without a formatter.
+    ///
+    /// # Errors
+    /// The first error of what is written to.
+    pub fn write_to(&self, out: &mut impl fmt::Write) -> fmt::Result {
+        if self.units.is_zero() {
+            // Rounded, 0 has as many places as its error bound.
+            return match usize::try_from(-self.place) {
+                Ok(places @ 1..=MOST_DIGITS) if !self.is_exact => write!(out, "0.{:0<places$}", ""),
+                _ => out.write_str("0"),
+            };
+        }
+        let mut write = |digits: &str| {
+            let first = digits.len() as i64 - 1 + self.place;
+            Parts::new(digits, first, self.is_exact, self.least_plain).write(self.is_negative, out)
+        };
+        match self.units.to_u64() {
+            Some(units) => write(itoa::Buffer::new().format(units)),
+            None => write(&self.units.to_string()),
+        }
+    }
 }
 
 impl fmt::Display for PlacedDecimal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.units.is_zero() {
-            // Rounded, 0 has as many places as its error bound.
-            return match usize::try_from(-self.place) {
-                Ok(places @ 1..=MOST_DIGITS) if !self.is_exact => write!(f, "0.{:0<places$}", ""),
-                _ => f.write_str("0"),
-            };
-        }
-        let parts = |digits: &str, write: &mut dyn FnMut(&str)| {
-            let first = digits.len() as i64 - 1 + self.place;
-            Parts::new(digits, first, self.is_exact, self.least_plain).write(self.is_negative, write);
-        };
-        match self.units.to_u64() {
-            Some(units) => {
-                let mut text = ShortText::new();
-                parts(itoa::Buffer::new().format(units), &mut |part| text.push(part));
-                f.write_str(text.as_str()?)
-            }
-            None => {
-                let mut text = String::new();
-                parts(&self.units.to_string(), &mut |part| text.push_str(part));
-                f.write_str(&text)
-            }
-        }
+        self.write_to(f)
     }
 }
 

@@ -11,7 +11,8 @@ pub(super) const MOST_DIGITS: usize = 18;
 
 /// Numerator and denominator of |value|, when both fit.
 fn terms(value: &Rational) -> Option<(u128, u128)> {
-    Some((value.numerator().to_i128()?.unsigned_abs(), value.denominator().to_i128()?.unsigned_abs()))
+    let (numerator, denominator) = value.terms();
+    Some((numerator.to_i128()?.unsigned_abs(), denominator.to_i128()?.unsigned_abs()))
 }
 
 /// The rounded significand of a number that is not 0; `None` where it takes longer numbers to tell.
@@ -144,7 +145,7 @@ fn scaled(numerator: u128, denominator: u128, digits: usize) -> Option<Scaled> {
 /// Guesses `floor(log10(numerator / denominator))` of positive integers. The quotient and the powers of ten are right to a few units of
 /// their last place. The guess is therefore off by one at most, and only next to a power of ten.
 fn likely_exponent(numerator: u128, denominator: u128) -> i64 {
-    let rounded = |term: u128| u64::try_from(term).map_or(term as f64, |term| term as f64);
+    let rounded = |term: u128| u64::try_from(term).map_or_else(|_| term as f64, |term| term as f64);
     let quotient = rounded(numerator) / rounded(denominator);
     // log10(2) is 1233/4096 and less than 10⁻⁵ more.
     let binary = (quotient.to_bits() >> 52) as i64 - 1023;

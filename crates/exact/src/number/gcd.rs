@@ -46,9 +46,11 @@ fn gcd_of_words(left: u64, right: u64) -> u64 {
     left >>= left.trailing_zeros();
     right >>= right.trailing_zeros();
     while left != right {
+        // A difference and its opposite end in the same zeros. Counting them need not wait for the larger one.
+        let zeros = left.wrapping_sub(right).trailing_zeros();
         let difference = left.abs_diff(right);
         right = left.min(right);
-        left = difference >> difference.trailing_zeros();
+        left = difference >> zeros;
     }
     left << twos
 }

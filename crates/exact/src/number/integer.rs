@@ -4,11 +4,12 @@ use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::fmt;
 
+use super::digits::write_words;
 use super::gcd::gcd;
 use super::lehmer::long_gcd;
 use super::library::{BigInt, BigSign, DivisionAndGcd as _, ToPrimitive as _};
 use super::{Sign, number, operators};
-use crate::Wide;
+use crate::{Wide, powers_of_ten};
 
 /// An integer of any size. Every operation is exact.
 #[derive(Clone, PartialEq, Eq, Hash)]
@@ -140,7 +141,9 @@ impl Ord for Integer {
 
 impl fmt::Display for Integer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let is_plain = f.width().is_none() && !f.sign_plus();
         match &self.0 {
+            _ if is_plain => self.write_to(f),
             Small(value) => fmt::Display::fmt(&value.get(), f),
             Big(value) => fmt::Display::fmt(value, f),
         }
@@ -175,6 +178,20 @@ impl From<Wide> for Integer {
 }
 
 impl Integer {
+    /// Writes the digits, as the [`Display`](fmt::Display) form has them, without a formatter and, up to 256 bits, without memory.
+    pub(super) fn write_to(&self, out: &mut impl fmt::Write) -> fmt::Result {
+        match &self.0 {
+            Small(value) => out.write_str(itoa::Buffer::new().format(value.get())),
+            Big(value) => match self.words() {
+                Some(words) => {
+                    out.write_str(if self.is_negative() { "-" } else { "" })?;
+                    write_words(out, words)
+                }
+                None => write!(out, "{value}"),
+            },
+        }
+    }
+
     /// The number 0.
     #[inline]
     pub fn zero() -> Self {
@@ -208,8 +225,8 @@ impl Integer {
 
     /// 10 to the given power. Cost: the size of the result.
     pub fn power_of_ten(exponent: u32) -> Self {
-        match 10_i128.checked_pow(exponent) {
-            Some(power) => Integer::of_word(power),
+        match powers_of_ten::OF_I128.get(exponent as usize) {
+            Some(&power) => Integer::of_word(power),
             None => Integer::from_big(BigInt::from(10).pow(exponent)),
         }
     }

@@ -3,6 +3,7 @@
 //! Numbers that fit into 128 bits are machine words, all others the libraries' big ones. The value of a number alone
 //! decides which of the two it is. So equal numbers are equal in memory, and no result depends on the choice.
 
+mod digits;
 mod factors;
 mod fraction;
 mod gcd;

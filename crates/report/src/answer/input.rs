@@ -129,4 +129,7 @@ pub struct UnitsJson {
 pub struct LineInputJson<'a> {
     /// The format of the table as it was read; null for files that are neither text nor a sheet nor JSON.
     pub table: Option<&'a TableJson>,
+    /// The JSON of this.
+    #[serde(skip)]
+    pub(crate) written: &'a str,
 }

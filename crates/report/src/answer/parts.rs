@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::number::{Number, Reader};
 
 /// The ends of an interval; an end is null where nothing bounds. Ends are numbers, or functions of the factor s on the error bounds.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "{V}Range"))]
 pub struct RangeJson<V = Number> {
     /// The lower end; a number is rounded down. Null where nothing bounds from below.

@@ -1,26 +1,20 @@
 //! A window as a line of JSON, schema `boundfit/window/1`. A key that means the same as in `boundfit/fit/2` has the
 //! same name and the same shape.
 
-use crate::answer::input::LineInputJson;
 use crate::answer::parts::{CertificateJson, FeasibleSetJson, IntervalJson};
-use crate::answer::table::TableJson;
 use crate::answer::window::WindowJson;
 use crate::fit_json::central_of;
+use crate::json_line::{JsonLine, LineInput};
 use crate::style::Style;
 use crate::window::WindowReport;
 
-/// Appends the line of a window of a table that was taken for this, with its line end.
-pub fn write_window_json(
-    text: &mut Vec<u8>,
-    window: &WindowReport,
-    table: Option<&TableJson>,
-    style: &Style,
-) {
+/// Appends the line of a window of this input, with its line end.
+pub fn write_window_json(text: &mut Vec<u8>, window: &WindowReport, input: &LineInput, style: &Style) {
     let WindowReport { rows: [first_row, last_row], readings, x, fit, least, .. } = window;
     let contradiction = fit.contradiction.as_ref();
     let written = WindowJson {
         schema: WindowJson::SCHEMA,
-        input: LineInputJson { table },
+        input: input.json(),
         first_row: *first_row,
         last_row: *last_row,
         rows: *readings,
@@ -33,7 +27,6 @@ pub fn write_window_json(
         central: fit.central.as_ref().map(|central| central_of(central, style)),
         epsilon_min: least.as_ref().map(|least| style.upper_number(least)),
     };
-    // The types hold strings, numbers and lists only, and memory takes whatever is written.
-    serde_json::to_writer(&mut *text, &written).expect("a window that is not JSON");
+    written.write(text);
     text.push(b'\n');
 }

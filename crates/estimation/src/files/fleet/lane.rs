@@ -1,8 +1,6 @@
 //! The lines of groups whose readings are integers on powers of ten, as in most files. They follow from the two hulls
 //! alone, without half-planes, vertices, proofs or a fraction for each number.
 
-use std::borrow::Cow;
-
 use boundfit_exact::{Endpoint, Integer, Interval, Rational, Scaled, Unit, Wide, WideProducts, WideQuotient};
 use boundfit_geometry::RegionKind;
 
@@ -24,26 +22,17 @@ pub(in crate::files) struct Counts {
 impl Counts {
     /// The same numbers on the coarsest decimal unit up to 1 that they allow. The unit that they have is that of
     /// thousands of readings, of which some may have more digits.
-    fn coarsened(&self) -> Self {
-        let places = (-self.exponent).clamp(0, 18).unsigned_abs();
-        let whole = |places: u32, &count: &i128| {
-            (0..=places).rev().find(|&places| divided(count, 10_i64.pow(places)).1 == 0).unwrap_or_default()
+    fn coarsened(self) -> Self {
+        let finest = (-self.exponent).clamp(0, 18).unsigned_abs();
+        let are_whole = |places: &u32| {
+            let power = 10_i128.pow(*places);
+            self.counts.iter().all(|count| count % power == 0)
         };
-        let places = self.counts.iter().fold(places, whole);
-        let counts = match places {
-            0 => self.counts.clone(),
-            _ => self.counts.iter().map(|&count| divided(count, 10_i64.pow(places)).0).collect(),
-        };
+        // Mostly the first reading refuses each coarser unit.
+        let Some(places) = (1..=finest).rev().find(are_whole) else { return self };
+        let power = 10_i128.pow(places);
+        let counts = self.counts.iter().map(|count| count / power).collect();
         Counts { counts, exponent: self.exponent + places as i32 }
-    }
-}
-
-/// Quotient and remainder. A division of 64 bits is several times faster than one of 128.
-#[inline]
-fn divided(count: i128, power: i64) -> (i128, i128) {
-    match i64::try_from(count) {
-        Ok(count) => ((count / power).into(), (count % power).into()),
-        Err(_) => (count / i128::from(power), count % i128::from(power)),
     }
 }
 
@@ -58,7 +47,7 @@ const MOST_REFINED: u32 = 18;
 struct Group<'a> {
     x: &'a [i128],
     /// The ordinates, on the unit of ε.
-    y: Cow<'a, [i128]>,
+    y: Vec<i128>,
     epsilon: i128,
     /// The powers of ten of θ1 and of θ2.
     exponents: [i32; 2],
@@ -90,19 +79,21 @@ impl Hulls {
 
 impl<'a> Group<'a> {
     /// Readings (x, y) under a uniform error bound. Returns `None` unless the FPS is a polygon, and for numbers that are too long.
-    fn new(x: &'a Counts, y: &'a Counts, epsilon: &Rational) -> Option<Self> {
+    fn new(x: &'a Counts, y: &Counts, epsilon: &Rational) -> Option<Self> {
         if x.exponent.unsigned_abs().max(y.exponent.unsigned_abs()) > MOST_EXPONENT {
             return None;
         }
         let (epsilon, refined) = on_power_of_ten(epsilon, y.exponent)?;
         let exponent = y.exponent - refined as i32;
-        let y = match 10_i128.pow(refined) {
-            1 => Cow::Borrowed(y.counts.as_slice()),
-            factor => y.counts.iter().map(|count| count.checked_mul(factor)).collect::<Option<_>>()?,
-        };
+        let factor = 10_i128.pow(refined);
+        let widest = |counts: &[i128]| bits(counts.iter().fold(0, |all, count| all | count.unsigned_abs()));
+        // A longer product would be too long below.
+        if widest(&y.counts) + bits(factor.unsigned_abs()) > i128::BITS - 1 {
+            return None;
+        }
+        let y: Vec<i128> = y.counts.iter().map(|count| count.wrapping_mul(factor)).collect();
         let exponents = [exponent - x.exponent, exponent];
         let x = x.counts.as_slice();
-        let widest = |counts: &[i128]| bits(counts.iter().fold(0, |all, count| all | count.unsigned_abs()));
         let sizes = [widest(x), widest(&y).max(bits(epsilon.unsigned_abs())), bits(x.len() as u128)];
         let size = sizes[0].max(sizes[1]) + sizes[2];
         if size > i128::MOST_BITS {
@@ -163,7 +154,7 @@ impl<'a> Group<'a> {
     /// Returns whether no reading is farther than ε from the least-squares line.
     fn is_feasible(&self, Solution { numerators: [slope, offset], determinant }: &Solution<Wide>) -> bool {
         let room = determinant * &Wide::from(self.epsilon);
-        self.x.iter().zip(self.y.iter()).all(|(&x, &y)| {
+        self.x.iter().zip(&self.y).all(|(&x, &y)| {
             let apart = determinant * &Wide::from(y) - slope * &Wide::from(x) - *offset;
             !(room - apart.negated_if(apart.is_negative())).is_negative()
         })
@@ -187,7 +178,7 @@ impl<'a> Group<'a> {
             let y = if is_ceiling { y - self.epsilon } else { y + self.epsilon };
             // The first of those at one place stands for all.
             let position =
-                self.x.iter().zip(self.y.iter()).position(|(&own_x, &own_y)| own_x == x && own_y == y)?;
+                self.x.iter().zip(&self.y).position(|(&own_x, &own_y)| own_x == x && own_y == y)?;
             let name = if is_ceiling { BoundName::Upper } else { BoundName::Lower };
             Some((
                 name(row(position)),
@@ -234,8 +225,8 @@ fn of_parts(group: &Group<'_>, least_squares: [Rational; 2]) -> Option<GroupFit>
 /// Returns what [`group_fit`] does with the proofs, for readings whose rows have these numbers. Returns `None` also where an end has
 /// more than one proof, and where numbers do not fit into 64 bits. Exact. Cost: O(N log N).
 pub(super) fn group_answer(
-    x: &Counts,
-    y: &Counts,
+    x: Counts,
+    y: Counts,
     epsilon: &Rational,
     row: &dyn Fn(usize) -> usize,
 ) -> Option<GroupAnswer> {
@@ -253,13 +244,13 @@ pub(super) fn group_answer(
     let proof = |axis: usize, is_upper: bool| group.proof(axis, is_upper, x.exponent, row);
     let proofs = [[proof(0, false)?, proof(0, true)?], [proof(1, false)?, proof(1, true)?]];
     let fit = of_parts(&group, theta)?;
-    let (theta, pui) = (fit.least_squares.as_ref()?, fit.pui.as_ref()?);
-    let guaranteed_error = [guaranteed_error(&theta[0], &pui[0])?, guaranteed_error(&theta[1], &pui[1])?];
+    let guaranteed_error =
+        guaranteed_error(fit.least_squares.as_ref()?, fit.pui.as_ref()?, fit.central.as_ref()?);
     Some(GroupAnswer {
         is_bounded_alike: true,
         vertex_count: group.hulls.ends.vertices,
         is_feasible,
-        guaranteed_error: Some(guaranteed_error),
+        guaranteed_error,
         eui: Some(eui.ok()?),
         proofs: Some(proofs),
         contradiction: None,

@@ -51,7 +51,7 @@ impl Fleet {
         }
         let Plain { first_row, x, y, epsilon } = self.plain(group)?;
         let rows: Vec<usize> = rows.map(|row| self.rows.get(row)).collect();
-        let answer = lane::group_answer(&x, &y, epsilon, &|position| rows[position])?;
+        let answer = lane::group_answer(x, y, epsilon, &|position| rows[position])?;
         Some(GroupAnswer { fit: GroupFit { first_row, ..answer.fit }, ..answer })
     }
 
