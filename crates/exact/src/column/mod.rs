@@ -84,15 +84,13 @@ impl Column {
     /// Returns a column of these counts of units, given by their offsets above one of them. Exact. Cost: an addition
     /// each.
     pub fn of_offsets(base: i64, offsets: &[u32], unit: Unit) -> Self {
-        // A sum of an integer of 62 bits and one of 32 bits is never beyond 63 bits.
-        let counts: Vec<i64> = offsets.iter().map(|&offset| base.wrapping_add(offset.into())).collect();
-        let is_narrow = |count: &i64| <i64 as Count>::new((*count).into()).is_some();
-        match base.unsigned_abs() >> <i64 as Count>::BITS == 0 && counts.iter().max().is_none_or(is_narrow) {
-            true => Column::Narrow(Scaled::of_counts(counts, unit)),
-            false => {
-                Column::of_counts(offsets.iter().map(|&offset| i128::from(base) + i128::from(offset)), unit)
-            }
+        let wide = || offsets.iter().map(|&offset| i128::from(base) + i128::from(offset));
+        if base.unsigned_abs() >> <i64 as Count>::BITS != 0 {
+            return Column::of_counts(wide(), unit);
         }
+        // A sum of an integer of 62 bits and one of 32 bits is never beyond 63 bits.
+        let counts = offsets.iter().map(|&offset| base.wrapping_add(offset.into())).collect();
+        Column::of_short_counts(counts, unit).unwrap_or_else(|| Column::of_counts(wide(), unit))
     }
 
     /// The number of numbers there are.
