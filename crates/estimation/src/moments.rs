@@ -169,7 +169,7 @@ impl Sums {
 mod tests {
     use super::*;
 
-    /// At the edges of 63 and of 127 bits.
+    /// The lengths go across the edges of 63 and of 127 bits.
     #[test]
     fn sums_over_integers_of_any_length_are_those_over_fractions() {
         let mut seed = 5_u64;

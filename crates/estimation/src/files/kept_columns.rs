@@ -39,7 +39,7 @@ impl StoredColumn {
         let offsets = |x: &Scaled<i64>| {
             let ends = |[least, most]: [i64; 2], &count: &i64| [least.min(count), most.max(count)];
             let [base, most] = x.counts().iter().fold([i64::MAX, i64::MIN], ends);
-            // Of no number the least is more than the greatest, and their difference is too large.
+            // The ends of no numbers are the wrong way round, and too far apart.
             u32::try_from(most.checked_sub(base)?).ok()?;
             let offsets = x.counts().iter().map(|count| count.wrapping_sub(base) as u32).collect();
             Some(StoredColumn::Offsets { unit: x.unit(), base, offsets })

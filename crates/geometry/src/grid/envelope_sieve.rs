@@ -58,7 +58,7 @@ pub struct EnvelopeSieve {
 /// The set that is left by half-planes with `a2 > 0`.
 #[derive(Debug, Clone)]
 pub(super) struct Corners {
-    /// By ascending a1/a2 of the half-planes that meet there.
+    /// The corners, by ascending a1/a2 of the half-planes that meet there.
     pub(super) corners: Vec<[f64; 2]>,
     /// a1/a2 of the half-planes, ascending: each corner is between two of them, but for that of a single one.
     pub(super) slopes: Vec<f64>,

@@ -2,8 +2,8 @@
 //!
 //! A half-plane slope·θ1 + height·θ2 ≤ bound with a positive height is strictly redundant where its bound is above the
 //! maximum of its left side over the corners. Divided by the height, this maximum is a convex function of s =
-//! slope/height. For all s of a cell it is not above a linear function, s·p + q: that of the corner, if one corner alone
-//! has the maximum there, and otherwise that of a chord. So slope·p + height·q < bound is enough.
+//! slope/height. For all s of a cell it is not above a linear function, s·p + q. If one corner alone has the maximum
+//! there, this is the function of the corner, and otherwise that of a chord. So slope·p + height·q < bound is enough.
 //!
 //! # The cells
 //!
@@ -24,7 +24,7 @@ const PLACES: usize = CELLS + 1;
 const ROUNDING: f64 = (1_u64 << 52) as f64;
 /// 2⁻⁴³.
 const BLUR: f64 = 1.0 / (1_u64 << 43) as f64;
-/// Not a number, with which every comparison fails.
+/// A point that is not a number, with which every comparison fails.
 const UNKNOWN: [f64; 2] = [f64::NAN; 2];
 
 /// Both envelopes in cells of slopes.
@@ -109,8 +109,8 @@ impl Slopes {
 }
 
 impl Corners {
-    /// Returns (p, q) such that s·p + q is not below the maximum of s·v1 + v2 over the corners for any slope s between two
-    /// ends; [`UNKNOWN`] where these are not strictly between the slopes of the unbounded edges.
+    /// Returns (p, q) such that s·p + q is not below s·v1 + v2 of any corner for any slope s between two ends. Returns
+    /// [`UNKNOWN`] where these are not strictly between the slopes of the unbounded edges.
     fn not_below(&self, ends: [f64; 2]) -> [f64; 2] {
         let [low, high] = ends;
         let is_between = |(first, last): (&f64, &f64)| *first < low && low < high && high < *last;
