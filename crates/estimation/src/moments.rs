@@ -7,6 +7,8 @@ use boundfit_exact::{Rational, Sum};
 
 /// Bits of an `i128` without its sign.
 pub(crate) const SUM_BITS: u32 = 127;
+/// Bits of an `i64` without its sign.
+const WORD_BITS: u32 = 63;
 
 /// N, Σu², Σuv, Σv², Σuy and Σvy over readings y ≈ u·θ1 + v·θ2: ΦᵀΦ = (Σu², Σuv; Σuv, Σv²) and Φᵀy = (Σuy, Σvy). For
 /// a line u is x and v is 1.
@@ -72,37 +74,52 @@ impl Sums<i128> {
     /// The sums over integers, where v is 1 if there is none; `None` when one of the sums might not fit. Exact.
     /// Cost: linear.
     pub(crate) fn of_integers(u: &[i64], v: Option<&[i64]>, y: &[i64]) -> Option<Self> {
-        let regressor_bits = widest(u).max(v.map_or(1, widest));
         let count = u.len().min(y.len());
-        if regressor_bits + regressor_bits.max(widest(y)) + bits(count as u128) > SUM_BITS {
+        let (u, y) = (Counts::new(u), Counts::new(y));
+        let v = v.map(Counts::new);
+        let regressor_bits = u.bits.max(v.map_or(1, |v| v.bits));
+        if regressor_bits + regressor_bits.max(y.bits) + bits(count as u128) > SUM_BITS {
             return None;
         }
-        // By the bits above none of these can overflow.
-        let product = |left: i64, right: i64| i128::from(left).wrapping_mul(i128::from(right));
-        let add = |sum: &mut i128, term: i128| *sum = sum.wrapping_add(term);
-        let [mut uu, mut uv, mut vv, mut uy, mut vy] = [0; 5];
-        let rows = u.iter().zip(y);
-        match v {
-            None => {
-                vv = count as i128;
-                for (&u, &y) in rows {
-                    add(&mut uu, product(u, u));
-                    add(&mut uv, u.into());
-                    add(&mut uy, product(u, y));
-                    add(&mut vy, y.into());
-                }
-            }
-            Some(v) => {
-                for ((&u, &y), &v) in rows.zip(v) {
-                    add(&mut uu, product(u, u));
-                    add(&mut uv, product(u, v));
-                    add(&mut vv, product(v, v));
-                    add(&mut uy, product(u, y));
-                    add(&mut vy, product(v, y));
-                }
-            }
-        }
+        let [uv, vv, vy] = match v {
+            None => [u.sum(), count as i128, y.sum()],
+            Some(v) => [u.sum_of_products(v), v.sum_of_products(v), v.sum_of_products(y)],
+        };
+        let [uu, uy] = [u, y].map(|other| u.sum_of_products(other));
         Some(Sums { count, uu, uv, vv, uy, vy })
+    }
+}
+
+/// Integers, and the bits of the largest magnitude.
+#[derive(Clone, Copy)]
+pub(crate) struct Counts<'a> {
+    counts: &'a [i64],
+    pub(crate) bits: u32,
+}
+
+impl<'a> Counts<'a> {
+    pub(crate) fn new(counts: &'a [i64]) -> Self {
+        Counts { counts, bits: widest(counts) }
+    }
+
+    /// The sum. Exact: the sum of this many integers of 64 bits fits into 128.
+    pub(crate) fn sum(self) -> i128 {
+        if self.bits + bits(self.counts.len() as u128) <= WORD_BITS {
+            return self.counts.iter().fold(0_i64, |sum, &count| sum.wrapping_add(count)).into();
+        }
+        self.counts.iter().map(|&count| i128::from(count)).sum()
+    }
+
+    /// The sum of the products. Exact where the bits of both, and of how many there are, are no more than [`SUM_BITS`].
+    pub(crate) fn sum_of_products(self, other: Counts<'_>) -> i128 {
+        let pairs = self.counts.iter().zip(other.counts);
+        // Sums of 128 bits take three times as long.
+        if self.bits + other.bits + bits(self.counts.len() as u128) <= WORD_BITS {
+            return pairs.fold(0_i64, |sum, (&own, &other)| sum.wrapping_add(own.wrapping_mul(other))).into();
+        }
+        pairs.fold(0_i128, |sum, (&own, &other)| {
+            sum.wrapping_add(i128::from(own).wrapping_mul(i128::from(other)))
+        })
     }
 }
 
@@ -145,5 +162,41 @@ impl Sums {
     /// The sums over the readings of both. Exact.
     pub fn merged(&self, other: &Self) -> Self {
         self.clone().zip(other.clone(), |own, other| own + other)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The lengths go across the edges of 63 and of 127 bits.
+    #[test]
+    fn sums_over_integers_of_any_length_are_those_over_fractions() {
+        let mut seed = 5_u64;
+        let mut word = |bits: u32| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let magnitude = (seed >> 1) as i64 >> (63 - bits);
+            if seed & 1 == 0 { magnitude } else { -magnitude }
+        };
+        let mut missing = 0;
+        for round in 0..2000_u32 {
+            let [u_bits, v_bits, y_bits] = [1, 7, 40].map(|step| 1 + (round * step + round / 62) % 62);
+            let count = [1, 2, 7, 8, 9, 100][round as usize % 6];
+            let [u, v, y] =
+                [u_bits, v_bits, y_bits].map(|bits| (0..count).map(|_| word(bits)).collect::<Vec<_>>());
+            for second in [None, Some(&v[..])] {
+                let Some(sums) = Sums::of_integers(&u, second, &y) else {
+                    missing += 1;
+                    continue;
+                };
+                let row = |k: usize| [u[k], second.map_or(1, |v| v[k]), y[k]].map(Rational::from);
+                assert_eq!(
+                    sums.map(Rational::from),
+                    Sums::of_numbers((0..count).map(row)).total(),
+                    "{round}"
+                );
+            }
+        }
+        assert!((20..2000).contains(&missing), "{missing}");
     }
 }

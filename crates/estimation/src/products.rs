@@ -5,7 +5,7 @@ use boundfit_exact::{
     WideProducts,
 };
 
-use crate::moments::{SUM_BITS, bits, widest};
+use crate::moments::{Counts, SUM_BITS, bits};
 
 /// Σ left·right over columns of equal length. Exact. Cost: linear, on machine integers but for numbers that only fractions hold.
 pub(crate) fn product_sum(left: &Column, right: &Column) -> Sum {
@@ -47,14 +47,11 @@ pub(crate) fn sum_of(total: Rational) -> Sum {
 }
 
 fn narrow(x: &Scaled<i64>, y: &Scaled<i64>) -> Integer {
-    let count = x.counts().len() as u128;
-    if widest(x.counts()) + widest(y.counts()) + bits(count) > SUM_BITS {
-        return wide(x, y);
+    let (own, other) = (Counts::new(x.counts()), Counts::new(y.counts()));
+    match own.bits + other.bits + bits(x.counts().len() as u128) > SUM_BITS {
+        true => wide(x, y),
+        false => own.sum_of_products(other).into(),
     }
-    // By the bits above neither a product nor their sum can overflow.
-    let products =
-        x.counts().iter().zip(y.counts()).map(|(&x, &y)| i128::from(x).wrapping_mul(i128::from(y)));
-    Integer::from(products.fold(0_i128, i128::wrapping_add))
 }
 
 fn wide<X: Count, Y: Count>(x: &Scaled<X>, y: &Scaled<Y>) -> Integer {

@@ -39,7 +39,8 @@ fn strip(reading: &Measurement, scale: &Scale) -> RoundedStrip {
         }
         (Bounds::Around { response, .. }, Scale::Within(epsilon)) => around(float(response), float(epsilon)),
         (Bounds::Between { lower: Some(lower), upper: Some(upper), .. }, Scale::Times(factor)) => {
-            about_middle([float(lower), float(upper)], float(factor)).unwrap_or_else(known)
+            let stated = [float(lower), float(upper)];
+            if are_apart(stated) { about_middle(stated, float(factor)) } else { known() }
         }
         (Bounds::Between { .. }, _) => known(),
     };
@@ -52,16 +53,18 @@ pub(crate) fn around(middle: f64, reach: f64) -> [f64; 2] {
     [middle - reach + margin, middle + reach - margin]
 }
 
-/// Two bounds about their middle at a factor on their distance, certainly not too far apart; `None` where they may cross or are too
-/// close to tell.
-pub(crate) fn about_middle([lower, upper]: [f64; 2], factor: f64) -> Option<[f64; 2]> {
+/// Returns false where two bounds may cross or are too close to tell. A number that is not known stays so in all that comes of it.
+pub(crate) fn are_apart([lower, upper]: [f64; 2]) -> bool {
+    let are_close = upper - lower <= MARGIN * (lower.abs() + upper.abs());
+    !are_close
+}
+
+/// Two bounds that [are apart](are_apart) about their middle at a factor on their distance, certainly not too far apart.
+pub(crate) fn about_middle([lower, upper]: [f64; 2], factor: f64) -> [f64; 2] {
     let size = lower.abs() + upper.abs();
-    if upper - lower <= MARGIN * size {
-        return None;
-    }
     let (middle, reach) = ((lower + upper) / 2.0, (upper - lower) / 2.0 * factor);
     let margin = 4.0 * MARGIN * size * (1.0 + factor);
-    Some([middle - reach + margin, middle + reach - margin])
+    [middle - reach + margin, middle + reach - margin]
 }
 
 /// Bounds that are known exactly.
@@ -80,20 +83,23 @@ pub(crate) fn may_be_tightest(strips: &RoundedStrips, theta: [f64; 2]) -> Vec<us
     const ALL: f64 = 16.0 * MARGIN;
     let size = |bound: f64| if bound.is_infinite() { 0.0 } else { bound.abs() };
     // The least that a slack may be, and the most; NaN where that is not known.
-    let slack = |row: usize| {
-        let (lower, upper) = (strips.lower[row], strips.upper[row]);
-        let [p, q] = [strips.phi[0][row] * theta[0], strips.phi[1][row] * theta[1]];
+    let slack = |[phi1, phi2, lower, upper]: [f64; 4]| {
+        let [p, q] = [phi1 * theta[0], phi2 * theta[1]];
         let margin = ALL * (p.abs() + q.abs() + size(lower) + size(upper));
         let (above, below) = (upper - (p + q), (p + q) - lower);
         // Not `min`, which would pass over what is not a number.
         let slack = if above < below { above } else { below };
-        let is_known = !(above.is_nan() | below.is_nan());
-        if is_known { [slack - margin, slack + margin] } else { [f64::NAN; 2] }
+        let slack = if above.is_nan() | below.is_nan() { f64::NAN } else { slack };
+        [slack - margin, slack + margin]
     };
+    let [phi1, phi2] = &strips.phi;
+    let numbers = || phi1.iter().zip(phi2).zip(strips.lower.iter().zip(&strips.upper));
+    let rows = || numbers().map(|((&phi1, &phi2), (&lower, &upper))| [phi1, phi2, lower, upper]);
+    let lows: Vec<f64> = rows().map(|row| slack(row)[0]).collect();
     // Comparisons with what is not a number leave the least as it is.
-    let least = (0..strips.len())
-        .map(slack)
-        .fold(f64::INFINITY, |least, [_, most]| if most < least { most } else { least });
-    let is_more = |row: &usize| slack(*row)[0] > least;
-    (0..strips.len()).filter(|row| !is_more(row)).collect()
+    let lowest = lows.iter().fold(f64::INFINITY, |least, &low| if low < least { low } else { least });
+    let lowest = lows.iter().position(|&low| low == lowest).and_then(|row| rows().nth(row));
+    let least = lowest.map_or(f64::INFINITY, |row| slack(row)[1]);
+    let is_more = |row: &usize| lows[*row] > least;
+    (0..lows.len()).filter(|row| !is_more(row)).collect()
 }

@@ -4,7 +4,7 @@ use boundfit_exact::{
     Column, DecimalSum, DoubleSum, Dyadic, Integer, LongTotal, Rational, Scaled, Sum, Unit, WideSum,
 };
 
-use crate::moments::Sums;
+use crate::moments::{Counts, Sums};
 use crate::products::{product_sum, sum_of};
 
 /// The sum of a column. Exact. Cost: linear.
@@ -15,11 +15,7 @@ pub(crate) fn column_sum(column: &Column) -> Sum {
         total
     };
     match column {
-        // The sum of this many integers of 64 bits fits into 128.
-        Column::Narrow(scaled) => {
-            let total: i128 = scaled.counts().iter().map(|&count| i128::from(count)).sum();
-            of_counts(total.into(), scaled.unit())
-        }
+        Column::Narrow(scaled) => of_counts(Counts::new(scaled.counts()).sum().into(), scaled.unit()),
         Column::Wide(scaled) => {
             let mut sum = WideSum::default();
             scaled.counts().iter().for_each(|&count| sum.add(count));

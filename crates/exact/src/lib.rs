@@ -68,7 +68,9 @@ pub use multiples::multiples;
 pub use notation::{DecimalMark, MISSING_WORDS, Notation, Thousands, is_missing, trim_number};
 pub use number::{Fraction, Integer, Rational, Sign, TooWide};
 pub use parse::{Limits, ParseNumberError, ParseNumberErrorKind, Reading, characters_before};
-pub use plain::{PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, exponent_prefix, plain_decimal, plain_prefix};
+pub use plain::{
+    PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, any_prefix, exponent_prefix, plain_decimal, plain_prefix,
+};
 pub use shortest::{Shortest, shortest_decimal, shortest_decimal_of_f32};
 pub use sum::Sum;
 pub use wide::Wide;

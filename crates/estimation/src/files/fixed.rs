@@ -5,7 +5,7 @@ use std::hash::BuildHasher;
 use std::sync::{Arc, RwLock};
 
 use boundfit_exact::{Column, Rational};
-use boundfit_geometry::grid::{EnvelopeSieve, RoundedStrip, RoundedStrips, in_range};
+use boundfit_geometry::grid::{EnvelopeSieve, RoundedStrip, RoundedStrips};
 use boundfit_geometry::{Inequality, Tally, Touch, touches_of_envelopes};
 use hashbrown::{DefaultHashBuilder, HashTable};
 
@@ -15,7 +15,6 @@ use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::moments::Sums;
 use crate::reduction::NoLeastSquares;
-use crate::rounded::may_be_tightest;
 use crate::scale::Scale;
 use crate::ties::{TiedReading, Ties};
 
@@ -152,16 +151,13 @@ impl<'a> FixedBounds<'a> {
         }
     }
 
-    /// The readings in columns that touch an envelope, as far as the readings before leave it open. Exact.
+    /// The readings in columns that touch an envelope, as far as the readings before leave it open, and perhaps a few others. Exact.
     pub(crate) fn of_columns(&self, columns: &[Column], number: &dyn Fn(usize) -> usize) -> Vec<TiedReading> {
         let count = columns.first().map_or(0, Column::len);
         let reading = |row: usize| self.meaning.of_columns(columns, row, number(row));
         let tied = |row: usize| TiedReading::alone(reading(row));
         let known = self.sieve.get();
-        if known.is_none() && count < LEAST_TO_SIEVE {
-            return self.touching((0..count).map(tied).collect());
-        }
-        let strips = rounded_strips(self.meaning, self.scale, columns, reading);
+        let strips = self.strips(columns, number);
         let exact = |row: usize| reading(row).regressor;
         let mut through = Vec::new();
         let mut left = match known {
@@ -191,7 +187,9 @@ impl<'a> FixedBounds<'a> {
                 break;
             }
         }
-        self.touching(left.into_iter().map(tied).chain(through).collect())
+        let left: Vec<TiedReading> = left.into_iter().map(tied).chain(through).collect();
+        // Few are cheaper to look at together with those of other parts.
+        if left.len() < LEAST_TO_SIEVE { left } else { self.touching(left) }
     }
 
     fn touching(&self, readings: Vec<TiedReading>) -> Vec<TiedReading> {
@@ -266,24 +264,10 @@ impl<'a> FixedBounds<'a> {
         readings
     }
 
-    /// Returns the first reading in the columns with the least slack at a point, with that slack. Exact. Cost:
-    /// linear.
-    pub(crate) fn tightest(
-        &self,
-        columns: &[Column],
-        number: &dyn Fn(usize) -> usize,
-        theta: &[Rational; 2],
-    ) -> Option<(Rational, Measurement)> {
+    /// Readings in columns as the filter sees them.
+    pub(crate) fn strips(&self, columns: &[Column], number: &dyn Fn(usize) -> usize) -> RoundedStrips {
         let reading = |row: usize| self.meaning.of_columns(columns, row, number(row));
-        let strips = rounded_strips(self.meaning, self.scale, columns, reading);
-        let point = theta.each_ref().map(|number| in_range(number.to_f64()));
-        let with_slack = |row: usize| {
-            let reading = reading(row);
-            let slack = self.scale.half_planes(&reading).map(|own| own.slack(theta)).min()?;
-            Some((slack, reading))
-        };
-        let candidates = may_be_tightest(&strips, point).into_iter().filter_map(with_slack);
-        candidates.reduce(|best, next| if next.0 < best.0 { next } else { best })
+        rounded_strips(self.meaning, self.scale, columns, reading)
     }
 
     /// The row of the reading that stands for another one, if one of those that are kept does.
@@ -325,7 +309,7 @@ impl<'a> FixedBounds<'a> {
     }
 }
 
-/// The readings that are kept of one batch.
+/// The readings that may be kept of one batch.
 pub(crate) struct FixedPart {
     pub(crate) touching: Vec<TiedReading>,
     sums: Result<Sums, NoLeastSquares>,

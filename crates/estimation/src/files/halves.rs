@@ -5,20 +5,22 @@ use std::borrow::Cow;
 use boundfit_exact::{Column, Unit};
 
 use crate::meaning::{ErrorBound, Meaning};
-use crate::moments::Sums;
+use crate::moments::{Sums, bits, widest};
 use crate::reduction::NoLeastSquares;
 
-/// Middles and half widths of readings that all have both bounds.
-pub(crate) struct Halves {
-    pub(crate) middles: Column,
-    /// Negative where the bounds cross.
-    pub(crate) widths: Column,
+/// Readings in columns that all have both bounds.
+pub(crate) struct Halves<'a> {
+    lower: &'a Column,
+    upper: &'a Column,
+    /// Half of a common unit, and how often it goes into the unit of each column.
+    unit: Unit,
+    factors: [i128; 2],
 }
 
-impl Halves {
-    /// Takes the bounds from columns; `None` where a bound is missing, where bounds are no intervals, and where 128
-    /// bits do not hold them. Exact. Cost: linear.
-    pub(crate) fn of_columns(meaning: &Meaning, columns: &[Column]) -> Option<Self> {
+impl<'a> Halves<'a> {
+    /// Takes the bounds from columns; `None` where a bound is missing, where bounds are no intervals, and where no integers
+    /// of 128 bits hold them. Exact. Cost: a look at which bounds are there.
+    pub(crate) fn of_columns(meaning: &Meaning, columns: &'a [Column]) -> Option<Self> {
         let ErrorBound::Interval { lower: Some(_), upper: Some(_) } = &meaning.error_bound else {
             return None;
         };
@@ -40,30 +42,42 @@ impl Halves {
             Unit::OneOver(denominator) => (Unit::OneOver(denominator.checked_mul(2)?), 1),
         };
         let factor = |own: Unit| own.counted_in(common)?.checked_mul(times);
-        let (of_lower, of_upper) = (factor(of_lower)?, factor(of_upper)?);
-        let halves = |sign: i128| {
-            let factors = [of_lower.checked_mul(sign)?, of_upper];
-            // Checked products of 128 bits take ten times as long as those of 64 bits.
-            if let (Column::Narrow(lower), Column::Narrow(upper)) = (lower, upper)
-                && let [Ok(p), Ok(q)] = factors.map(i64::try_from)
-            {
-                let half = |lower: i64, upper: i64| lower.checked_mul(p)?.checked_add(upper.checked_mul(q)?);
-                if let Some(halves) = of_pairs(lower.counts(), upper.counts(), half) {
-                    return Some(Column::of_counts(halves.into_iter().map(i128::from), unit));
-                }
-            }
-            let [p, q] = factors;
-            let half = |lower: i128, upper: i128| lower.checked_mul(p)?.checked_add(upper.checked_mul(q)?);
-            let halves = of_pairs(lower.wide()?.counts(), upper.wide()?.counts(), half)?;
-            Some(Column::of_counts(halves.into_iter(), unit))
-        };
-        Some(Halves { middles: halves(1)?, widths: halves(-1)? })
+        Some(Halves { lower, upper, unit, factors: [factor(of_lower)?, factor(of_upper)?] })
     }
-}
 
-/// Returns one number for each pair; `None` where there is none for a pair.
-fn of_pairs<N: Copy>(lower: &[N], upper: &[N], of: impl Fn(N, N) -> Option<N>) -> Option<Vec<N>> {
-    lower.iter().zip(upper).map(|(&lower, &upper)| of(lower, upper)).collect()
+    /// The middles; `None` where 128 bits do not hold them. Exact. Cost: linear.
+    pub(crate) fn middles(&self) -> Option<Column> {
+        self.halves(1)
+    }
+
+    /// The half widths, negative where the bounds cross; `None` where 128 bits do not hold them. Exact. Cost: linear.
+    pub(crate) fn widths(&self) -> Option<Column> {
+        self.halves(-1)
+    }
+
+    fn halves(&self, sign: i128) -> Option<Column> {
+        let [p, q] = [self.factors[0].checked_mul(sign)?, self.factors[1]];
+        if let (Column::Narrow(lower), Column::Narrow(upper)) = (self.lower, self.upper) {
+            let is_short =
+                |counts: &[i64], factor: i128| widest(counts) + bits(factor.unsigned_abs()) < i64::BITS - 2;
+            // By these bits neither a product nor the sum of both can overflow.
+            if is_short(lower.counts(), p) && is_short(upper.counts(), q) {
+                let (p, q) = (p as i64, q as i64);
+                let half = |(&lower, &upper): (&i64, &i64)| {
+                    lower.wrapping_mul(p).wrapping_add(upper.wrapping_mul(q))
+                };
+                return Column::of_short_counts(
+                    lower.counts().iter().zip(upper.counts()).map(half).collect(),
+                    self.unit,
+                );
+            }
+        }
+        let half = |lower: i128, upper: i128| lower.checked_mul(p)?.checked_add(upper.checked_mul(q)?);
+        let (lower, upper) = (self.lower.wide()?, self.upper.wide()?);
+        let halves = lower.counts().iter().zip(upper.counts()).map(|(&lower, &upper)| half(lower, upper));
+        let halves: Vec<i128> = halves.collect::<Option<_>>()?;
+        Some(Column::of_counts(halves.into_iter(), self.unit))
+    }
 }
 
 impl Sums {
@@ -79,7 +93,7 @@ impl Sums {
         if meaning.has_response {
             return Ok(form(Sums::of_columns(&columns[0], second, &columns[regressors])));
         }
-        if let Some(Halves { middles, .. }) = Halves::of_columns(meaning, columns) {
+        if let Some(middles) = Halves::of_columns(meaning, columns).and_then(|halves| halves.middles()) {
             return Ok(form(Sums::of_columns(&columns[0], second, &middles)));
         }
         let value = |row: usize| meaning.of_columns(columns, row, 0).value().map(Cow::into_owned);

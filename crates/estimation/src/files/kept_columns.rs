@@ -37,9 +37,11 @@ enum StoredColumn {
 impl StoredColumn {
     fn new(x: &Column) -> Self {
         let offsets = |x: &Scaled<i64>| {
-            let base = x.counts().iter().copied().min()?;
-            let offset = |count: &i64| u32::try_from(count.checked_sub(base)?).ok();
-            let offsets = x.counts().iter().map(offset).collect::<Option<_>>()?;
+            let ends = |[least, most]: [i64; 2], &count: &i64| [least.min(count), most.max(count)];
+            let [base, most] = x.counts().iter().fold([i64::MAX, i64::MIN], ends);
+            // The ends of no numbers are the wrong way round, and too far apart.
+            u32::try_from(most.checked_sub(base)?).ok()?;
+            let offsets = x.counts().iter().map(|count| count.wrapping_sub(base) as u32).collect();
             Some(StoredColumn::Offsets { unit: x.unit(), base, offsets })
         };
         let narrow = if let Column::Narrow(x) = x { offsets(x) } else { None };

@@ -4,6 +4,7 @@ use boundfit_exact::{Column, Rational};
 use boundfit_formats::{
     Batch, ColumnSelector, InputError, InputErrorKind, RowNumbers, ScanOptions, Source, scan, threads,
 };
+use boundfit_geometry::grid::{RoundedStrips, in_range};
 use boundfit_geometry::{Region, System, envelope};
 
 use super::fixed::{FixedBounds, FixedSupport};
@@ -18,6 +19,7 @@ use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::moments::Sums;
 use crate::reduction::{NoEui, Reach};
+use crate::rounded::may_be_tightest;
 use crate::scale::Scale;
 use crate::ties::Ties;
 
@@ -90,8 +92,10 @@ impl Looks<'_> {
         let mut tightest: Option<(Rational, Measurement)> = None;
         let work = |columns: &[Column], rows: &RowNumbers| {
             let number = |k| rows.get(k);
-            let tightest = theta.as_ref().and_then(|theta| bounds.tightest(columns, &number, theta));
-            (weights.of_columns(meaning, columns, &number), tightest)
+            let strips = bounds.strips(columns, &number);
+            let reading = |row: usize| meaning.of_columns(columns, row, number(row));
+            let tightest = theta.as_ref().and_then(|theta| first_tightest(reading, &strips, theta));
+            (weights.of_columns(meaning, columns, &strips.phi, &number), tightest)
         };
         self.look(work, |(sums, part)| {
             let so_far = std::mem::replace(&mut total, Err(NoEui::NotAsked));
@@ -164,4 +168,20 @@ impl Looks<'_> {
             known.dedup_by_key(|reading| reading.row);
         }
     }
+}
+
+/// Returns the first reading with the least slack at a point, with that slack. Exact. Cost: linear.
+fn first_tightest(
+    reading: impl Fn(usize) -> Measurement,
+    strips: &RoundedStrips,
+    theta: &[Rational; 2],
+) -> Option<(Rational, Measurement)> {
+    let point = theta.each_ref().map(|number| in_range(number.to_f64()));
+    let with_slack = |row: usize| {
+        let reading = reading(row);
+        let slack = Scale::AsStated.half_planes(&reading).map(|own| own.slack(theta)).min()?;
+        Some((slack, reading))
+    };
+    let candidates = may_be_tightest(strips, point).into_iter().filter_map(with_slack);
+    candidates.reduce(|best, next| if next.0 < best.0 { next } else { best })
 }

@@ -4,7 +4,6 @@
 use boundfit_exact::{Column, Rational, Sum};
 
 use super::halves::Halves;
-use super::rounded::floats;
 use crate::meaning::Meaning;
 use crate::moments::Sums;
 use crate::products::product_sum;
@@ -49,7 +48,8 @@ impl Weights {
         Weights([[vv.clone(), -uv], [-uv, uu.clone()], [Rational::one(), Rational::zero()]])
     }
 
-    /// Returns what readings in columns add. Exact. Cost: linear, on whole columns where these say it all.
+    /// Returns what readings in columns, with their rounded regressors, add. Exact. Cost: linear, on whole columns where these say
+    /// it all.
     ///
     /// # Errors
     /// When a reading has no bound on its error.
@@ -57,9 +57,10 @@ impl Weights {
         &self,
         meaning: &Meaning,
         columns: &[Column],
+        rounded: &[Vec<f64>; 2],
         number: &dyn Fn(usize) -> usize,
     ) -> Result<SignedSums, NoEui> {
-        if let Some(sums) = self.by_columns(meaning, columns) {
+        if let Some(sums) = self.by_columns(meaning, columns, rounded) {
             return sums;
         }
         let mut sums = [(); 4].map(|()| [(); 2].map(|()| Sum::default()));
@@ -98,14 +99,21 @@ impl Weights {
     }
 
     /// The sums over whole columns; `None` where these do not say what a reading is.
-    fn by_columns(&self, meaning: &Meaning, columns: &[Column]) -> Option<Result<SignedSums, NoEui>> {
+    fn by_columns(
+        &self,
+        meaning: &Meaning,
+        columns: &[Column],
+        rounded: &[Vec<f64>; 2],
+    ) -> Option<Result<SignedSums, NoEui>> {
         if !meaning.form.x_origin.is_zero() {
             return None;
         }
         let regressors = meaning.regressors();
-        let phi = Phi::new(columns.first()?, if regressors == 2 { Some(columns.get(1)?) } else { None });
+        let second = if regressors == 2 { Some(columns.get(1)?) } else { None };
+        let phi = Phi { u: columns.first()?, v: second, rounded };
         if !meaning.is_around_y() {
-            let Halves { middles, widths } = Halves::of_columns(meaning, columns)?;
+            let halves = Halves::of_columns(meaning, columns)?;
+            let (middles, widths) = (halves.middles()?, halves.widths()?);
             if widths.first_negative().is_some() {
                 return Some(Err(NoEui::Crossing));
             }
@@ -137,19 +145,17 @@ struct Phi<'a> {
     u: &'a Column,
     /// Missing where it is 1.
     v: Option<&'a Column>,
-    rounded: [Vec<f64>; 2],
+    rounded: &'a [Vec<f64>; 2],
 }
 
-impl<'a> Phi<'a> {
-    fn new(u: &'a Column, v: Option<&'a Column>) -> Self {
-        Phi { u, v, rounded: [floats(u), v.map_or_else(|| vec![1.0; u.len()], floats)] }
-    }
-
+impl Phi<'_> {
     /// Returns, for each row, whether p·u + q·v is negative. Exact. Cost: linear, with a few fractions where it is
     /// almost 0.
     fn are_negative(&self, [p, q]: &[Rational; 2]) -> Vec<bool> {
         /// The relative margin, 2⁻⁴⁸, that exceeds the rounding error of the sum of both terms.
         const MARGIN: f64 = 1.0 / (1_u64 << 48) as f64;
+        /// The number of rows that are looked at together.
+        const LANES: usize = 64;
         // Only the sign matters, so that the larger of the two may be a float in the middle of its range.
         let size = p.abs().max(q.abs());
         let rounded = |own: &Rational| own.checked_div(&size).map_or(0.0, |own| float(&own));
@@ -161,18 +167,25 @@ impl<'a> Phi<'a> {
             };
             weight.is_negative()
         };
-        let [u, v] = &self.rounded;
-        let is_negative = |(row, (u, v)): (usize, (&f64, &f64))| {
+        let [u, v] = self.rounded;
+        let weight_and_size = |(u, v): (&f64, &f64)| {
             let (of_u, of_v) = (rounded_p * u, rounded_q * v);
-            let (weight, size) = (of_u + of_v, of_u.abs() + of_v.abs());
-            if weight.abs() > MARGIN * size {
-                weight < 0.0
-            } else {
-                // A result of exactly 0 is no product that underflowed.
-                size != 0.0 && exact(row)
-            }
+            (of_u + of_v, of_u.abs() + of_v.abs())
         };
-        u.iter().zip(v).enumerate().map(is_negative).collect()
+        let is_certain = |(weight, size): (f64, f64)| weight.abs() > MARGIN * size;
+        let mut are_negative = Vec::with_capacity(u.len());
+        // A loop without branches takes many numbers at a time.
+        for (u, v) in u.chunks(LANES).zip(v.chunks(LANES)) {
+            let weights = || u.iter().zip(v).map(weight_and_size);
+            let start = are_negative.len();
+            are_negative.extend(weights().map(|(weight, _)| weight < 0.0));
+            if !weights().fold(true, |all, weight| all & is_certain(weight)) {
+                let uncertain = (start..).zip(weights()).filter(|(_, weight)| !is_certain(*weight));
+                // A result of exactly 0 is no product that underflowed.
+                uncertain.for_each(|(row, (_, size))| are_negative[row] = size != 0.0 && exact(row));
+            }
+        }
+        are_negative
     }
 
     /// Σ u·m and Σ v·m. Exact.

@@ -1,16 +1,28 @@
 //! Columns of readings as floats, for a filter that bears their roundings.
 
-use boundfit_exact::{Column, Foreign};
+use boundfit_exact::{Column, Foreign, Unit};
 use boundfit_geometry::grid::{RoundedStrips, in_range};
 
 use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::measurement::Measurement;
-use crate::rounded::{MARGIN, about_middle, around, exact_bounds, float};
+use crate::rounded::{MARGIN, about_middle, are_apart, around, exact_bounds, float};
 use crate::scale::Scale;
 
 /// The numbers of a column in this sense. Cost: a nanosecond or two each, but for those that are far beyond the range.
-pub(super) fn floats(column: &Column) -> Vec<f64> {
+fn floats(column: &Column) -> Vec<f64> {
+    let unit = match column {
+        Column::Narrow(scaled) => Some(scaled.unit()),
+        Column::Wide(scaled) => Some(scaled.unit()),
+        _ => None,
+    };
+    // Integers of 126 bits are in range on any unit but that of a far exponent.
+    let is_in_range = match unit {
+        Some(Unit::TenTo(exponent)) => exponent.unsigned_abs() <= 100,
+        Some(Unit::Any | Unit::OneOver(_)) => true,
+        None => false,
+    };
     match column.rounded() {
+        Some(floats) if is_in_range => floats,
         Some(mut floats) => {
             floats.iter_mut().for_each(|number| *number = in_range(*number));
             floats
@@ -73,39 +85,45 @@ fn around_y(meaning: &Meaning, scale: &Scale, columns: &[Column]) -> Option<[Vec
         Scale::AsStated | Scale::Times(_) => meaning.error_bound.uniform(),
     };
     let factor = if let Scale::Times(factor) = scale { in_range(factor.to_f64()) } else { 1.0 };
-    let (lower, upper) = match uniform {
+    Some(match uniform {
         Some(epsilon) => {
             let reach = in_range(epsilon.to_f64()) * factor;
-            response.iter().map(|&y| around(y, reach).into()).unzip()
+            both(response.iter().map(|&y| around(y, reach)))
         }
         None => {
             let epsilon = floats(columns.get(1)?);
-            response.iter().zip(&epsilon).map(|(&y, epsilon)| around(y, epsilon * factor).into()).unzip()
+            both(response.iter().zip(&epsilon).map(|(&y, epsilon)| around(y, epsilon * factor)))
         }
-    };
-    Some([lower, upper])
+    })
+}
+
+/// The first and the second number of all pairs. Two loops without branches compute many of them at a time.
+fn both(pairs: impl Iterator<Item = [f64; 2]> + Clone) -> [Vec<f64>; 2] {
+    [pairs.clone().map(|[first, _]| first).collect(), pairs.map(|[_, second]| second).collect()]
 }
 
 /// Bounds as they are stated, `sign` times infinity away where there is none; behind each bound stands whether it is there.
 fn stated(side: Option<[&Column; 2]>, sign: f64, count: usize) -> Vec<f64> {
     let Some([bound, presence]) = side else { return vec![sign * f64::NEG_INFINITY; count] };
-    let bounds = floats(bound).into_iter().zip(floats(presence));
-    let is_there = |(bound, presence): (f64, f64)| match presence == 0.0 {
-        true => sign * f64::NEG_INFINITY,
-        false => bound + sign * MARGIN * bound.abs(),
-    };
-    bounds.map(is_there).collect()
+    let mut bounds = floats(bound);
+    bounds.iter_mut().for_each(|bound| *bound += sign * MARGIN * bound.abs());
+    if presence.has_zero() {
+        let missing = bounds.iter_mut().zip(floats(presence)).filter(|(_, presence)| *presence == 0.0);
+        missing.for_each(|(bound, _)| *bound = sign * f64::NEG_INFINITY);
+    }
+    bounds
 }
 
 /// Bounds about their middles at a factor on their distance. Bounds that cross, or of which one is missing, stay as
 /// they are. Other bounds may be too close to tell: `other` gives their values.
 fn about_middles(sides: [[&Column; 2]; 2], factor: f64, other: impl Fn(usize) -> [f64; 2]) -> [Vec<f64>; 2] {
-    let [[lower, has_lower], [upper, has_upper]] = sides.map(|side| side.map(floats));
-    let bounds = |row: usize| {
-        let has_both = has_lower[row] != 0.0 && has_upper[row] != 0.0;
-        let known = has_both.then(|| about_middle([lower[row], upper[row]], factor)).flatten();
-        <(f64, f64)>::from(known.unwrap_or_else(|| other(row)))
-    };
-    let (lower, upper) = (0..lower.len()).map(bounds).unzip();
+    let stated = sides.map(|[bound, _]| floats(bound));
+    let pairs = || stated[0].iter().zip(&stated[1]).map(|(&lower, &upper)| [lower, upper]);
+    let [mut lower, mut upper] = both(pairs().map(|pair| about_middle(pair, factor)));
+    let mut set = |row: usize| [lower[row], upper[row]] = other(row);
+    (0..).zip(pairs()).filter(|(_, pair)| !are_apart(*pair)).for_each(|(row, _)| set(row));
+    for presence in sides.iter().map(|[_, presence]| presence).filter(|presence| presence.has_zero()) {
+        (0..).zip(floats(presence)).filter(|(_, presence)| *presence == 0.0).for_each(|(row, _)| set(row));
+    }
     [lower, upper]
 }

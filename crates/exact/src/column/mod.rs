@@ -75,18 +75,22 @@ impl Column {
         Column::Fractions(counts.map(|count| unit.times(count)).collect())
     }
 
+    /// Returns a column of these counts of units; `None` where one of them has more than 62 bits. Exact. Cost: a look at each.
+    pub fn of_short_counts(counts: Vec<i64>, unit: Unit) -> Option<Self> {
+        let all = counts.iter().fold(0, |all, &count| all | count.unsigned_abs());
+        (all >> <i64 as Count>::BITS == 0).then(|| Column::Narrow(Scaled::of_counts(counts, unit)))
+    }
+
     /// Returns a column of these counts of units, given by their offsets above one of them. Exact. Cost: an addition
     /// each.
     pub fn of_offsets(base: i64, offsets: &[u32], unit: Unit) -> Self {
-        // A sum of an integer of 62 bits and one of 32 bits is never beyond 63 bits.
-        let counts: Vec<i64> = offsets.iter().map(|&offset| base.wrapping_add(offset.into())).collect();
-        let is_narrow = |count: &i64| <i64 as Count>::new((*count).into()).is_some();
-        match base.unsigned_abs() >> <i64 as Count>::BITS == 0 && counts.iter().max().is_none_or(is_narrow) {
-            true => Column::Narrow(Scaled::of_counts(counts, unit)),
-            false => {
-                Column::of_counts(offsets.iter().map(|&offset| i128::from(base) + i128::from(offset)), unit)
-            }
+        let wide = || offsets.iter().map(|&offset| i128::from(base) + i128::from(offset));
+        if base.unsigned_abs() >> <i64 as Count>::BITS != 0 {
+            return Column::of_counts(wide(), unit);
         }
+        // A sum of an integer of 62 bits and one of 32 bits is never beyond 63 bits.
+        let counts = offsets.iter().map(|&offset| base.wrapping_add(offset.into())).collect();
+        Column::of_short_counts(counts, unit).unwrap_or_else(|| Column::of_counts(wide(), unit))
     }
 
     /// The number of numbers there are.
@@ -240,6 +244,18 @@ impl Column {
             return;
         }
         self.push_count(mantissa.into(), Unit::TenTo(exponent));
+    }
+
+    /// Adds `mantissa · 10^exponent` so many times. Cost: a word each where [`Column::push_decimal`] is as cheap.
+    pub fn push_repeated(&mut self, mantissa: i64, exponent: i32, times: usize) {
+        // The first one settles the unit.
+        let Some(more) = times.checked_sub(1) else { return };
+        self.push_decimal(mantissa, exponent);
+        let is_added =
+            self.as_narrow_mut().is_some_and(|scaled| scaled.push_repeated(mantissa, exponent, more));
+        if !is_added {
+            (0..more).for_each(|_| self.push_decimal(mantissa, exponent));
+        }
     }
 
     /// Adds `mantissa · 10^exponent` with a long mantissa.

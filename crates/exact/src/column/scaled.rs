@@ -247,6 +247,13 @@ impl Scaled<i64> {
         true
     }
 
+    /// Adds a number `mantissa · 10^exponent` so many times; none, and gives `false`, as [`Scaled::push_row`] does.
+    pub(super) fn push_repeated(&mut self, mantissa: i64, exponent: i32, times: usize) -> bool {
+        let Some(count) = self.on_unit(mantissa, exponent) else { return false };
+        self.counts.extend(std::iter::repeat_n(count, times));
+        true
+    }
+
     /// These numbers as wider integers.
     pub(super) fn widened(&self) -> Scaled<i128> {
         Scaled { counts: self.counts.iter().map(|&count| count.into()).collect(), unit: self.unit }
@@ -304,5 +311,33 @@ mod tests {
         assert!(column.append([7, i128::from(i64::MAX)], Unit::TenTo(0)).is_none());
         assert_eq!(column.counts(), [1, 1 << 61]);
         assert!(Scaled::<i64>::new([1 << 62], Unit::TenTo(0)).is_none());
+    }
+
+    #[test]
+    fn a_number_is_repeated_as_if_it_came_each_time() {
+        use crate::{Column, Unit};
+
+        let largest = (1 << 62) - 1;
+        for before in [None, Some((15, -1)), Some((largest, 0)), Some((1, -30)), Some((1, -200))] {
+            for (mantissa, exponent) in [(1, 0), (-7, -3), (0, 5), (3, 300), (i64::MAX, -2)] {
+                for times in 0..4 {
+                    let mut column = Column::default();
+                    before
+                        .into_iter()
+                        .for_each(|(mantissa, exponent)| column.push_decimal(mantissa, exponent));
+                    let mut expected = column.clone();
+                    column.push_repeated(mantissa, exponent, times);
+                    (0..times).for_each(|_| expected.push_decimal(mantissa, exponent));
+                    assert_eq!(column, expected, "{before:?} {mantissa} {exponent} {times}");
+                }
+            }
+        }
+        for counts in
+            [vec![], vec![0, -largest, largest], vec![largest + 1], vec![-largest - 1], vec![i64::MIN]]
+        {
+            let expected = Column::of_counts(counts.iter().map(|&count| count.into()), Unit::TenTo(-2));
+            let is_narrow = matches!(expected, Column::Narrow(_));
+            assert_eq!(Column::of_short_counts(counts, Unit::TenTo(-2)), is_narrow.then_some(expected));
+        }
     }
 }

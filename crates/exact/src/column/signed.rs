@@ -9,19 +9,21 @@ impl Column {
         let signs = || is_negated.iter().copied().chain(std::iter::repeat(false));
         match self {
             Column::Narrow(scaled) => {
+                let mut counts = scaled.counts().to_vec();
                 // All bits turned, and 1 added; no magnitude has all bits.
-                let counts = scaled.counts().iter().zip(signs()).map(|(&count, negated)| {
-                    let mask = -i64::from(negated);
-                    (count ^ mask).wrapping_sub(mask)
-                });
-                Column::Narrow(Scaled::of_counts(counts.collect(), scaled.unit()))
+                for (count, &is_negated) in counts.iter_mut().zip(is_negated) {
+                    let mask = -i64::from(is_negated);
+                    *count = (*count ^ mask).wrapping_sub(mask);
+                }
+                Column::Narrow(Scaled::of_counts(counts, scaled.unit()))
             }
             Column::Wide(scaled) => {
-                let counts = scaled.counts().iter().zip(signs()).map(|(&count, negated)| {
-                    let mask = -i128::from(negated);
-                    (count ^ mask).wrapping_sub(mask)
-                });
-                Column::Wide(Scaled::of_counts(counts.collect(), scaled.unit()))
+                let mut counts = scaled.counts().to_vec();
+                for (count, &is_negated) in counts.iter_mut().zip(is_negated) {
+                    let mask = -i128::from(is_negated);
+                    *count = (*count ^ mask).wrapping_sub(mask);
+                }
+                Column::Wide(Scaled::of_counts(counts, scaled.unit()))
             }
             Column::Long(long) => Column::Long(Long::negated_where(long, signs())),
             Column::Doubles(doubles) => {

@@ -164,9 +164,18 @@ impl Lane<'_> {
     /// The number in the cell that starts here; `None` where it takes more to read it, or there is none.
     #[inline(always)]
     pub(super) fn plain_number(&self, at: usize) -> Option<Plain> {
+        self.number_by(plain_prefix, at)
+    }
+
+    /// [`Self::plain_number`], with what reads its digits.
+    #[inline(always)]
+    pub(super) fn number_by(
+        &self,
+        prefix: impl Fn(&[u8]) -> Option<PlainPrefix>,
+        at: usize,
+    ) -> Option<Plain> {
         let quotes = self.opening_quotes(at);
-        let PlainPrefix { mantissa, fraction_digits, length } =
-            plain_prefix(self.numbers.get(at + quotes..)?)?;
+        let PlainPrefix { mantissa, fraction_digits, length } = prefix(self.numbers.get(at + quotes..)?)?;
         let end = at + quotes + length;
         if quotes == 0 && self.is_end_of_cell(end) {
             return Some(Plain { mantissa, exponent: -fraction_digits, end });

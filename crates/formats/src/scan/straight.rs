@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use boundfit_exact::{Column, Scaled};
+use boundfit_exact::{Column, Scaled, any_prefix};
 
 use super::batch::Pieces;
 use super::lane::{Lane, Plain};
@@ -82,7 +82,7 @@ impl Straight {
     }
 
     /// Adds the rows from a position on up to one that takes more than this; gives how many, and where that one starts. `None`
-    /// when a column has become one of other numbers than integers of 64 bits.
+    /// when there are keys, and a column has become one of other numbers than integers of 64 bits.
     pub(super) fn read(&self, lane: &mut Lane, at: usize) -> Option<(usize, usize)> {
         let mut columns = std::mem::take(&mut lane.batch.columns);
         let mut keys = lane.batch.keys.take();
@@ -96,7 +96,7 @@ impl Straight {
         if let Some((rows, _)) = read {
             let is_presence = |(column, _): &(usize, &mut Column)| self.presences.contains(column);
             for (_, presence) in columns.iter_mut().enumerate().filter(is_presence) {
-                (0..rows).for_each(|_| presence.push_decimal(1, 0));
+                presence.push_repeated(1, 0, rows);
             }
         }
         lane.batch.columns = columns;
@@ -126,15 +126,41 @@ impl<const N: usize> Way<N> {
         lane: &Lane,
         start: usize,
         columns: &mut [Column],
-        mut keys: Option<&mut Pieces<String>>,
+        keys: Option<&mut Pieces<String>>,
     ) -> Option<(usize, usize)> {
-        let columns = columns.get_disjoint_mut(self.cells.map(|cell| cell.column)).ok()?;
-        let columns = columns.into_iter().map(Column::as_narrow_mut);
-        let columns: Vec<&mut Scaled<i64>> = columns.collect::<Option<_>>()?;
-        let mut columns: [_; N] = columns.try_into().ok()?;
+        let mut columns = columns.get_disjoint_mut(self.cells.map(|cell| cell.column)).ok()?;
+        if columns.iter().all(|column| matches!(column, Column::Narrow(_))) {
+            let columns = columns.into_iter().map(Column::as_narrow_mut);
+            let columns: Vec<&mut Scaled<i64>> = columns.collect::<Option<_>>()?;
+            let mut columns: [_; N] = columns.try_into().ok()?;
+            return Some(
+                self.rows::<KEYED, false>(lane, start, keys, |row| Scaled::push_row(&mut columns, row)),
+            );
+        }
+        if KEYED {
+            return None;
+        }
+        let push = |row: [(i64, i32); N]| {
+            let numbers = columns.iter_mut().zip(row);
+            numbers.for_each(|(column, (mantissa, exponent))| column.push_decimal(mantissa, exponent));
+            true
+        };
+        // Long columns most likely have long numbers.
+        Some(self.rows::<false, true>(lane, start, None, push))
+    }
+
+    /// Adds rows as long as `push` takes their numbers.
+    #[inline(always)]
+    fn rows<const KEYED: bool, const LONG: bool>(
+        &self,
+        lane: &Lane,
+        start: usize,
+        mut keys: Option<&mut Pieces<String>>,
+        mut push: impl FnMut([(i64, i32); N]) -> bool,
+    ) -> (usize, usize) {
         let (mut rows, mut at) = (0, start);
         let (mut key, mut last_key) = (None, None);
-        while let Some((numbers, next)) = self.row::<KEYED>(lane, at, last_key.as_ref(), &mut key) {
+        while let Some((numbers, next)) = self.row::<KEYED, LONG>(lane, at, last_key.as_ref(), &mut key) {
             let is_same = KEYED && last_key.is_some() && key == last_key;
             let new_key = match &key {
                 Some(key) if KEYED && !is_same => match lane.chunk.get(key.clone()).map(decode) {
@@ -143,7 +169,7 @@ impl<const N: usize> Way<N> {
                 },
                 _ => None,
             };
-            if !Scaled::push_row(&mut columns, numbers) {
+            if !push(numbers) {
                 break;
             }
             if KEYED && let Some(keys) = &mut keys {
@@ -156,13 +182,13 @@ impl<const N: usize> Way<N> {
             at = next;
             rows += 1;
         }
-        Some((rows, at))
+        (rows, at)
     }
 
     /// The numbers of the row that starts here, as mantissas and exponents, and the start of the next line. Its key is that of the row
     /// before if it has the same text.
     #[inline(always)]
-    fn row<const KEYED: bool>(
+    fn row<const KEYED: bool, const LONG: bool>(
         &self,
         lane: &Lane,
         start: usize,
@@ -194,7 +220,8 @@ impl<const N: usize> Way<N> {
             for _ in 0..cell.separators {
                 at = lane.after_separator(at)?;
             }
-            let Plain { mantissa, exponent, end } = lane.plain_number(at)?;
+            let plain = if LONG { lane.number_by(any_prefix, at) } else { lane.plain_number(at) };
+            let Plain { mantissa, exponent, end } = plain?;
             if cell.non_negative && mantissa < 0 {
                 return None;
             }

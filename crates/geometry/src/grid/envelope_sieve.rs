@@ -12,8 +12,11 @@
 //! sum by 2⁻⁵³ more. Twice as much is left between it and the right-hand side, of which the caller says what it is
 //! certainly not below.
 
+use std::sync::OnceLock;
+
 use boundfit_exact::{Rational, Sign};
 
+use super::slopes::Slopes;
 use crate::constructions::{foot, meet};
 use crate::half_plane::HalfPlane;
 use crate::hull::HullSide;
@@ -21,15 +24,15 @@ use crate::predicates::by_tightness;
 use crate::touching::{Family, is_vertical};
 
 /// 2⁻⁴⁸.
-const MARGIN: f64 = 1.0 / (1_u64 << 48) as f64;
+pub(super) const MARGIN: f64 = 1.0 / (1_u64 << 48) as f64;
 /// 2⁻⁵⁰⁰ and 2⁵⁰⁰.
 const RANGE: [f64; 2] = [f64::from_bits((1023 - 500) << 52), f64::from_bits((1023 + 500) << 52)];
 /// More corners than these would take longer to look at than they are worth.
-const MOST_CORNERS: usize = 16;
+const MOST_CORNERS: usize = 64;
 
 /// The number of rows that are tested together. Compilers turn loops over fewer numbers into single steps before they see that vector
 /// registers would do.
-const LANES: usize = 32;
+pub(super) const LANES: usize = 32;
 
 /// A number that a filter may compute with: NaN, with which every comparison fails, where it is beyond the range.
 #[inline]
@@ -45,6 +48,8 @@ pub struct EnvelopeSieve {
     /// Bounds of θ2 from above, and those from below in the mirror.
     above: Option<Corners>,
     below: Option<Corners>,
+    /// The same in cells of slopes, which decide about almost all readings of a column; `None` where there are no such cells.
+    slopes: OnceLock<Option<Slopes>>,
     /// The tightest bounds of θ1 from the right, and from the left in the mirror.
     right: Option<f64>,
     left: Option<f64>,
@@ -52,10 +57,11 @@ pub struct EnvelopeSieve {
 
 /// The set that is left by half-planes with `a2 > 0`.
 #[derive(Debug, Clone)]
-struct Corners {
-    corners: Vec<[f64; 2]>,
-    /// The largest magnitudes of their coordinates.
-    farthest: [f64; 2],
+pub(super) struct Corners {
+    /// The corners, by ascending a1/a2 of the half-planes that meet there.
+    pub(super) corners: Vec<[f64; 2]>,
+    /// a1/a2 of the half-planes, ascending: each corner is between two of them, but for that of a single one.
+    pub(super) slopes: Vec<f64>,
     /// The normals of both unbounded edges, the one with the least a1/a2 first.
     edges: [Edge; 2],
 }
@@ -128,11 +134,11 @@ impl RoundedStrips {
 }
 
 /// Rows turned so that φ2 is not negative: slope·θ1 + height·θ2 ≤ `from_above` and -slope·θ1 - height·θ2 ≤ `from_below`.
-struct Lanes {
-    slope: [f64; LANES],
-    height: [f64; LANES],
-    from_above: [f64; LANES],
-    from_below: [f64; LANES],
+pub(super) struct Lanes {
+    pub(super) slope: [f64; LANES],
+    pub(super) height: [f64; LANES],
+    pub(super) from_above: [f64; LANES],
+    pub(super) from_below: [f64; LANES],
 }
 
 impl EnvelopeSieve {
@@ -151,6 +157,7 @@ impl EnvelopeSieve {
         EnvelopeSieve {
             above: corners(HullSide::Lower, 1.0),
             below: corners(HullSide::Upper, -1.0),
+            slopes: OnceLock::new(),
             right: vertical(true, 1.0),
             left: vertical(false, -1.0),
         }
@@ -159,31 +166,19 @@ impl EnvelopeSieve {
     /// Positions, ascending, of the readings that are not [discarded](Self::discards). Cost: linear, and little for each of those
     /// far from all envelopes.
     pub fn survivors(&self, strips: &RoundedStrips, exact: impl Fn(usize) -> [Rational; 2]) -> Vec<usize> {
+        /// Fewer readings are not worth cells.
+        const FEW: usize = 8 * LANES;
+        let slopes = || self.slopes.get_or_init(|| Slopes::new(self.above.as_ref(), self.below.as_ref()));
+        let slopes = if strips.len() < FEW { None } else { slopes().as_ref() };
         let mut left = Vec::new();
         for start in (0..strips.len()).step_by(LANES) {
-            let certain = strips.lanes(start).map_or([false; LANES], |lanes| self.discards_lanes(&lanes));
+            let lanes = slopes.zip(strips.lanes(start));
+            let certain = lanes.map_or([false; LANES], |(slopes, lanes)| slopes.discard(&lanes));
             let uncertain = certain.into_iter().enumerate().filter(|(_, is_certain)| !is_certain);
             let rows = uncertain.map(|(lane, _)| start + lane).take_while(|&row| row < strips.len());
             left.extend(rows.filter(|&row| !self.discards(&strips.strip(row), || exact(row))));
         }
         left
-    }
-
-    /// Returns which of some rows are discarded without a second look.
-    #[inline]
-    fn discards_lanes(&self, lanes: &Lanes) -> [bool; LANES] {
-        // Half-planes that bound θ1 alone are another kind.
-        let mut certain = lanes.height.map(|height| height > 0.0);
-        let mut contain = |corners: &Option<Corners>, slope: &[f64; LANES], bound: &[f64; LANES]| {
-            let within = match corners {
-                Some(corners) => corners.contain(slope, &lanes.height, bound),
-                None => bound.map(|bound| bound == f64::INFINITY),
-            };
-            certain.iter_mut().zip(within).for_each(|(certain, within)| *certain &= within);
-        };
-        contain(&self.above, &lanes.slope, &lanes.from_above);
-        contain(&self.below, &lanes.slope.map(|slope| -slope), &lanes.from_below);
-        certain
     }
 
     /// Returns whether both half-planes of a reading certainly touch no envelope of the whole. `exact` gives its φ, and is asked only
@@ -233,8 +228,11 @@ impl Corners {
         let last = half_planes.len().checked_sub(1)?;
         // A set that is larger discards less, and nothing wrongly.
         let count = half_planes.len().min(MOST_CORNERS + 1);
-        let chosen: Vec<&HalfPlane> =
+        let mut chosen: Vec<&HalfPlane> =
             (0..count).map(|k| half_planes[k * last / (count - 1).max(1)]).collect();
+        if mirror < 0.0 {
+            chosen.reverse();
+        }
         let corner = |[f, g]: [&HalfPlane; 2]| {
             let [theta1, theta2] = meet(f, g).unwrap_or_else(|| foot(f)).coordinates();
             [in_range(theta1.to_f64()), in_range(theta2.to_f64()) * mirror]
@@ -250,42 +248,18 @@ impl Corners {
             let rounded = exact.each_ref().map(|number| in_range(number.to_f64()));
             Edge { exact, rounded }
         };
-        let mut edges = [edge(chosen[0]), edge(chosen[chosen.len() - 1])];
-        if mirror < 0.0 {
-            edges.reverse();
-        }
+        let slope = |half_plane: &&HalfPlane| {
+            let [a1, a2] =
+                [half_plane.a1(), half_plane.a2()].map(|own| in_range(Rational::from(own).to_f64()));
+            a1 / (a2 * mirror)
+        };
+        let mut slopes: Vec<f64> = chosen.iter().map(slope).collect();
+        // Rounded, neighbours may have changed places.
+        slopes.sort_unstable_by(f64::total_cmp);
+        let edges = [edge(chosen[0]), edge(chosen[chosen.len() - 1])];
         let numbers = corners.iter().chain(edges.iter().map(|edge| &edge.rounded)).flatten();
-        let is_known = numbers.copied().all(f64::is_finite);
-        let farthest = [0, 1].map(|axis| corners.iter().map(|own| own[axis].abs()).fold(0.0, f64::max));
-        is_known.then_some(Corners { corners, farthest, edges })
-    }
-
-    /// Returns for which half-planes the answers of [`Self::are_within`] and [`Self::is_between_edges`] are certain
-    /// and yes. The margin is that of the farthest corner, so that little is left to do for each.
-    #[inline]
-    fn contain(&self, slope: &[f64; LANES], height: &[f64; LANES], bound: &[f64; LANES]) -> [bool; LANES] {
-        let normals = || slope.iter().zip(height);
-        let mut largest = [f64::NEG_INFINITY; LANES];
-        for &[v1, v2] in &self.corners {
-            for (largest, (slope, height)) in largest.iter_mut().zip(normals()) {
-                let value = slope * v1 + height * v2;
-                *largest = if value > *largest { value } else { *largest };
-            }
-        }
-        let ([one, other], [far1, far2]) = (self.edges.each_ref().map(|edge| edge.rounded), self.farthest);
-        let mut certain = [false; LANES];
-        let known = largest.iter().zip(bound);
-        for ((certain, (slope, height)), (largest, bound)) in certain.iter_mut().zip(normals()).zip(known) {
-            let margin = MARGIN * (slope.abs() * far1 + height * far2);
-            let turned = |edge: [f64; 2], sign: f64| {
-                let (p, q) = (slope * edge[1], height * edge[0]);
-                (p - q) * sign > MARGIN * (p.abs() + q.abs())
-            };
-            // Comparisons with what is out of range fail, and so do all with its margin.
-            let is_within = largest + margin < *bound;
-            *certain = (*bound == f64::INFINITY) | (is_within & turned(one, 1.0) & turned(other, -1.0));
-        }
-        certain
+        let is_known = numbers.chain(&slopes).copied().all(f64::is_finite);
+        is_known.then_some(Corners { corners, slopes, edges })
     }
 
     /// Returns whether a·θ < bound certainly holds in every corner.

@@ -24,6 +24,7 @@ mod point;
 mod rounded_sieve;
 mod sample;
 mod sieve;
+mod slopes;
 mod strip;
 
 pub use columns::{candidates_of_columns, touching_of_columns, touching_places_of_columns};
