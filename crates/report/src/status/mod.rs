@@ -80,7 +80,7 @@ fn of_all(problem: &Problem, fit: &Fit, ranking: &Ranking) -> Vec<String> {
         let mending = match ranking.count_without(Some(Status::Outlier)) {
             0 => "No single reading is an outlier: without any one of them the set stays empty.",
             1 => "Without the reading below the set is not empty; no other reading has this effect.",
-            _ => "Without any one of the readings below the set is not empty; no other reading has this effect.",
+            _ => "Without any one of the readings below the set is not empty; no other has this effect.",
         };
         return vec![
             format!("No theta meets every bound. These {verb}: {}.", names.collect::<Vec<_>>().join(", ")),
