@@ -16,23 +16,27 @@
 mod cells;
 mod columns;
 mod coordinate;
+mod corners;
 mod doubles;
 mod envelope_sieve;
 mod filter;
 mod known_hulls;
 mod point;
 mod rounded_sieve;
+mod rounded_strips;
 mod sample;
 mod sieve;
 mod slopes;
 mod strip;
 
 pub use columns::{candidates_of_columns, touching_of_columns, touching_places_of_columns};
+pub use corners::in_range;
 pub use doubles::touching_doubles;
-pub use envelope_sieve::{EnvelopeSieve, RoundedStrip, RoundedStrips, in_range};
+pub use envelope_sieve::EnvelopeSieve;
 pub use filter::Place;
 pub use point::{GridPoint, doubled_area};
 pub use rounded_sieve::{RoundedSieve, candidates_of_rounded};
+pub use rounded_strips::{RoundedStrip, RoundedStrips};
 pub use sieve::Sieve;
 
 /// Returns the points on the lower or the upper hull. These are corners, and points on the hull's vertical ends that

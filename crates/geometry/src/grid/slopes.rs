@@ -13,7 +13,8 @@
 //! is 2⁻⁴³·(1 + |c|/k) longer on both sides. That also covers the rounding of its ends: back in slopes it is at least
 //! 2⁻⁴³·(k + |c| + |s|).
 
-use super::envelope_sieve::{Corners, LANES, Lanes, MARGIN, in_range};
+use super::corners::{Corners, MARGIN, in_range};
+use super::rounded_strips::{LANES, Lanes};
 
 /// Cells from t = -1 to t = 1, of which the first and the last are half as long.
 const CELLS: usize = 2 * HALF + 1;
