@@ -246,7 +246,7 @@ impl Column {
         self.push_count(mantissa.into(), Unit::TenTo(exponent));
     }
 
-    /// Adds `mantissa · 10^exponent` so many times. Cost: a word each where [`Column::push_decimal`] is as cheap.
+    /// Adds `mantissa · 10^exponent` `times` times. Cost: a word for each number if the column is narrow.
     pub fn push_repeated(&mut self, mantissa: i64, exponent: i32, times: usize) {
         // The first one settles the unit.
         let Some(more) = times.checked_sub(1) else { return };

@@ -247,7 +247,7 @@ impl Scaled<i64> {
         true
     }
 
-    /// Adds a number `mantissa · 10^exponent` so many times; none, and gives `false`, as [`Scaled::push_row`] does.
+    /// Adds `mantissa · 10^exponent` `times` times. Returns `false` and adds nothing if it has no count on this unit.
     pub(super) fn push_repeated(&mut self, mantissa: i64, exponent: i32, times: usize) -> bool {
         let Some(count) = self.on_unit(mantissa, exponent) else { return false };
         self.counts.extend(std::iter::repeat_n(count, times));
