@@ -45,6 +45,9 @@ def texts():
         table = (kind, MILLIONS, "csv")
         yield Work(f"{name}, CSV, no EUI", table, line("--no-eui", eps=eps), ("polars", without))
         yield Work(f"{name}, CSV", table, line(eps=eps), ("polars", with_eui))
+    for name, kind, eps, aim in (("doubles of 15 to 17 digits", "doubles", "0.5", 0.6), ("integers with ties", "codes", "10", 0.35)):
+        rounded = line("--no-eui", "--reading", "binary64", eps=eps)
+        yield Work(f"{name}, CSV, binary64, no EUI", (kind, MILLIONS, "csv"), rounded, ("s", aim))
 
 
 def binaries():
@@ -96,6 +99,7 @@ def models():
     yield Work("a bound for each row", ("bounds", million, "csv"), each, ("s", 0.08))
     yield Work("a bound for each row, 17 digits", ("bounds-of-doubles", million, "csv"), each, ("s", 0.15))
     yield Work("an interval for each row", ("bounds", million, "csv"), ends, ("s", 0.1))
+    yield Work("an interval for each row, 17 digits", ("bounds-of-doubles", million, "csv"), ends, ("s", 0.2))
     for rows, name, aim in ((1_000, "10³", 0.02), (100_000, "10⁵", 0.1), (million, "10⁶", 0.5)):
         yield Work(f"errors of x too, {name} rows", ("short", rows, "csv"), line("--x-eps", "0.01"), ("s", aim))
 
@@ -137,6 +141,19 @@ def commands():
     yield Work("check with all solvers, 10⁵ rows", fewer, bound, ("s", 1), "check")
     mps = ["--to", "mps", "--objective", "theta1-min", "-o", "{out}.mps"]
     yield Work("convert --to mps, 10⁶ rows", short, [*bound, *mps], ("s", 1.5), "convert")
+
+
+def surfaces():
+    """What Python takes for one call: name, what `peers.py` does, the table, ε and the aim in seconds."""
+    for digits, kind, aim in (("short decimals", "short", 12e-6), ("17 digits", "doubles", 20e-6)):
+        yield f"Python, fit of 23 rows, {digits}", "boundfit-fit", (kind, 23), "0.5", aim
+    for rows, name, aim in ((1_000, "1 000", 0.3e-3), (10_000, "10 000", 1.2e-3), (10_001, "10 001", 1.2e-3)):
+        yield f"Python, fit of {name} rows, 17 digits", "boundfit-fit", ("doubles", rows), "0.5", aim
+    yield "Python, fit_groups of 10⁵ sensors × 23 rows", "boundfit-groups", ("fleet", 100_000), "0.5", 0.7
+
+
+# The rows of a lesson about a smooth curve, and the seconds that an edit of it should take.
+LESSONS = {100: 0.06, 300: 0.2}
 
 
 def works():

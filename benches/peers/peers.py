@@ -176,6 +176,23 @@ def read_duckdb(file, _epsilon, runs):
     return {**times, "rows": rows, "versions": [f"duckdb {duckdb.__version__}"]}
 
 
+def boundfit_fit(file, epsilon, runs):
+    import boundfit
+
+    x, y = columns(file)
+    times, _ = timed(runs, lambda: boundfit.fit(x, y, epsilon))
+    return {**times, "rows": len(x)}
+
+
+def boundfit_groups(file, epsilon, runs):
+    import boundfit
+    import polars
+
+    frame = polars.read_csv(file)
+    times, _ = timed(runs, lambda: boundfit.fit_groups(frame, by="sensor", x="x", y="y", eps=epsilon))
+    return {**times, "rows": frame.height}
+
+
 WORK = {
     "qhull": qhull,
     "least-squares": least_squares,
@@ -186,6 +203,8 @@ WORK = {
     "read-polars": read_polars,
     "read-polars-least-squares": read_polars_least_squares,
     "read-duckdb": read_duckdb,
+    "boundfit-fit": boundfit_fit,
+    "boundfit-groups": boundfit_groups,
 }
 
 
