@@ -271,7 +271,10 @@ impl ChunkReader {
         }
         let before = chunk.end;
         let size = (self.chunk_bytes.saturating_add(BEYOND)).max(before + BEYOND);
-        if chunk.buffer.len() < size {
+        if chunk.buffer.is_empty() {
+            // Zeros come from the system without being written: a few rows touch few of them.
+            chunk.buffer = vec![0; size];
+        } else if chunk.buffer.len() < size {
             // A line that goes on and on is read in pieces that grow with it.
             chunk.buffer.resize(size.max(before + before / 2), 0);
         }
