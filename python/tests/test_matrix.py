@@ -21,6 +21,7 @@ QUESTIONS: dict[str, dict[str, Any]] = LIST["questions"]
 
 # What people call.
 FUNCTIONS = {
+    "check": boundfit.check,
     "fit": boundfit.fit_file,
     "fit-x-errors": boundfit.fit_file,
     "fleet": boundfit.fit_groups,
@@ -43,10 +44,14 @@ REQUEST: dict[str, Any] = json.loads((ROOT / "schema/boundfit-request-1.json").r
 # Keys of an answer: Python has them where it is asked for.
 ANSWER = {"file", "row_numbers", "format", "digits", "rounding", "exact"}
 # Keys of a question that only reports have, or that no function has yet.
-REPORTS = {"fit": {"sweep", "brief", "full", "inverse"}, "status": {"all"}}
+REPORTS = {
+    "check": {"solver", "claim", "digits_as_printed", "all_rows", "directions", "scaled", "time_limit"},
+    "fit": {"sweep", "brief", "full", "inverse"},
+    "status": {"all"},
+}
 # Parameters with other names than their keys, or without keys.
-NAMES = {"from_": "from", "eui": "no_eui"}
-DATA = {"path", "frame", "id", "how"}
+NAMES = {"from_": "from", "eui": "no_eui", "claim": "claim_pui"}
+DATA = {"path", "frame", "id", "how", "problem"}
 
 
 def parameters(function: Any) -> set[str]:
@@ -93,7 +98,7 @@ def written(line: str, command: str, form: str, proof: Path) -> str | None:
     formats = {"vertices": ["--vertices", "--format", "csv"], "proof": ["--proof", str(proof)]}
     arguments = [name, f"fixtures/{file}", *words, *own, *formats.get(form, ["--format", form])]
     done = subprocess.run([_program(), *arguments], capture_output=True, text=True, cwd=ROOT)
-    if done.returncode not in (0, 3):
+    if done.returncode not in (0, 3, 4):
         return None
     return proof.read_text() if form == "proof" else done.stdout
 

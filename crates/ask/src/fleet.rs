@@ -231,6 +231,6 @@ impl Ask for Fleet {
         // The text form itself ends with the summary.
         let is_beside = paper.form != Form::Text;
         let summary = if is_beside { summary.to_text() + &groups.remarks() } else { String::new() };
-        Ok(Written { is_empty, summary })
+        Ok(Written { is_empty, summary, ..Written::default() })
     }
 }

@@ -6,6 +6,7 @@
 //!
 //! | module | question |
 //! |---|---|
+//! | `check` | which ends of both intervals are right, of those that solvers find and others claim |
 //! | `fit` | every parameter pair that agrees with all readings |
 //! | `fleet` | the fit of each group of readings |
 //! | `linearity` | how far a sensor is from a straight line |
@@ -41,6 +42,7 @@
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
 mod asked;
+mod check;
 mod fit;
 mod fleet;
 mod form;
@@ -67,6 +69,7 @@ mod wrong_type;
 mod x_errors;
 
 pub use asked::{Asked, AskedXBounds, XErrors};
+pub use check::{Check, ClaimFile, tolerance};
 pub use fit::{Factors, Fit, Fittable, Fitted};
 pub use fleet::{Fleet, Groups};
 pub use form::{Form, Shows, Written};

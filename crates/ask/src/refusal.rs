@@ -2,6 +2,7 @@
 
 use std::io;
 
+use boundfit_check::{ClaimFileError, SourceError};
 use boundfit_exact::english::counted;
 use boundfit_exact::{Limit, TooMuchWork};
 use boundfit_formats::{InputError, Way};
@@ -53,6 +54,10 @@ pub enum Refusal {
     FurtherError(NoFurtherError),
     /// Nothing bounds the error of the next reading, which the question is about: why.
     NextError(String),
+    /// A file of claims cannot be used.
+    Claim(ClaimFileError),
+    /// The build has no solver of this name.
+    Solver(SourceError),
     /// Outliers are not found.
     Outliers {
         /// The reason.
@@ -90,9 +95,15 @@ impl Refusal {
             | Refusal::Form { .. }
             | Refusal::FurtherError(_)
             | Refusal::NextError(_)
+            | Refusal::Solver(_)
             | Refusal::NoProof(_) => true,
             _ => false,
         }
+    }
+
+    /// Returns whether the sentence names the file that is at fault.
+    pub fn names_file(&self) -> bool {
+        matches!(self, Refusal::Input(_) | Refusal::Claim(_))
     }
 
     /// Returns what can be set so that the request is not refused.
@@ -100,6 +111,7 @@ impl Refusal {
         match self {
             Refusal::Input(error) => error.ways(),
             Refusal::Work(_) => vec![Way::raises(Limit::Work)],
+            Refusal::Claim(error) => error.problem.limit().map(Way::raises).into_iter().collect(),
             Refusal::Value { problem, .. } => problem.limit().map(Way::raises).into_iter().collect(),
             Refusal::Outliers {
                 why: NoOutliers::Steps { .. } | NoOutliers::GrowthSteps { .. },
@@ -135,6 +147,8 @@ impl Refusal {
             }
             Refusal::Misuse(misuse) => misuse.words(surface),
             Refusal::Input(error) => error.to_string(),
+            Refusal::Claim(error) => error.to_string(),
+            Refusal::Solver(error) => error.to_string(),
             Refusal::Work(error) => error.to_string(),
             Refusal::Reduction { ask } => {
                 let subject = match *ask {

@@ -7,6 +7,7 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 use crate::asked::Asked;
+use crate::check::Check;
 use crate::fit::Fit;
 use crate::fleet::Fleet;
 use crate::form::Form;
@@ -143,7 +144,7 @@ macro_rules! questions {
     };
 }
 
-questions!(Fit, FitXErrors, Fleet, Linearity, Next, Outliers, Predict, Range, Status, Window);
+questions!(Check, Fit, FitXErrors, Fleet, Linearity, Next, Outliers, Predict, Range, Status, Window);
 
 impl Request {
     /// Reads a request as JSON says it.

@@ -155,7 +155,7 @@ impl Ask for Window {
         let to_text = summary.to_text(moving, &moved, style) + &remarks;
         let is_empty = summary.has_empty();
         if form != Form::Text {
-            return Ok(Written { is_empty, summary: to_text });
+            return Ok(Written { is_empty, summary: to_text, ..Written::default() });
         }
         let mut text = String::new();
         table.finish(&mut text);

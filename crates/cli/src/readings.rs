@@ -98,11 +98,6 @@ impl<'a> Data<'a> {
         (Asked { options, ..asked }, source)
     }
 
-    /// Reads the problem.
-    pub(crate) fn problem(self) -> Result<Problem, Failure> {
-        self.read(|table| table)
-    }
-
     /// Reads the problem, and keeps the readings of the file that are not fitted.
     pub(crate) fn problem_with_others(self) -> Result<Problem, Failure> {
         self.read(|table| TableOptions { keep_others: true, ..table })
@@ -122,18 +117,12 @@ impl<'a> Data<'a> {
         }
     }
 
-    /// Reads the problem with the readings that can bound anything under some error bound, others too where they are few.
-    pub(crate) fn supporting_problem(self) -> Result<Problem, Failure> {
-        let keep = if self.asked.question.columns.are_open() { Keep::default() } else { Keep::EVERY };
-        self.scanned(keep, Shows::Rows)
-    }
-
     /// Reads the problem for one look at each reading: those of a line under a uniform bound stay in their columns.
     pub(crate) fn problem_in_columns(self) -> Result<Problem, Failure> {
         self.scanned(Keep { most_rows: usize::MAX, ..Keep::DECIDING }, Shows::Nothing)
     }
 
-    /// Reads the problem with every reading, which takes less memory than [`Data::problem`] does, and has no hash of the data.
+    /// Reads the problem with every reading, and without the hash of the data.
     pub(crate) fn whole_problem(self) -> Result<Problem, Failure> {
         self.scanned(Keep::EVERY, Shows::Nothing)
     }

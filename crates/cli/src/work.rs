@@ -17,8 +17,6 @@ pub(crate) mod times {
     pub(crate) const CONVERT: u64 = 2;
     /// A region with its redundant rows; a model with judged solutions.
     pub(crate) const POLYGON: u64 = 2;
-    /// Linear programs, and the exact simplex that judges their answers.
-    pub(crate) const CHECK: u64 = 4;
     /// A figure; all of them are six.
     pub(crate) const PLOT: u64 = 8;
 }

@@ -132,6 +132,33 @@ fn asked(ask: &str, keys: &str) -> Result<(), String> {
 }
 
 #[test]
+fn check_says_which_key_claim_or_solver_is_at_fault() {
+    for (keys, words) in [
+        (r#", "directions": 2"#, "<directions> 2: expected an integer from 3 to 10000"),
+        (r#", "time_limit": 0"#, "<time_limit> 0: expected an integer from 1 to 86400"),
+        (
+            r#", "scaled": true"#,
+            "<scaled> says how directions are spread: say how many there are with <directions>",
+        ),
+        (r#", "tolerance": {"exact": "-1"}"#, "<tolerance> -1: expected a number that is at least 0"),
+        (r#", "claim_pui": ["1,2"]"#, "<claim_pui> 1,2: 2 values (expected four"),
+        (r#", "claim": [{"file": "a", "text": "[]"}]"#, "a: a list (expected"),
+        (
+            r#", "claim": [{"file": "a", "text": "1e9999"}], "limits": {"work": 1}"#,
+            "a: refused: exact arithmetic",
+        ),
+        (r#", "solver": ["none"]"#, "there is no solver \"none\" in this build; it has "),
+    ] {
+        let refused = asked("check", keys).unwrap_err();
+        assert!(refused.starts_with(words), "{keys}: {refused}");
+    }
+    assert_eq!(
+        asked("check", r#", "solver": ["exact-simplex"], "tolerance": 0, "directions": 3, "scaled": true"#),
+        Ok(())
+    );
+}
+
+#[test]
 fn linearity_refuses_what_only_fits_are_asked_under() {
     for (keys, words) in [
         (r#", "where": ["theta1 >= 0"]"#, "<where> is about the set of all lines that agree"),
@@ -218,7 +245,7 @@ fn a_request_says_which_question_and_which_readings() {
     assert_eq!(readings, Readings { x: Some(Regressors::One("V".to_owned())), ..Readings::default() });
     assert_eq!(answer, AnswerWords { digits: Some(Digits(3)), ..AnswerWords::default() });
     for (json, words) in [
-        (r#"{"ask": "rnge"}"#, "<ask> rnge: expected one of \"fit\", \"fit-x-errors\""),
+        (r#"{"ask": "rnge"}"#, "<ask> rnge: expected one of \"check\", \"fit\""),
         (r#"{"x": "V"}"#, "<ask>: it names the question"),
         (r#"{"ask": "range", "most": 1}"#, "request: unknown field `most`"),
         (
