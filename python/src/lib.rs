@@ -2,7 +2,6 @@
 //! `boundfit/*.py`.
 
 mod cells;
-mod claims;
 mod data;
 mod fitted;
 mod fleet;
@@ -32,8 +31,6 @@ mod _boundfit {
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 
-    #[pymodule_export]
-    use crate::claims::check;
     #[pymodule_export]
     use crate::fitted::Fitted;
     #[pymodule_export]

@@ -57,7 +57,7 @@ impl Refusal {
 
     /// Returns the refusal of a question about a file.
     pub(crate) fn of_file(file: &str, refusal: ask::Refusal) -> Self {
-        let says_file = matches!(refusal, ask::Refusal::Input(_)) || refusal.is_misuse();
+        let says_file = refusal.names_file() || refusal.is_misuse();
         let own = Refusal::from(refusal);
         if says_file { own } else { Refusal { message: format!("{file}: {}", own.message), ..own } }
     }

@@ -302,18 +302,20 @@ impl Ask for Fit {
         Err(Refusal::Misuse(vain))
     }
 
-    fn theorem(
-        &self,
-        asked: &Fittable,
-        answer: &Fitted,
-        AskedTheorem { reading, theory, data }: AskedTheorem<'_>,
-    ) -> Result<String, Refusal> {
-        // Readings of a table are all in memory, as they are asked for.
-        let sha256 = asked.problem.measurements.sha256();
-        let same = data.filter(|&(_, own)| sha256 == Some(own)).map(|(bytes, _)| bytes);
-        let theorem = kernel_fit(&asked.problem, &answer.fit, reading, same, theory);
-        theorem.ok_or(Refusal::NoProof(NoProof::Reduction))
+    fn theorem(&self, asked: &Fittable, answer: &Fitted, told: AskedTheorem<'_>) -> Result<String, Refusal> {
+        theorem(&asked.problem, &answer.fit, told)
     }
+}
+
+/// The theorem about the set of a problem, all of whose readings are in memory.
+pub(crate) fn theorem(
+    problem: &Problem,
+    fit: &estimation::Fit,
+    AskedTheorem { reading, theory, data }: AskedTheorem<'_>,
+) -> Result<String, Refusal> {
+    let sha256 = problem.measurements.sha256();
+    let same = data.filter(|&(_, own)| sha256 == Some(own)).map(|(bytes, _)| bytes);
+    kernel_fit(problem, fit, reading, same, theory).ok_or(Refusal::NoProof(NoProof::Reduction))
 }
 
 /// A representation below the comment with the bound on the errors, if that was found from the readings.

@@ -8,7 +8,7 @@ use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{ColumnSelector, Source, TableNotes};
 use boundfit_questions::times;
 use boundfit_report::{
-    FleetCsv, FleetSummary, FleetTable, GroupCells, LineInput, TableJson, in_page_width, table_line,
+    FleetCsv, FleetSummary, FleetTable, GroupCells, LineInput, Style, TableJson, in_page_width, table_line,
     write_group_json,
 };
 use serde::Deserialize;
@@ -218,6 +218,11 @@ impl Ask for Fleet {
         Ok(())
     }
 
+    fn refuse_vain_style(&self, _: Form, _: &Style) -> Result<(), Misuse> {
+        // Lines of many sets are decimals in every form.
+        Ok(())
+    }
+
     fn write(&self, groups: &Groups, (): &(), paper: &mut Paper<'_>) -> Result<Written, Refusal> {
         let write_groups = match paper.form {
             Form::Text => Groups::write_text,
@@ -231,6 +236,6 @@ impl Ask for Fleet {
         // The text form itself ends with the summary.
         let is_beside = paper.form != Form::Text;
         let summary = if is_beside { summary.to_text() + &groups.remarks() } else { String::new() };
-        Ok(Written { is_empty, summary })
+        Ok(Written { is_empty, summary, ..Written::default() })
     }
 }

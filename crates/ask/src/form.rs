@@ -121,6 +121,8 @@ pub enum Shows {
 pub struct Written {
     /// `true` if the set is empty.
     pub is_empty: bool,
+    /// `true` if a claim is refuted.
+    pub is_refuted: bool,
     /// A summary for people, where the form itself has no place for it.
     pub summary: String,
 }
@@ -128,6 +130,6 @@ pub struct Written {
 impl Written {
     /// Returns the facts about an answer that is one set.
     pub(crate) fn of_set(is_empty: bool) -> Self {
-        Written { is_empty, summary: String::new() }
+        Written { is_empty, ..Written::default() }
     }
 }

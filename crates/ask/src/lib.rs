@@ -6,20 +6,22 @@
 //!
 //! | module | question |
 //! |---|---|
+//! | `check` | which ends of both intervals are right, of those that solvers find and others claim |
 //! | `fit` | every parameter pair that agrees with all readings |
 //! | `fleet` | the fit of each group of readings |
 //! | `linearity` | how far a sensor is from a straight line |
 //! | `next` | where the next reading certainly helps |
 //! | `outliers` | the fewest readings to leave out |
+//! | `polygon` | the set of half-planes or generators, without readings |
 //! | `predict` | where the line runs, and where further readings lie |
 //! | `range` | every run of readings that some parameters agree with |
 //! | `status` | what every reading and the set say of each other |
 //! | `window` | the fits of the last readings as the window moves on |
 //! | `x_errors` | the lines that agree with readings whose x have errors, too |
 //!
-//! [`Readings`] says of which readings, in the words of people. [`Request::resolve`] makes of it what the engine takes, [`Asked`], and
-//! refuses words that exclude each other. [`Refusal`] says, as data, why there is no answer. A [`Surface`] knows how it names keys and
-//! limits, and [`Refusal::words`] puts these names into the sentence.
+//! [`Readings`] says of which readings, in the words of people; of half-planes it says how their file is written. [`Request::resolve`]
+//! makes of it what the engine takes, [`Asked`], and refuses words that exclude each other. [`Refusal`] says, as data, why there is no
+//! answer. A [`Surface`] knows how it names keys and limits, and [`Refusal::words`] puts these names into the sentence.
 //!
 //! ```
 //! use boundfit_ask::{Asked, Form, Refusal, Request};
@@ -41,6 +43,7 @@
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
 mod asked;
+mod check;
 mod fit;
 mod fleet;
 mod form;
@@ -50,6 +53,7 @@ mod misuse;
 mod next;
 mod outliers;
 mod paper;
+mod polygon;
 mod predict;
 mod question;
 mod range;
@@ -67,6 +71,7 @@ mod wrong_type;
 mod x_errors;
 
 pub use asked::{Asked, AskedXBounds, XErrors};
+pub use check::{Check, ClaimFile, tolerance};
 pub use fit::{Factors, Fit, Fittable, Fitted};
 pub use fleet::{Fleet, Groups};
 pub use form::{Form, Shows, Written};
@@ -76,8 +81,9 @@ pub use misuse::{Misuse, NoProof};
 pub use next::{Next, common_bound};
 pub use outliers::Outliers;
 pub use paper::{Answer, Out, Paper};
+pub use polygon::Polygon;
 pub use predict::{Predict, Predicted};
-pub use question::{Ask, AskedTheorem};
+pub use question::{Ask, AskedTheorem, Subject};
 pub use range::Range;
 pub use readings::{
     AnswerWords, AskedLimits, Common, Digits, OfRows, Readings, Regressors, RowWords, Rows, TableWords,

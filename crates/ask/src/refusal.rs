@@ -2,6 +2,7 @@
 
 use std::io;
 
+use boundfit_check::{ClaimFileError, SourceError};
 use boundfit_exact::english::counted;
 use boundfit_exact::{Limit, TooMuchWork};
 use boundfit_formats::{InputError, Way};
@@ -38,6 +39,8 @@ pub enum Refusal {
     Misuse(Misuse),
     /// The table cannot be read.
     Input(InputError),
+    /// The table has other columns than half-planes have.
+    NoHalfPlanes(InputError),
     /// Numbers are too long.
     Work(TooMuchWork),
     /// The question is about every reading, and the data are a reduction.
@@ -53,6 +56,10 @@ pub enum Refusal {
     FurtherError(NoFurtherError),
     /// Nothing bounds the error of the next reading, which the question is about: why.
     NextError(String),
+    /// A file of claims cannot be used.
+    Claim(ClaimFileError),
+    /// The build has no solver of this name.
+    Solver(SourceError),
     /// Outliers are not found.
     Outliers {
         /// The reason.
@@ -90,16 +97,23 @@ impl Refusal {
             | Refusal::Form { .. }
             | Refusal::FurtherError(_)
             | Refusal::NextError(_)
+            | Refusal::Solver(_)
             | Refusal::NoProof(_) => true,
             _ => false,
         }
     }
 
+    /// Returns whether the sentence names the file that is at fault.
+    pub fn names_file(&self) -> bool {
+        matches!(self, Refusal::Input(_) | Refusal::NoHalfPlanes(_) | Refusal::Claim(_))
+    }
+
     /// Returns what can be set so that the request is not refused.
     pub fn ways(&self) -> Vec<Way> {
         match self {
-            Refusal::Input(error) => error.ways(),
+            Refusal::Input(error) | Refusal::NoHalfPlanes(error) => error.ways(),
             Refusal::Work(_) => vec![Way::raises(Limit::Work)],
+            Refusal::Claim(error) => error.problem.limit().map(Way::raises).into_iter().collect(),
             Refusal::Value { problem, .. } => problem.limit().map(Way::raises).into_iter().collect(),
             Refusal::Outliers {
                 why: NoOutliers::Steps { .. } | NoOutliers::GrowthSteps { .. },
@@ -115,7 +129,10 @@ impl Refusal {
     pub fn words(&self, surface: &dyn Surface) -> String {
         let sentence = self.sentence(surface);
         let ways: Vec<String> = self.ways().iter().map(|way| surface.way(way)).collect();
-        if ways.is_empty() { sentence } else { format!("{sentence}; {}", ways.join(", ")) }
+        let meaning = "a row a1,a2,b means a1*theta1 + a2*theta2 <= b";
+        let meaning = matches!(self, Refusal::NoHalfPlanes(_)).then(|| meaning.to_owned());
+        let ways = (!ways.is_empty()).then(|| ways.join(", "));
+        [Some(sentence), ways, meaning].into_iter().flatten().collect::<Vec<_>>().join("; ")
     }
 
     /// The sentence alone.
@@ -134,7 +151,9 @@ impl Refusal {
                 format!("{}: {}{column}", surface.value(key, text), problem.words())
             }
             Refusal::Misuse(misuse) => misuse.words(surface),
-            Refusal::Input(error) => error.to_string(),
+            Refusal::Input(error) | Refusal::NoHalfPlanes(error) => error.to_string(),
+            Refusal::Claim(error) => error.to_string(),
+            Refusal::Solver(error) => error.to_string(),
             Refusal::Work(error) => error.to_string(),
             Refusal::Reduction { ask } => {
                 let subject = match *ask {

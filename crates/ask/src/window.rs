@@ -4,7 +4,7 @@ use boundfit_estimation::{Measurements, MultipleOfLeast, Problem};
 use boundfit_formats::Source;
 use boundfit_questions::{Extent, Moving, Turn, times};
 use boundfit_report::{
-    FleetTable, LineInput, TableJson, WindowReport, WindowSummary, in_page_width, table_line,
+    FleetTable, LineInput, Style, TableJson, WindowReport, WindowSummary, in_page_width, table_line,
     write_window_json,
 };
 use serde::Deserialize;
@@ -107,6 +107,11 @@ impl Ask for Window {
         Ok(())
     }
 
+    fn refuse_vain_style(&self, _: Form, _: &Style) -> Result<(), Misuse> {
+        // Lines of many sets are decimals in every form.
+        Ok(())
+    }
+
     fn write(
         &self,
         (problem, moving): &(Problem, Moving),
@@ -155,7 +160,7 @@ impl Ask for Window {
         let to_text = summary.to_text(moving, &moved, style) + &remarks;
         let is_empty = summary.has_empty();
         if form != Form::Text {
-            return Ok(Written { is_empty, summary: to_text });
+            return Ok(Written { is_empty, summary: to_text, ..Written::default() });
         }
         let mut text = String::new();
         table.finish(&mut text);

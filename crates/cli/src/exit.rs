@@ -3,7 +3,6 @@
 use std::fmt::Display;
 
 use boundfit_ask::{Refusal, Surface};
-use boundfit_check::ClaimFileError;
 use boundfit_exact::{Foreign, Limit};
 use boundfit_formats::{InputError, InputErrorKind, Setting, Way};
 use boundfit_judge::SolutionError;
@@ -74,12 +73,6 @@ impl Refused for SolutionError {
     }
 }
 
-impl Refused for ClaimFileError {
-    fn ways(&self) -> Vec<Way> {
-        raised(self.problem.limit())
-    }
-}
-
 /// Returns the command that reads files with the ending of this name, with what it reads.
 pub(crate) fn command_for(name: &str) -> Option<&'static str> {
     match name.rsplit_once('.')?.1.to_ascii_lowercase().as_str() {
@@ -130,6 +123,7 @@ impl Surface for Options {
             "thousands" | "comment" => "MARK",
             "block" => "N|NAME",
             "window" | "step" => "N",
+            "claim_pui" => "LO1,HI1,LO2,HI2",
             "through" => "X,Y",
             "sweep" => "FROM..TO",
             "at" => "X,...|FILE:COL",
@@ -196,7 +190,7 @@ impl Failure {
         let words = refusal.words(&Options);
         match refusal {
             Refusal::Input(error) if error.elsewhere().is_some() => Failure::refused(error),
-            Refusal::Input(_) => Failure::Data(words),
+            refusal if refusal.names_file() => Failure::Data(words),
             refusal if refusal.is_misuse() => Failure::Usage(words),
             _ => Failure::Data(format!("{file}: {words}")),
         }

@@ -1,6 +1,6 @@
 // What `run` of boundfit.mjs takes; made by `cargo xtask generate`.
 
-/** A question about readings. `ask` names the question, which has keys of its own; the other keys say which readings, and how the answer is written. */
+/** A question about readings, or about half-planes. `ask` names the question, which has keys of its own; the other keys say which readings, and how the answer is written. */
 export type Request = {
   /** The column of x, or those of two regressors. */
   x?: Regressors;
@@ -73,6 +73,27 @@ export type Request = {
   /** `true` shows numbers of reports as fractions. */
   exact?: boolean;
 } & ({
+  /** The question which ends of the intervals of both parameters are right, of those that solvers find and others claim. */
+  ask: "check";
+  /** The solvers to judge, by name. Without solvers, claims and directions these are all solvers that there are. */
+  solver?: string[];
+  /** The files of claims to judge: JSON, or solutions of the linear programs of the fit. */
+  claim?: ClaimFile[];
+  /** The claimed ends to judge: each text is `LO1,HI1,LO2,HI2`, where `-inf` and `inf` claim that there is no end. */
+  claim_pui?: string[];
+  /** The distance by which an end may be off, in widths of its interval, and a point outside, in units of ε; 1e-6 by default. */
+  tolerance?: Given;
+  /** `false` takes numbers in texts for exact; otherwise they are as precise as printed. */
+  digits_as_printed?: boolean;
+  /** `true` gives solvers the rows of all readings, also of those that cannot bound the set. */
+  all_rows?: boolean;
+  /** The number of directions in which optimal points are compared with the set, from 3 to 10000. */
+  directions?: number;
+  /** `true` spreads the directions evenly after the box of both intervals is scaled to a square. */
+  scaled?: boolean;
+  /** The seconds that a solver may spend on one program, from 1 to 86400; 60 by default. */
+  time_limit?: number;
+} | {
   /** Every parameter pair that agrees with all readings: the set, its intervals and estimates. */
   ask: "fit";
   /** `true` skips results that need further passes over more readings than are kept in memory. */
@@ -127,6 +148,9 @@ export type Request = {
   /** The limit on the crossings of bounds that the search looks at. */
   max_steps?: number;
 } | {
+  /** The set of half-planes, rows of `a1`, `a2` and `b` or an H-representation of cdd and lrs; or of the generators of a V-representation. */
+  ask: "polygon";
+} | {
   /** The question for the line at an x, for the place of a further reading there, and for the x that a reading may come from. */
   ask: "predict";
   /** The x in question: each text is numbers, `3.7,9/2`, or a column of a table, `FILE:COL`. Two regressors have pairs, `1;2,3;4`, or `FILE:COL;COL2`. */
@@ -163,6 +187,14 @@ export type Request = {
   /** The number of readings that a window moves on; 1 by default. */
   step?: number;
 });
+
+/** A file of claims. */
+export interface ClaimFile {
+  /** The name, which may say which program a solution answers: `theta1-min`, `theta1-max`, `theta2-min` or `theta2-max`. */
+  file: string;
+  /** The content. */
+  text: string;
+}
 
 /** A number of a request. A text such as `"0.1"` is read as the table's texts are; `{"exact": "1/3"}` and an integer are exactly what they say. */
 export type Given = string | { exact: string } | number;

@@ -132,6 +132,59 @@ fn asked(ask: &str, keys: &str) -> Result<(), String> {
 }
 
 #[test]
+fn check_says_which_key_claim_or_solver_is_at_fault() {
+    for (keys, words) in [
+        (r#", "directions": 2"#, "<directions> 2: expected an integer from 3 to 10000"),
+        (r#", "time_limit": 0"#, "<time_limit> 0: expected an integer from 1 to 86400"),
+        (
+            r#", "scaled": true"#,
+            "<scaled> says how directions are spread: say how many there are with <directions>",
+        ),
+        (r#", "tolerance": {"exact": "-1"}"#, "<tolerance> -1: expected a number that is at least 0"),
+        (r#", "claim_pui": ["1,2"]"#, "<claim_pui> 1,2: 2 values (expected four"),
+        (r#", "claim": [{"file": "a", "text": "[]"}]"#, "a: a list (expected"),
+        (
+            r#", "claim": [{"file": "a", "text": "1e9999"}], "limits": {"work": 1}"#,
+            "a: refused: exact arithmetic",
+        ),
+        (r#", "solver": ["none"]"#, "there is no solver \"none\" in this build; it has "),
+    ] {
+        let refused = asked("check", keys).unwrap_err();
+        assert!(refused.starts_with(words), "{keys}: {refused}");
+    }
+    assert_eq!(
+        asked("check", r#", "solver": ["exact-simplex"], "tolerance": 0, "directions": 3, "scaled": true"#),
+        Ok(())
+    );
+}
+
+#[test]
+fn half_planes_have_columns_of_their_own_and_no_word_about_readings() {
+    let answer = |keys: &str, table: &str| {
+        let answer = || {
+            let json = format!(r#"{{"ask": "polygon"{keys}}}"#);
+            let (request, Common { readings, .. }) = Request::with_readings(&json)?;
+            let asked = request.resolve(&readings, readings.table.reading(false)?)?;
+            let source = Source::of_bytes("table", table.as_bytes().to_vec());
+            request.answer(&asked, source, Form::Wkt, None, &Style::default())
+        };
+        answer().map(|answer| answer.text).map_err(|refusal: Refusal| refusal.words(&Keys))
+    };
+    let triangle = "a1;a2;b\n-1;0;0\n0;-1;0\n2;3;1,5\n";
+    assert_eq!(answer("", triangle).unwrap(), "POLYGON ((0 0, 0.75 0, 0 0.5, 0 0))\n");
+    assert_eq!(answer(r#", "decimal": "comma""#, triangle), answer("", triangle));
+    for keys in [r#", "x": "a1""#, r#", "eps": "1""#, r#", "where": ["theta1 >= 0"]"#, r#", "rows": [1]"#] {
+        assert!(
+            answer(keys, triangle).unwrap_err().starts_with("half-planes are rows with the columns a1"),
+            "{keys}"
+        );
+    }
+    let refused = answer("", "p,q,r\n1,2,3\n").unwrap_err();
+    assert!(refused.contains("there is no column \"a1\""), "{refused}");
+    assert!(refused.ends_with("; a row a1,a2,b means a1*theta1 + a2*theta2 <= b"), "{refused}");
+}
+
+#[test]
 fn linearity_refuses_what_only_fits_are_asked_under() {
     for (keys, words) in [
         (r#", "where": ["theta1 >= 0"]"#, "<where> is about the set of all lines that agree"),
@@ -218,7 +271,7 @@ fn a_request_says_which_question_and_which_readings() {
     assert_eq!(readings, Readings { x: Some(Regressors::One("V".to_owned())), ..Readings::default() });
     assert_eq!(answer, AnswerWords { digits: Some(Digits(3)), ..AnswerWords::default() });
     for (json, words) in [
-        (r#"{"ask": "rnge"}"#, "<ask> rnge: expected one of \"fit\", \"fit-x-errors\""),
+        (r#"{"ask": "rnge"}"#, "<ask> rnge: expected one of \"check\", \"fit\""),
         (r#"{"x": "V"}"#, "<ask>: it names the question"),
         (r#"{"ask": "range", "most": 1}"#, "request: unknown field `most`"),
         (

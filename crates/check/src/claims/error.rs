@@ -1,7 +1,7 @@
 //! The errors of a claim.
 
 use boundfit_exact::english::counted;
-use boundfit_exact::{Foreign, Limit, ParseNumberError};
+use boundfit_exact::{Foreign, Limit, ParseNumberError, TooMuchWork};
 use boundfit_judge::SolutionError;
 use boundfit_lp::PuiEnd;
 use thiserror::Error;
@@ -31,6 +31,9 @@ pub enum ClaimError {
         /// The byte in the line, from 1.
         column: usize,
     },
+    /// A text with numbers that are too long.
+    #[error(transparent)]
+    Work(#[from] TooMuchWork),
     /// A text that should be a number.
     #[error("{text:?} is not a number: {error}")]
     Number {
@@ -84,6 +87,7 @@ impl ClaimError {
     pub fn limit(&self) -> Option<Limit> {
         match self {
             ClaimError::Nesting { .. } => Some(Limit::Nesting),
+            ClaimError::Work(_) => Some(Limit::Work),
             ClaimError::Number { error, .. } => Limit::of_number(&error.kind),
             ClaimError::Solution(error) => error.limit(),
             _ => None,

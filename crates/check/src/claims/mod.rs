@@ -9,7 +9,7 @@ mod solution;
 use std::path::Path;
 
 use boundfit_estimation::Problem;
-use boundfit_exact::Foreign;
+use boundfit_exact::{Foreign, Work};
 use boundfit_judge::SolutionFile;
 use boundfit_lp::{BoundClaim, PuiEnd};
 
@@ -45,6 +45,9 @@ pub fn read_claims(files: &[ClaimText], limits: &ClaimLimits) -> Result<Claims, 
     let mut drafts: Vec<Draft> = Vec::new();
     for file in files {
         let fail = |problem| ClaimFileError { file: file.file.clone(), problem };
+        // Numbers with exponents are counted before any of them is built.
+        let work = Work::of_text(&file.text, limits.number.exponent);
+        work.check(1, limits.work).map_err(|error| fail(error.into()))?;
         if is_json(&file.text) {
             let answer = parse_claim_file(&file.text, &file.file, limits).map_err(fail)?;
             drafts.push(Draft::Whole(Box::new(answer)));

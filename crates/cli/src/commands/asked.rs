@@ -2,14 +2,15 @@
 
 use std::io::{self, IsTerminal, Write};
 
-use boundfit_ask::{Ask, AskedTheorem, Form, Out, Paper, Refusal, Shows};
+use boundfit_ask::{Ask, AskedTheorem, Form, Out, Paper, Refusal, Shows, Written};
 use boundfit_report::{Origin, Style, Theory};
+use clap::ValueEnum;
 
 use super::proof_file::{self, SmallFile};
 use crate::exit::{CommandResult, Exit, Failure};
 use crate::input;
 use crate::memory;
-use crate::options::{OutputArguments, ProofArguments, ReplaceArguments, TableFormat, Words};
+use crate::options::{NamedFormat, OutputArguments, ProofArguments, ReplaceArguments, TableFormat, Words};
 use crate::output::{self, Guard, Output, Stop, files_apart};
 use crate::progress::while_working;
 
@@ -29,9 +30,9 @@ type Beside<'a> = Option<(Vec<u8>, &'a str)>;
 
 impl<'a> Job<'a> {
     /// A job as the options about its output say.
-    pub(super) fn of(
+    pub(super) fn of<F: NamedFormat + ValueEnum + Into<Form> + Send + Sync>(
         data: Words<'a>,
-        output: &'a OutputArguments<TableFormat>,
+        output: &'a OutputArguments<F>,
         proof: Option<&'a str>,
     ) -> Result<Self, Failure> {
         let form = output.format()?.into();
@@ -91,7 +92,7 @@ impl<'a> Job<'a> {
             return Err(failed(Q::no_form(form)));
         }
         question.refuse_vain(form).map_err(failed)?;
-        let data = data.open_for(Q::HAS_BOUNDS)?.holding(memory::OF_A_READING);
+        let data = data.open_for(Q::SUBJECT)?.holding(memory::OF_A_READING);
         let origin = data.origin;
         let (asked, source) = data.scan();
         let shows = form.shows().max(match (proof, theory) {
@@ -150,7 +151,11 @@ impl<'a> Job<'a> {
         };
         // The answer is written, whether or not somebody reads the summary.
         let _ = io::stderr().write_all(written.summary.as_bytes());
-        Ok(if written.is_empty { Exit::Empty } else { Exit::Answer })
+        Ok(match written {
+            Written { is_refuted: true, .. } => Exit::Refuted,
+            Written { is_empty: true, .. } => Exit::Empty,
+            _ => Exit::Answer,
+        })
     }
 }
 

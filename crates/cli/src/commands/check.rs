@@ -2,29 +2,20 @@
 
 use std::fs;
 use std::path::Path;
-use std::time::Duration;
 
-use boundfit_ask::{Ask, AskedTheorem, Fit, Fittable, Refusal};
-use boundfit_check::{
-    Answer, AskedDirections, CheckOptions, ClaimLimits, ClaimText, Claims, check, is_solution_name,
-    parse_claim_pui, read_claims, source_names,
-};
-use boundfit_estimation::Problem;
-use boundfit_exact::{Foreign, Reading};
-use boundfit_lp::Verdict;
-use boundfit_report::{Theory, check_document, check_json};
+use boundfit_ask::{Check, ClaimFile};
+use boundfit_check::is_solution_name;
+use boundfit_exact::Foreign;
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 
-use super::proof_file::{self, SmallFile};
-use crate::exit::{CommandResult, Exit, Failure};
+use super::asked::Job;
+use super::proof_file;
+use crate::exit::{CommandResult, Failure};
 use crate::input::read_text;
 use crate::options::{
-    BAD_DATA, BAD_USAGE, DataArguments, Format, Notes, OutputArguments, Switch, ToleranceArguments, whole,
+    BAD_DATA, BAD_USAGE, DataArguments, Notes, OutputArguments, Switch, ToleranceArguments, whole,
 };
-use crate::output::{self, files_apart};
-use crate::progress::while_working;
-use crate::work::{refuse_long_problem, refuse_long_text, times};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -101,98 +92,35 @@ pub(crate) struct CheckArguments {
     output: OutputArguments,
 }
 
-/// Reads the data and the claims, runs the solvers, judges and writes the report.
+impl CheckArguments {
+    /// The question, with the texts of these claims.
+    fn question(&self, files: Vec<String>) -> Result<Check, Failure> {
+        let most = self.data.table.limits.statement();
+        let claim = |file: String| Ok(ClaimFile { text: read_text(&file, most)?, file });
+        Ok(Check {
+            solver: self.solvers.clone(),
+            claim: files.into_iter().map(claim).collect::<Result<_, Failure>>()?,
+            claim_pui: self.claimed_pui.clone(),
+            tolerance: Some(self.tolerance.given()),
+            digits_as_printed: Some(self.tolerance.digits_as_printed == Switch::On),
+            all_rows: self.all_rows,
+            directions: self.directions,
+            scaled: self.scaled,
+            time_limit: Some(self.time_limit),
+        })
+    }
+}
+
+/// Reads the claims and the data, judges and writes the report, and the theorem if one is asked for.
 pub(super) fn run(arguments: &CheckArguments) -> CommandResult {
-    let format = arguments.output.format()?;
+    let proof = arguments.proof.as_deref();
+    let job = Job::of(arguments.data.words(), &arguments.output, proof)?;
     let claims = claim_files(&arguments.claims)?;
-    let inputs = claims.iter().map(String::as_str).chain([arguments.data.path()]);
-    let mut guard = arguments.output.file.replace.guard(inputs);
-    let (output, proof) = (arguments.output.file.output.as_deref(), arguments.proof.as_deref());
     let theory = proof_file::only_theory(proof, arguments.proof_library, "the four ends")?;
-    files_apart(output, &[("--proof", proof)])?;
-    guard.check(output)?;
-    guard.check(proof)?;
-    let data = arguments.data.words().open()?;
-    let boundfit_report::Origin { file, reading, .. } = data.origin;
-    let claims = claims_in(arguments, claims)?;
-    let mut options = options(arguments, &claims)?;
-    let has_all = options.all_rows || theory.is_some();
-    let problem = if has_all { data.problem()? } else { data.supporting_problem()? };
-    options.answers.splice(..0, claims.answers(&problem));
-    let limits = &arguments.data.table.limits;
-    refuse_long_problem(arguments.data.file_name(), &problem, times::CHECK, limits)?;
-    let check = while_working("solving", || check(&problem, reading, &options));
-    let check = check.map_err(|error| Failure::Usage(error.to_string()))?;
-    let (style, measurements) = (arguments.output.style(), &problem.measurements);
-    let report = match format {
-        Format::Json => check_json(&check, measurements, file, reading, &style),
-        Format::Text => {
-            check_document(&check, measurements, arguments.data.file_name(), reading, &style).to_text()
-        }
-    };
-    let theorem = theory.map(|theory| theorem(arguments, problem, (reading, theory))).transpose()?;
-    let theorem = theorem.as_deref().map(|text| (text.as_bytes(), proof));
-    let parts: Vec<_> = theorem.into_iter().chain([(report.as_bytes(), output)]).collect();
-    output::write_together(&parts, &mut guard)?;
-    Ok(if check.worst(reading).is_some_and(Verdict::is_refutation) { Exit::Refuted } else { Exit::Answer })
-}
-
-/// The theorem about the set, which states its four ends.
-fn theorem(
-    arguments: &CheckArguments,
-    problem: Problem,
-    (reading, theory): (Reading, Theory),
-) -> Result<String, Failure> {
-    let (question, asked) = (Fit::default(), Fittable::from(problem));
-    let failed = |refusal: Refusal| Failure::of(&refusal, arguments.data.file_name());
-    let answer = while_working("fitting", || question.answer(&asked)).map_err(failed)?;
-    let small = proof_file::small_file(arguments.data.path());
-    let told = AskedTheorem { reading, theory, data: small.as_ref().map(SmallFile::parts) };
-    question.theorem(&asked, &answer, told).map_err(failed)
-}
-
-/// The claims in these files.
-fn claims_in(arguments: &CheckArguments, files: Vec<String>) -> Result<Claims, Failure> {
-    let limits = &arguments.data.table.limits;
-    let limits = ClaimLimits { number: limits.number(), nesting: limits.sizes().nesting };
-    let mut claims = Vec::new();
-    for file in files {
-        let text = read_text(&file, arguments.data.table.limits.statement())?;
-        refuse_long_text(Foreign::of(&file), &text, &arguments.data.table.limits)?;
-        claims.push(ClaimText { file: file.into(), text });
-    }
-    read_claims(&claims, &limits).map_err(Failure::refused)
-}
-
-/// All options but the answers in files.
-fn options(arguments: &CheckArguments, claims: &Claims) -> Result<CheckOptions, Failure> {
-    let mut answers: Vec<Answer> = Vec::new();
-    for text in &arguments.claimed_pui {
-        let answer = parse_claim_pui(text);
-        answers.push(answer.map_err(|error| Failure::value("--claim-pui <LO1,HI1,LO2,HI2>", text, error))?);
-    }
-    let tolerance = arguments.tolerance.value(&arguments.data.table.limits.number())?;
-    // Without a word about whom to judge, everybody is.
-    let solvers = if arguments.solvers.is_empty()
-        && answers.is_empty()
-        && arguments.claims.is_empty()
-        && arguments.directions.is_none()
-    {
-        source_names()
-    } else {
-        arguments.solvers.clone()
-    };
-    Ok(CheckOptions {
-        solvers,
-        answers,
-        tolerance,
-        as_printed: arguments.tolerance.digits_as_printed == Switch::On,
-        time_limit: Duration::from_secs(arguments.time_limit),
-        directions: arguments
-            .directions
-            .map(|count| AskedDirections { count: usize::from(count), is_scaled: arguments.scaled }),
-        all_rows: arguments.all_rows || claims.have_duals(),
-    })
+    let job = Job { theory, ..job };
+    let files: Vec<&str> = claims.iter().map(String::as_str).collect();
+    let mut guard = job.guard(&arguments.output.file.replace, &files)?;
+    job.run(&arguments.question(claims)?, &mut guard)
 }
 
 /// The files asked for, and of each folder those that answer one of the four programs, by name.

@@ -51,6 +51,8 @@ formats! {
     }
 }
 
+forms!(Format: Text, Json);
+
 formats! {
     /// Formats of an answer that is a document or a table.
     TableFormat {

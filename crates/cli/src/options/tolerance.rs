@@ -1,10 +1,7 @@
 //! The deviation up to which an answer is not refuted.
 
-use boundfit_ask::{Refusal, ValueProblem};
-use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_ask::Given;
 use clap::{Args, ValueEnum};
-
-use crate::exit::Failure;
 
 /// A choice whether something is done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -28,20 +25,8 @@ pub(crate) struct ToleranceArguments {
 }
 
 impl ToleranceArguments {
-    /// The tolerance, at least 0. Limits that are lower than usual are meant for the data: they leave this alone.
-    pub(crate) fn value(&self, asked: &Limits) -> Result<Rational, Failure> {
-        if self.strict {
-            return Ok(Rational::zero());
-        }
-        let refuse = |problem: ValueProblem| {
-            Failure::misused(Refusal::Value { key: "tolerance", text: self.tolerance.clone(), problem })
-        };
-        let usual = Limits::default();
-        let limits =
-            Limits { digits: asked.digits.max(usual.digits), exponent: asked.exponent.max(usual.exponent) };
-        let expected = "expected a number that is at least 0, such as 1e-6";
-        let tolerance = Reading::Decimal.read(&self.tolerance, &limits);
-        let tolerance = tolerance.map_err(|error| refuse(ValueProblem::Number { error, expected }))?;
-        if tolerance.is_negative() { Err(refuse(ValueProblem::Expected(expected))) } else { Ok(tolerance) }
+    /// The tolerance in the words of a request.
+    pub(crate) fn given(&self) -> Given {
+        if self.strict { Given::Integer(0) } else { Given::Read(self.tolerance.clone()) }
     }
 }

@@ -1,8 +1,15 @@
 //! Claims, published and made up, against the exact answer.
 
+use boundfit::Reading;
+use boundfit::ask::{Common, Form, Request};
+use boundfit::engine::exact::Foreign;
+use boundfit::files::Source;
+use boundfit::report::{Origin, Style};
+use boundfit_check::is_solution_name;
 use boundfit_tests::cli::unbroken;
 use boundfit_tests::lp_cases::{hard_cases, number};
-use serde_json::Value;
+use boundfit_tests::program::root;
+use serde_json::{Value, json};
 
 use super::{NEAR_PARALLEL, STRIP, boundfit, report, verdicts};
 
@@ -190,4 +197,27 @@ fn ends_on_the_command_line() {
     let worsts = found["claims"].as_array().unwrap().iter().filter(|claim| claim["reading"] == "decimal");
     let worsts: Vec<&str> = worsts.map(|claim| claim["verdict"].as_str().unwrap()).collect();
     assert_eq!(worsts, ["exact", "unsafe"]);
+}
+
+#[test]
+fn a_request_has_the_texts_of_claims_and_the_answer_of_the_program() {
+    let (data, folder) = ("fixtures/hard-lp/nanometre-dropped.csv", "fixtures/solutions/nanometre-dropped");
+    let entries = std::fs::read_dir(root().join(folder)).unwrap().map(|entry| entry.unwrap().path());
+    let mut files: Vec<_> = entries.filter(|path| is_solution_name(path)).collect();
+    files.sort();
+    let name = |path: &std::path::Path| format!("{folder}/{}", path.file_name().unwrap().display());
+    let claim = |path: &std::path::PathBuf| json!({"file": name(path), "text": std::fs::read_to_string(path).unwrap()});
+    let claims: Vec<Value> = files.iter().map(claim).collect();
+    assert!(claims.len() >= 4, "{claims:?}");
+    let request = json!({"ask": "check", "claim": claims, "x": "x", "y": "y", "eps": "0.05"});
+    let (request, Common { readings, .. }) = Request::with_readings(&request.to_string()).unwrap();
+    let asked = request.resolve(&readings, Reading::Decimal).unwrap();
+    for form in [Form::Text, Form::Json] {
+        let source = Source::open(root().join(data).to_str().unwrap()).unwrap();
+        let origin = Origin { file: Some(Foreign::of(data)), reading: Reading::Decimal, is_stored: false };
+        let told = request.answer(&asked, source, form, Some(origin), &Style::default()).unwrap();
+        let options = format!("--x x --y y --eps 0.05 --claim {folder} --format {}", form.name());
+        let run = boundfit(&format!("check {data} {options}"));
+        assert_eq!((told.text, told.written.is_refuted), (run.stdout, run.status == 4), "{options}");
+    }
 }

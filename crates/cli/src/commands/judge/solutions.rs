@@ -1,5 +1,6 @@
 //! The solutions that `boundfit judge` judges.
 
+use boundfit_ask::tolerance;
 use boundfit_exact::Foreign;
 use boundfit_judge::{Answer, Findings, Ground, JudgedSolution, Solution, Tolerances, read_solution};
 use boundfit_lp::Model;
@@ -29,7 +30,7 @@ pub(super) fn judged(
     answer: &Answer,
 ) -> Result<Vec<JudgedSolution>, Failure> {
     let tolerances = Tolerances {
-        relative: arguments.tolerance.value(&limits.number())?,
+        relative: tolerance(&arguments.tolerance.given(), &limits.number()).map_err(Failure::misused)?,
         digits_as_printed: arguments.tolerance.digits_as_printed == Switch::On,
     };
     if arguments.solutions.is_empty() {
