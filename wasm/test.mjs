@@ -531,18 +531,18 @@ const written = ([file, ...own], command, form) => {
 };
 
 // A question that the module does not know is refused, and that is no answer.
-for (const [question, { forms, command, request }] of Object.entries(list.questions)) {
+for (const [question, { about = "about", forms, command, request }] of Object.entries(list.questions)) {
   test(`${question} in every form`, () => {
     let answers = 0;
     const others = fits.filter((line) => !line.startsWith("1 ")).map((line) => ofReadings(line.split(" ").slice(1)).join(" "));
-    for (const line of new Set([...list.about, ...others])) {
+    for (const line of new Set([...list[about], ...(about === "about" ? others : [])])) {
       const all = line.split(" ");
-      const words = list.about.includes(line) ? all : [all[0], ...taken(all.slice(1), question)];
+      const words = list[about].includes(line) ? all : [all[0], ...taken(all.slice(1), question)];
       if (isLeftOut(words[0])) continue;
       const table = readFileSync(join(fixtures, words[0]));
       const options = { ...optionsOf(words), ...(question === "fit-x-errors" ? { x_eps: "1/10" } : {}), ask: question, ...request };
       // About the tables of all fits the JSON is compared, from whose answer every other form is written.
-      for (const format of list.about.includes(line) ? forms : ["json"]) {
+      for (const format of list[about].includes(line) ? forms : ["json"]) {
         const expected = written(words, command, format);
         if (expected === null) {
           assert.throws(() => run(table, { ...options, format }), Error, `${format} of ${line}`);

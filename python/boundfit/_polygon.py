@@ -55,11 +55,13 @@ class Polygon(PlaneSet["_boundfit.Plane"]):
 
     def to_dict(self) -> PolygonDocument:
         """The report as ``boundfit polygon --format json`` writes it, schema boundfit/polygon/2."""
-        document: PolygonDocument = json.loads(self._core.json())
+        document: PolygonDocument = json.loads(self._core.text("json"))
         return document
 
     def report(self, format: str = "text") -> str:
-        """The report as ``"text"``, ``"markdown"`` or ``"latex"``, the set as ``"wkt"``, ``"ine"`` or ``"ext"``."""
+        """The report as ``"text"``, ``"markdown"`` or ``"latex"``, the set as ``"json"``, ``"wkt"``, ``"ine"`` or ``"ext"``, its vertices
+        as ``"csv"`` or ``"m"``.
+        """
         return self._core.text(format)
 
     def __repr__(self) -> str:

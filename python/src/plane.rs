@@ -2,16 +2,16 @@
 
 use std::io::Cursor;
 
+use boundfit::ask::{Ask, Form, Polygon, Readings, Refusal, Shows, Subject};
 use boundfit::engine::exact::Foreign;
-use boundfit::files::{HalfPlaneFile, SizeLimits, Source, TableOptions, read_half_planes};
-use boundfit::report::{
-    Style, h_representation, polygon_document, polygon_json, region_wkt, v_representation,
-};
+use boundfit::files::{HalfPlaneFile, Source};
+use boundfit::report::{Origin, Style};
 use boundfit::{Polyhedron, Rational, Reading};
 use pyo3::prelude::*;
 
-use crate::numbers::{Given, Number, pair, reading_named, refuse};
-use crate::words::{in_words, refused};
+use crate::forms::named;
+use crate::numbers::{Given, Number, pair, reading_named};
+use crate::questions::refused;
 
 /// Half-planes with the set that they leave.
 #[pyclass(frozen, module = "boundfit._boundfit")]
@@ -29,26 +29,22 @@ pub(crate) struct Plane {
 pub(crate) fn polygon_of_text(py: Python<'_>, text: String, floats: &str) -> PyResult<Plane> {
     let floats = reading_named(floats)?;
     let plane = py.detach(|| Plane::read(Source::new("polygon", Cursor::new(text)), None, Reading::Decimal));
-    Ok(Plane { floats, ..plane.map_err(refuse)? })
+    Ok(Plane { floats, ..plane.map_err(|refusal| refused(py, &refusal, false))? })
 }
 
 /// The set of a file of half-planes or generators.
 #[pyfunction]
 pub(crate) fn polygon_of_file(py: Python<'_>, path: String, reading: &str) -> PyResult<Plane> {
     let reading = reading_named(reading)?;
-    let plane = py.detach(|| {
-        let source = Source::open(&path)?;
-        Ok(Plane::read(source, Some(path), reading))
-    });
-    plane.map_err(|error| refused(py, &error, false))?.map_err(refuse)
+    let plane = py.detach(|| Plane::read(Source::open(&path)?, Some(path), reading));
+    plane.map_err(|refusal| refused(py, &refusal, false))
 }
 
 impl Plane {
-    fn read(source: Source, name: Option<String>, reading: Reading) -> Result<Self, String> {
-        let options = TableOptions { reading, ..TableOptions::default() };
-        let file = read_half_planes(source, &options).map_err(|error| in_words(&error, false))?;
-        file.system.work().check(2, SizeLimits::default().work).map_err(|error| error.to_string())?;
-        let polyhedron = Polyhedron::intersect(file.system.clone());
+    fn read(source: Source, name: Option<String>, reading: Reading) -> Result<Self, Refusal> {
+        let asked = Readings::default().resolve_for(Subject::HalfPlanes, reading)?;
+        let file = Polygon {}.read(&asked, source, Shows::Hash)?;
+        let polyhedron = Polygon {}.answer(&file)?;
         Ok(Plane { file, polyhedron, name, reading, floats: reading })
     }
 }
@@ -102,26 +98,12 @@ impl Plane {
         Ok(!self.polyhedron.region().is_empty() && self.polyhedron.membership(&theta).is_inside())
     }
 
-    fn json(&self, py: Python<'_>) -> String {
-        let name = self.name.as_deref().map(Foreign::of);
-        py.detach(|| polygon_json(&self.file, &self.polyhedron, name, self.reading, &Style::default()))
-    }
-
-    fn text(&self, format: &str) -> PyResult<String> {
-        let name = Foreign::of(self.name.as_deref().unwrap_or("a polygon"));
-        let document = || polygon_document(&self.file, &self.polyhedron, name, &Style::default());
-        Ok(match format {
-            "text" => document().to_text(),
-            "markdown" => document().to_markdown(),
-            "latex" => document().to_latex(),
-            "wkt" => region_wkt(&self.polyhedron, &Style::default()).map_err(refuse)?,
-            "ine" => h_representation(&self.polyhedron),
-            "ext" => v_representation(&self.polyhedron),
-            other => {
-                return Err(refuse(format_args!(
-                    "format={other:?}: expected \"text\", \"markdown\", \"latex\", \"wkt\", \"ine\" or \"ext\""
-                )));
-            }
-        })
+    /// Writes one form of the answer. In JSON a set that is no file has no name.
+    fn text(&self, py: Python<'_>, format: &str) -> PyResult<String> {
+        let form = named(format)?;
+        let file = self.name.as_deref().or((form != Form::Json).then_some("a polygon")).map(Foreign::of);
+        let origin = Origin { file, reading: self.reading, is_stored: false };
+        let text = || Polygon {}.text(&self.file, &self.polyhedron, form, origin, Style::default());
+        Ok(py.detach(text).map_err(|refusal| refused(py, &refusal, false))?.text)
     }
 }

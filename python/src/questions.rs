@@ -96,7 +96,7 @@ impl Surface for Arguments {
 /// The exception about an answer that there is not, to a call that has an argument `limits` or not.
 pub(crate) fn refused(py: Python<'_>, refusal: &Refusal, has_limits: bool) -> PyErr {
     match refusal {
-        Refusal::Input(error) => crate::words::refused(py, error, has_limits),
+        Refusal::Input(error) | Refusal::NoHalfPlanes(error) => crate::words::refused(py, error, has_limits),
         refusal => refuse(in_words(refusal, has_limits)),
     }
 }
@@ -104,7 +104,7 @@ pub(crate) fn refused(py: Python<'_>, refusal: &Refusal, has_limits: bool) -> Py
 /// Returns the reason why there is no answer, to a call that has an argument `limits` or not.
 pub(crate) fn in_words(refusal: &Refusal, has_limits: bool) -> String {
     match refusal {
-        Refusal::Input(error) => crate::words::in_words(error, has_limits),
+        Refusal::Input(error) | Refusal::NoHalfPlanes(error) => crate::words::in_words(error, has_limits),
         // A way that the call does not have leaves the mark before it.
         refusal => {
             let words = refusal.words(&Arguments { has_limits });

@@ -8,7 +8,7 @@ use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{ColumnSelector, Source, TableNotes};
 use boundfit_questions::times;
 use boundfit_report::{
-    FleetCsv, FleetSummary, FleetTable, GroupCells, LineInput, TableJson, in_page_width, table_line,
+    FleetCsv, FleetSummary, FleetTable, GroupCells, LineInput, Style, TableJson, in_page_width, table_line,
     write_group_json,
 };
 use serde::Deserialize;
@@ -215,6 +215,11 @@ impl Ask for Fleet {
     }
 
     fn answer(&self, _: &Groups) -> Result<(), Refusal> {
+        Ok(())
+    }
+
+    fn refuse_vain_style(&self, _: Form, _: &Style) -> Result<(), Misuse> {
+        // Lines of many sets are decimals in every form.
         Ok(())
     }
 

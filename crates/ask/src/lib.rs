@@ -12,15 +12,16 @@
 //! | `linearity` | how far a sensor is from a straight line |
 //! | `next` | where the next reading certainly helps |
 //! | `outliers` | the fewest readings to leave out |
+//! | `polygon` | the set of half-planes or generators, without readings |
 //! | `predict` | where the line runs, and where further readings lie |
 //! | `range` | every run of readings that some parameters agree with |
 //! | `status` | what every reading and the set say of each other |
 //! | `window` | the fits of the last readings as the window moves on |
 //! | `x_errors` | the lines that agree with readings whose x have errors, too |
 //!
-//! [`Readings`] says of which readings, in the words of people. [`Request::resolve`] makes of it what the engine takes, [`Asked`], and
-//! refuses words that exclude each other. [`Refusal`] says, as data, why there is no answer. A [`Surface`] knows how it names keys and
-//! limits, and [`Refusal::words`] puts these names into the sentence.
+//! [`Readings`] says of which readings, in the words of people; of half-planes it says how their file is written. [`Request::resolve`]
+//! makes of it what the engine takes, [`Asked`], and refuses words that exclude each other. [`Refusal`] says, as data, why there is no
+//! answer. A [`Surface`] knows how it names keys and limits, and [`Refusal::words`] puts these names into the sentence.
 //!
 //! ```
 //! use boundfit_ask::{Asked, Form, Refusal, Request};
@@ -52,6 +53,7 @@ mod misuse;
 mod next;
 mod outliers;
 mod paper;
+mod polygon;
 mod predict;
 mod question;
 mod range;
@@ -79,8 +81,9 @@ pub use misuse::{Misuse, NoProof};
 pub use next::{Next, common_bound};
 pub use outliers::Outliers;
 pub use paper::{Answer, Out, Paper};
+pub use polygon::Polygon;
 pub use predict::{Predict, Predicted};
-pub use question::{Ask, AskedTheorem};
+pub use question::{Ask, AskedTheorem, Subject};
 pub use range::Range;
 pub use readings::{
     AnswerWords, AskedLimits, Common, Digits, OfRows, Readings, Regressors, RowWords, Rows, TableWords,

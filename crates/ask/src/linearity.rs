@@ -16,7 +16,7 @@ use crate::form::{Form, Shows, Written};
 use crate::given::Given;
 use crate::misuse::{Misuse, NoProof};
 use crate::paper::Paper;
-use crate::question::Ask;
+use crate::question::{Ask, Subject};
 use crate::refusal::{Refusal, ValueProblem};
 
 /// Independent, terminal, zero-based and least-squares linearity of readings y, or of those in two columns, up and down.
@@ -126,7 +126,7 @@ impl Ask for Linearity {
     const NAME: &'static str = "linearity";
     const FORMS: &'static [Form] =
         &[Form::Text, Form::Latex, Form::Markdown, Form::Json, Form::Csv, Form::Proof];
-    const HAS_BOUNDS: bool = false;
+    const SUBJECT: Subject = Subject::Readings;
     type Problem = Calibrated;
     type Answer = boundfit_questions::Linearity;
 

@@ -104,6 +104,9 @@ misuses! {
         "{new} is about every reading, and the file is a reduction: judge the table that it was made from",
     /// No table is at hand but the first one.
     NoTables: "no other table is at hand here: {at} and {from} take values themselves, and {new} takes a table alone",
+    /// Half-planes have neither columns of readings nor bounds, conditions and rows.
+    ReadingsOfHalfPlanes: "half-planes are rows with the columns a1, a2 and b: {x}, {y}, {eps}, {where}, {rows} and their like are about \
+                 readings",
     /// Directions are spread in some way, and there are none.
     ScaledAlone: "{scaled} says how directions are spread: say how many there are with {directions}",
     /// The columns of a calibration are missing, or given twice.

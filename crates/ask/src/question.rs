@@ -7,7 +7,7 @@ use boundfit_report::{Document, Origin, Style, Theory};
 
 use crate::asked::Asked;
 use crate::form::{Form, Shows, Written};
-use crate::misuse::NoProof;
+use crate::misuse::{Misuse, NoProof};
 use crate::paper::{Answer, Paper};
 use crate::refusal::Refusal;
 
@@ -22,17 +22,28 @@ pub struct AskedTheorem<'a> {
     pub data: Option<(&'a [u8], &'a str)>,
 }
 
-/// A question about readings.
+/// The subject of a question.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Subject {
+    /// Readings with bounds on their errors.
+    BoundedReadings,
+    /// Readings alone: bounds on the errors have no say in the question.
+    Readings,
+    /// Half-planes, or the generators of a set, without readings.
+    HalfPlanes,
+}
+
+/// A question about readings, or about half-planes.
 pub trait Ask {
     /// The name of the question: the value of `ask`, and the command.
     const NAME: &'static str;
     /// The forms of its answer.
     const FORMS: &'static [Form];
-    /// `true` if bounds on the errors have a say in the question.
-    const HAS_BOUNDS: bool = true;
+    /// The subject of the question.
+    const SUBJECT: Subject = Subject::BoundedReadings;
     /// `true` if the question looks at errors in x. Others are refused beside them.
     const LOOKS_AT_X_ERRORS: bool = false;
-    /// The subject of the question: readings, read as the question needs them.
+    /// The readings or half-planes, read as the question needs them.
     type Problem;
     /// The answer, from which every form is written.
     type Answer;
@@ -110,6 +121,14 @@ pub trait Ask {
     /// With the first such key.
     fn refuse_vain(&self, _form: Form) -> Result<(), Refusal> {
         Ok(())
+    }
+
+    /// Refuses a style of decimals that an answer in this form has no place for.
+    ///
+    /// # Errors
+    /// With the first key that would say nothing.
+    fn refuse_vain_style(&self, form: Form, style: &Style) -> Result<(), Misuse> {
+        form.refuse_vain_style(style)
     }
 
     /// The answer in one of the forms that every document has.

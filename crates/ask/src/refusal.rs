@@ -39,6 +39,8 @@ pub enum Refusal {
     Misuse(Misuse),
     /// The table cannot be read.
     Input(InputError),
+    /// The table has other columns than half-planes have.
+    NoHalfPlanes(InputError),
     /// Numbers are too long.
     Work(TooMuchWork),
     /// The question is about every reading, and the data are a reduction.
@@ -103,13 +105,13 @@ impl Refusal {
 
     /// Returns whether the sentence names the file that is at fault.
     pub fn names_file(&self) -> bool {
-        matches!(self, Refusal::Input(_) | Refusal::Claim(_))
+        matches!(self, Refusal::Input(_) | Refusal::NoHalfPlanes(_) | Refusal::Claim(_))
     }
 
     /// Returns what can be set so that the request is not refused.
     pub fn ways(&self) -> Vec<Way> {
         match self {
-            Refusal::Input(error) => error.ways(),
+            Refusal::Input(error) | Refusal::NoHalfPlanes(error) => error.ways(),
             Refusal::Work(_) => vec![Way::raises(Limit::Work)],
             Refusal::Claim(error) => error.problem.limit().map(Way::raises).into_iter().collect(),
             Refusal::Value { problem, .. } => problem.limit().map(Way::raises).into_iter().collect(),
@@ -127,7 +129,10 @@ impl Refusal {
     pub fn words(&self, surface: &dyn Surface) -> String {
         let sentence = self.sentence(surface);
         let ways: Vec<String> = self.ways().iter().map(|way| surface.way(way)).collect();
-        if ways.is_empty() { sentence } else { format!("{sentence}; {}", ways.join(", ")) }
+        let meaning = "a row a1,a2,b means a1*theta1 + a2*theta2 <= b";
+        let meaning = matches!(self, Refusal::NoHalfPlanes(_)).then(|| meaning.to_owned());
+        let ways = (!ways.is_empty()).then(|| ways.join(", "));
+        [Some(sentence), ways, meaning].into_iter().flatten().collect::<Vec<_>>().join("; ")
     }
 
     /// The sentence alone.
@@ -146,7 +151,7 @@ impl Refusal {
                 format!("{}: {}{column}", surface.value(key, text), problem.words())
             }
             Refusal::Misuse(misuse) => misuse.words(surface),
-            Refusal::Input(error) => error.to_string(),
+            Refusal::Input(error) | Refusal::NoHalfPlanes(error) => error.to_string(),
             Refusal::Claim(error) => error.to_string(),
             Refusal::Solver(error) => error.to_string(),
             Refusal::Work(error) => error.to_string(),

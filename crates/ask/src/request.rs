@@ -16,6 +16,7 @@ use crate::misuse::Misuse;
 use crate::next::Next;
 use crate::outliers::Outliers;
 use crate::paper::Answer;
+use crate::polygon::Polygon;
 use crate::predict::Predict;
 use crate::question::Ask;
 use crate::range::Range;
@@ -98,8 +99,8 @@ macro_rules! questions {
             /// # Errors
             /// When a value makes no sense, or values exclude or need each other.
             pub fn resolve(&self, readings: &Readings, reading: Reading) -> Result<Asked, Refusal> {
-                let has_bounds = match self { $(Request::$question(_) => $question::HAS_BOUNDS),* };
-                if has_bounds { readings.resolve(reading) } else { readings.resolve_without_bounds(reading) }
+                let subject = match self { $(Request::$question(_) => $question::SUBJECT),* };
+                readings.resolve_for(subject, reading)
             }
 
             /// Refuses keys and a style that an answer in this form has no place for.
@@ -107,12 +108,10 @@ macro_rules! questions {
             /// # Errors
             /// With the first of them.
             pub fn refuse_vain(&self, form: Form, style: &Style) -> Result<(), Refusal> {
-                match self { $(Request::$question(own) => own.refuse_vain(form)?),* }
-                // Lines of many sets are decimals in every form.
-                match self {
-                    Request::Fleet(_) | Request::Window(_) => Ok(()),
-                    _ => form.refuse_vain_style(style).map_err(Refusal::Misuse),
-                }
+                match self { $(Request::$question(own) => {
+                    own.refuse_vain(form)?;
+                    own.refuse_vain_style(form, style).map_err(Refusal::Misuse)
+                })* }
             }
 
             /// The question of this name, with these keys.
@@ -144,7 +143,7 @@ macro_rules! questions {
     };
 }
 
-questions!(Check, Fit, FitXErrors, Fleet, Linearity, Next, Outliers, Predict, Range, Status, Window);
+questions!(Check, Fit, FitXErrors, Fleet, Linearity, Next, Outliers, Polygon, Predict, Range, Status, Window);
 
 impl Request {
     /// Reads a request as JSON says it.

@@ -4,7 +4,7 @@ use boundfit_estimation::{Measurements, MultipleOfLeast, Problem};
 use boundfit_formats::Source;
 use boundfit_questions::{Extent, Moving, Turn, times};
 use boundfit_report::{
-    FleetTable, LineInput, TableJson, WindowReport, WindowSummary, in_page_width, table_line,
+    FleetTable, LineInput, Style, TableJson, WindowReport, WindowSummary, in_page_width, table_line,
     write_window_json,
 };
 use serde::Deserialize;
@@ -104,6 +104,11 @@ impl Ask for Window {
     }
 
     fn answer(&self, _: &(Problem, Moving)) -> Result<(), Refusal> {
+        Ok(())
+    }
+
+    fn refuse_vain_style(&self, _: Form, _: &Style) -> Result<(), Misuse> {
+        // Lines of many sets are decimals in every form.
         Ok(())
     }
 

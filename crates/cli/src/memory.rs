@@ -16,5 +16,3 @@ pub(crate) fn keep_freed() {
 pub(crate) const OF_A_READING: usize = 400;
 /// Bytes for each reading in a figure, estimated as [`OF_A_READING`] (380 for its data, more for other figures).
 pub(crate) const OF_A_FIGURE: usize = 700;
-/// Bytes for each half-plane whose polygon is asked for, estimated as [`OF_A_READING`]: 10⁶ half-planes took 2.1 GB.
-pub(crate) const OF_A_HALF_PLANE: usize = 2_300;

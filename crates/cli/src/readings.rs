@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use boundfit_ask::{Asked, Files, FitXErrors, Refusal, Shows, Tables};
+use boundfit_ask::{Asked, Files, FitXErrors, Refusal, Shows, Subject, Tables};
 use boundfit_estimation::{Keep, Problem};
 use boundfit_exact::Foreign;
 use boundfit_formats::{InputError, InputErrorKind, ScanOptions, Source, TableNotes, TableOptions};
@@ -29,20 +29,18 @@ pub(crate) struct Data<'a> {
 impl<'a> Words<'a> {
     /// Opens the file of readings whose errors have bounds.
     pub(crate) fn open(&self) -> Result<Data<'a>, Failure> {
-        Ok(self.open_for(true)?.holding(memory::OF_A_READING))
+        Ok(self.open_for(Subject::BoundedReadings)?.holding(memory::OF_A_READING))
     }
 
-    /// Opens the file, for a question in which bounds on the errors have a say or none. The file is opened first, since it tells how
+    /// Opens the file, for a question with this subject. The file is opened first, since it tells how
     /// numbers are read in both it and the options. That it cannot be opened is said after what is wrong with the options.
-    pub(crate) fn open_for(&self, has_bounds: bool) -> Result<Data<'a>, Failure> {
+    pub(crate) fn open_for(&self, subject: Subject) -> Result<Data<'a>, Failure> {
         let source = input::open(self.path).map_err(Failure::refused);
-        let is_stored = source.as_ref().is_ok_and(Source::is_stored);
+        // Half-planes are read as written, whatever the file.
+        let is_stored = subject != Subject::HalfPlanes && source.as_ref().is_ok_and(Source::is_stored);
         let resolved = || {
             let (words, reading) = (&self.readings, self.readings.table.reading(is_stored)?);
-            let mut asked = match has_bounds {
-                true => words.resolve(reading),
-                false => words.resolve_without_bounds(reading),
-            }?;
+            let mut asked = words.resolve_for(subject, reading)?;
             // One budget for all that the command reads.
             asked.options.table.sizes.memory = self.limits.sizes().memory;
             let table = TableOptions { reading: words.table.reading(false)?, ..asked.options.table.clone() };

@@ -15,8 +15,8 @@ pub(crate) mod times {
 
     /// Rows on a common denominator, written with all their digits.
     pub(crate) const CONVERT: u64 = 2;
-    /// A region with its redundant rows; a model with judged solutions.
-    pub(crate) const POLYGON: u64 = 2;
+    /// A model with judged solutions.
+    pub(crate) const JUDGE: u64 = 2;
     /// A figure; all of them are six.
     pub(crate) const PLOT: u64 = 8;
 }

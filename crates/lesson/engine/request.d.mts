@@ -1,6 +1,6 @@
 // What `run` of boundfit.mjs takes; made by `cargo xtask generate`.
 
-/** A question about readings. `ask` names the question, which has keys of its own; the other keys say which readings, and how the answer is written. */
+/** A question about readings, or about half-planes. `ask` names the question, which has keys of its own; the other keys say which readings, and how the answer is written. */
 export type Request = {
   /** The column of x, or those of two regressors. */
   x?: Regressors;
@@ -147,6 +147,9 @@ export type Request = {
   max_sets?: number;
   /** The limit on the crossings of bounds that the search looks at. */
   max_steps?: number;
+} | {
+  /** The set of half-planes, rows of `a1`, `a2` and `b` or an H-representation of cdd and lrs; or of the generators of a V-representation. */
+  ask: "polygon";
 } | {
   /** The question for the line at an x, for the place of a further reading there, and for the x that a reading may come from. */
   ask: "predict";

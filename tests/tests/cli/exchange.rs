@@ -99,7 +99,10 @@ fn wkt_says_bounded_sets_and_refuses_the_others() {
             None => {
                 let reason = "which well-known text cannot say (CSV, JSON, MATLAB and cdd's format can)";
                 assert_eq!((status, text.as_str()), (1, ""), "{kind}");
-                assert_eq!(error, format!("error: the set is unbounded ({kind}), {reason}\n"));
+                assert_eq!(
+                    error,
+                    format!("error: standard input: the set is unbounded ({kind}), {reason}\n")
+                );
             }
         }
     }

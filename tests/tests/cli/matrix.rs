@@ -6,7 +6,7 @@ use std::fs;
 use std::sync::Arc;
 
 use boundfit::Reading;
-use boundfit::ask::{Answer, Asked, AskedXBounds, Files, Form, Refusal, Request, XErrors};
+use boundfit::ask::{Answer, Asked, AskedXBounds, Files, Form, Readings, Refusal, Request, XErrors};
 use boundfit::engine::exact::Foreign;
 use boundfit::files::{ColumnSelector, EpsilonColumn, Question, RowRange, RowSet, ScanOptions, Source};
 use boundfit::questions::Agreement;
@@ -34,6 +34,12 @@ fn the_list_of_questions_is_the_registry() {
         Request::FORMS.iter().map(|(name, forms)| (*name, names(forms))).collect();
     assert_eq!(listed, registered, "tests/questions.json, which the tests of Python and WebAssembly read");
     assert_eq!(Request::NAMES, Request::FORMS.iter().map(|(name, _)| *name).collect::<Vec<_>>());
+}
+
+/// The tables that a question is asked about.
+pub fn about<'a>(list: &'a Value, question: &Value) -> impl Iterator<Item = &'a str> {
+    let name = question["about"].as_str().unwrap_or("about");
+    list[name].as_array().unwrap().iter().map(|line| line.as_str().unwrap())
 }
 
 /// A question about a table, in the words of the program.
@@ -91,9 +97,13 @@ fn library(words: &Words<'_>, request: &Value, form: Form) -> Result<Answer, Ref
     let path = format!("fixtures/{}", words.file);
     let source = Source::open(root().join(&path).to_str().unwrap()).unwrap();
     let is_stored = source.is_stored();
-    let asked = words.asked(request["ask"] == "fit-x-errors", is_stored);
+    let (own, name) = (Request::parse(&request.to_string())?, &request["ask"]);
+    let asked = match name == "polygon" {
+        true => own.resolve(&Readings::default(), Reading::Decimal)?,
+        false => words.asked(name == "fit-x-errors", is_stored),
+    };
     let origin = Origin { file: Some(Foreign::of(&path)), reading: asked.options.table.reading, is_stored };
-    Request::parse(&request.to_string())?.answer(&asked, source, form, Some(origin), &Style::default())
+    own.answer(&asked, source, form, Some(origin), &Style::default())
 }
 
 /// Returns the document that the program writes, where it writes an answer.
@@ -126,8 +136,8 @@ fn the_library_says_what_the_program_writes() {
         let mut request = own["request"].clone();
         request["ask"] = json!(name);
         let (command, mut answers) = (own["command"].as_str().unwrap(), 0);
-        for line in list["about"].as_array().unwrap() {
-            let words = Words::of(line.as_str().unwrap());
+        for line in about(&list, own) {
+            let words = Words::of(line);
             for form in own["forms"].as_array().unwrap() {
                 let form = Form::ALL.into_iter().find(|own| own.name() == form).unwrap();
                 let (told, written) = (library(&words, &request, form), program(&words, command, form));

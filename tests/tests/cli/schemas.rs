@@ -12,7 +12,7 @@ use boundfit_tests::program::root;
 use boundfit_tests::schemas::{schemas, violations};
 use serde_json::{Map, Value, json};
 
-use crate::matrix::list;
+use crate::matrix::{about, list};
 
 /// The schema of what programs ask.
 const REQUEST: &str = "boundfit/request/1";
@@ -211,10 +211,10 @@ fn requests_of_every_question_keep_to_the_schema_and_wrong_ones_do_not() {
     let (list, schema) = (list(), &schemas()[REQUEST]);
     let mut changes = 0;
     for (name, own) in list["questions"].as_object().unwrap() {
-        for line in list["about"].as_array().unwrap() {
+        for line in about(&list, own) {
             let mut request = own["request"].clone();
             request["ask"] = json!(name);
-            let words: Vec<&str> = line.as_str().unwrap().split(' ').skip(1).collect();
+            let words: Vec<&str> = line.split(' ').skip(1).collect();
             for option in words.chunks(2) {
                 let key = option[0].trim_start_matches("--").replace('-', "_");
                 let two = option[1].split_once(',').filter(|_| key == "x");

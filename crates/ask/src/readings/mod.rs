@@ -15,6 +15,7 @@ use serde::Deserialize;
 use crate::asked::{Asked, AskedXBounds, XErrors};
 use crate::given::Given;
 use crate::misuse::Misuse;
+use crate::question::Subject;
 use crate::refusal::{Refusal, ValueProblem};
 
 pub use common::{AnswerWords, Common, Digits};
@@ -94,23 +95,35 @@ impl Readings {
     /// # Errors
     /// When a value makes no sense, or values exclude or need each other.
     pub fn resolve(&self, reading: Reading) -> Result<Asked, Refusal> {
-        self.resolved(reading, true)
+        self.resolve_for(Subject::BoundedReadings, reading)
     }
 
-    /// Does as [`Readings::resolve`], for a question in which bounds on the errors have no say: they may be left out, and y too.
+    /// Does as [`Readings::resolve`], for a question with this subject. Where bounds on the errors have no say, they may be left out, and y
+    /// too. Half-planes have columns of their own.
     ///
     /// # Errors
     /// Errors are those of [`Readings::resolve`].
-    pub fn resolve_without_bounds(&self, reading: Reading) -> Result<Asked, Refusal> {
-        self.resolved(reading, false)
-    }
-
-    fn resolved(&self, reading: Reading, has_bounds: bool) -> Result<Asked, Refusal> {
+    pub fn resolve_for(&self, subject: Subject, reading: Reading) -> Result<Asked, Refusal> {
         let table = self.table.resolve(reading, &self.rows)?;
+        let has_bounds = subject == Subject::BoundedReadings;
         let own = Words { readings: self, reading, limits: &table.limits, has_bounds };
-        let (question, x_errors) = (own.question()?, own.x_errors()?);
+        let (question, x_errors) = match subject {
+            Subject::HalfPlanes => (self.half_planes()?, None),
+            Subject::BoundedReadings | Subject::Readings => (own.question()?, own.x_errors()?),
+        };
         let options = ScanOptions { table, ..ScanOptions::default() };
         Ok(Asked { x_errors, options, ..Asked::new(question) })
+    }
+
+    /// The half-planes a1·θ1 + a2·θ2 ≤ b of a table, as readings b of which the upper bound alone is known.
+    fn half_planes(&self) -> Result<Question, Refusal> {
+        let [a1, a2, b] =
+            [("a1", 1), ("a2", 2), ("b", 3)].map(|(name, at)| ColumnSelector::name_at(name, at));
+        match *self == (Readings { table: self.table.clone(), ..Readings::default() }) {
+            true => Ok(Question::regressors(a1, a2, None)
+                .within_columns(EpsilonColumn::Interval { lower: None, upper: Some(b) })),
+            false => Err(Refusal::Misuse(Misuse::ReadingsOfHalfPlanes)),
+        }
     }
 }
 

@@ -159,6 +159,32 @@ fn check_says_which_key_claim_or_solver_is_at_fault() {
 }
 
 #[test]
+fn half_planes_have_columns_of_their_own_and_no_word_about_readings() {
+    let answer = |keys: &str, table: &str| {
+        let answer = || {
+            let json = format!(r#"{{"ask": "polygon"{keys}}}"#);
+            let (request, Common { readings, .. }) = Request::with_readings(&json)?;
+            let asked = request.resolve(&readings, readings.table.reading(false)?)?;
+            let source = Source::of_bytes("table", table.as_bytes().to_vec());
+            request.answer(&asked, source, Form::Wkt, None, &Style::default())
+        };
+        answer().map(|answer| answer.text).map_err(|refusal: Refusal| refusal.words(&Keys))
+    };
+    let triangle = "a1;a2;b\n-1;0;0\n0;-1;0\n2;3;1,5\n";
+    assert_eq!(answer("", triangle).unwrap(), "POLYGON ((0 0, 0.75 0, 0 0.5, 0 0))\n");
+    assert_eq!(answer(r#", "decimal": "comma""#, triangle), answer("", triangle));
+    for keys in [r#", "x": "a1""#, r#", "eps": "1""#, r#", "where": ["theta1 >= 0"]"#, r#", "rows": [1]"#] {
+        assert!(
+            answer(keys, triangle).unwrap_err().starts_with("half-planes are rows with the columns a1"),
+            "{keys}"
+        );
+    }
+    let refused = answer("", "p,q,r\n1,2,3\n").unwrap_err();
+    assert!(refused.contains("there is no column \"a1\""), "{refused}");
+    assert!(refused.ends_with("; a row a1,a2,b means a1*theta1 + a2*theta2 <= b"), "{refused}");
+}
+
+#[test]
 fn linearity_refuses_what_only_fits_are_asked_under() {
     for (keys, words) in [
         (r#", "where": ["theta1 >= 0"]"#, "<where> is about the set of all lines that agree"),
@@ -234,6 +260,13 @@ fn keys_that_a_form_has_no_place_for_are_refused() {
         }
         // Lines of many sets are decimals in every form.
         assert_eq!(refused(r#"{"ask": "window", "window": 3}"#, Form::Csv, style), Ok(()));
+        // The table of the vertices has decimals beside fractions.
+        let polygon = |form| refused(r#"{"ask": "polygon"}"#, form, style);
+        assert_eq!(
+            (polygon(Form::Csv).is_ok(), polygon(Form::M).is_ok()),
+            (key == "<digits>", false),
+            "{key}"
+        );
     }
 }
 

@@ -92,7 +92,7 @@ impl<'a> Job<'a> {
             return Err(failed(Q::no_form(form)));
         }
         question.refuse_vain(form).map_err(failed)?;
-        let data = data.open_for(Q::HAS_BOUNDS)?.holding(memory::OF_A_READING);
+        let data = data.open_for(Q::SUBJECT)?.holding(memory::OF_A_READING);
         let origin = data.origin;
         let (asked, source) = data.scan();
         let shows = form.shows().max(match (proof, theory) {

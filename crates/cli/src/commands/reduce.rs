@@ -1,6 +1,6 @@
 //! `boundfit reduce`.
 
-use boundfit_ask::{Readings, Regressors};
+use boundfit_ask::{Readings, Regressors, Subject};
 use boundfit_estimation::{Question, ReducedTable};
 use boundfit_formats::ScanOptions;
 use clap::Args;
@@ -91,7 +91,8 @@ pub(super) fn run(arguments: &ReduceArguments) -> CommandResult {
     told_by_name(output, &[("csv", ()), ("tsv", ()), ("txt", ())], None)?;
     let words = arguments.words();
     let has_bounds = words.readings.has_bounds();
-    let (asked, source) = words.open_for(has_bounds)?.scan();
+    let subject = if has_bounds { Subject::BoundedReadings } else { Subject::Readings };
+    let (asked, source) = words.open_for(subject)?.scan();
     let Question { columns, multiple_of_least, .. } = &asked.question;
     if columns.second.is_some() && (!has_bounds || multiple_of_least.is_some()) {
         return Err(Failure::Usage(NO_BOUNDS.to_owned()));

@@ -122,7 +122,7 @@ pub(super) fn run(arguments: &JudgeArguments) -> CommandResult {
     let model = model_of(&file, &arguments.limits)?;
     theory.map_or(Ok(()), |_| refuse_other_columns(&model, &file))?;
     let fail = |error| Failure::data(format_args!("{}: {error}", file.name));
-    refuse_long(file.name.borrowed(), &model.work(), times::POLYGON, &arguments.limits)?;
+    refuse_long(file.name.borrowed(), &model.work(), times::JUDGE, &arguments.limits)?;
     let plane = Plane::new(&model).map_err(fail)?;
     let answer = while_working("solving", || Answer::in_plane(&model, &plane)).map_err(fail)?;
     let judged = solutions::judged(&arguments.solutions, &arguments.limits, &model, &answer)?;

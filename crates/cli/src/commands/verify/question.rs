@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use boundfit_ask::{AskedXBounds, Readings, Regressors, XErrors};
+use boundfit_ask::{AskedXBounds, Readings, Regressors, Subject, XErrors};
 use boundfit_estimation::{Condition, EpsilonColumn, Law, LineForm};
 use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Header, RowSet, find_column};
@@ -38,8 +38,8 @@ impl VerifyArguments {
             let reading = said.table.reading(false)?;
             let own = if has_reading { reading } else { about.reading };
             let whole = with_columns_of(about, &said);
-            let asked = if has_bound { whole.resolve(own) } else { whole.resolve_without_bounds(own) };
-            Ok((asked?, reading))
+            let subject = if has_bound { Subject::BoundedReadings } else { Subject::Readings };
+            Ok((whole.resolve_for(subject, own)?, reading))
         };
         let (asked, reading) = resolved().map_err(Failure::misused)?;
         let x_errors = asked.x_errors;
