@@ -260,6 +260,13 @@ fn keys_that_a_form_has_no_place_for_are_refused() {
         }
         // Lines of many sets are decimals in every form.
         assert_eq!(refused(r#"{"ask": "window", "window": 3}"#, Form::Csv, style), Ok(()));
+        // The table of the vertices has decimals beside fractions.
+        let polygon = |form| refused(r#"{"ask": "polygon"}"#, form, style);
+        assert_eq!(
+            (polygon(Form::Csv).is_ok(), polygon(Form::M).is_ok()),
+            (key == "<digits>", false),
+            "{key}"
+        );
     }
 }
 
