@@ -28,6 +28,9 @@ struct Large {
     sieve: Arc<SharedSieve>,
 }
 
+/// A large group, and the places of its rows in a batch.
+type Found = (Large, Vec<usize>);
+
 /// The further rows of a large group.
 #[derive(Debug)]
 pub(super) struct Stream {
@@ -71,12 +74,12 @@ impl LargeGroups {
     }
 
     /// The places of the rows of large groups in a batch, and those of its other rows; `None` if there are no large groups.
-    fn places(&self, batch: &Batch) -> Option<(Vec<(Large, Vec<usize>)>, Vec<usize>)> {
+    fn places(&self, batch: &Batch) -> Option<(Vec<Found>, Vec<usize>)> {
         let (by_key, keys) = (self.by_key.read().ok()?, batch.keys.as_ref()?);
         if by_key.is_empty() {
             return None;
         }
-        let mut found: Vec<(Large, Vec<usize>)> = Vec::new();
+        let mut found: Vec<Found> = Vec::new();
         let of_text = |key: &str| {
             let large = by_key.get(key)?;
             let known = found.iter().position(|(own, _)| own.group == large.group);
@@ -90,7 +93,7 @@ impl LargeGroups {
         for (row, &text) in keys.text_of().iter().enumerate() {
             lists[text as usize].map_or(&mut rest, |list| &mut found[list].1).push(row);
         }
-        let is_few = |(_, places): &mut (Large, Vec<usize>)| places.len() < FEWEST;
+        let is_few = |(_, places): &mut Found| places.len() < FEWEST;
         rest.extend(found.extract_if(.., is_few).flat_map(|(_, places)| places));
         rest.sort_unstable();
         (!found.is_empty()).then_some((found, rest))
