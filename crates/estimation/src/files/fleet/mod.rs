@@ -86,7 +86,7 @@ impl Fleet {
     /// Reads as [`Fleet::read`] does, and keeps every reading for [`Fleet::each`].
     ///
     /// # Errors
-    /// Those of [`Fleet::read`].
+    /// The errors of [`Fleet::read`].
     pub fn read_every(
         source: Source,
         columns: &Columns,
@@ -232,8 +232,8 @@ impl Fleet {
         Measurements::of_counted(meaning, rows, ties)
     }
 
-    /// Every reading of a group by itself, in the order of the file. Those of a large group were only kept by
-    /// [`Fleet::read_every`]; else these are [`Fleet::measurements`].
+    /// Every reading of a group by itself, in the order of the file. Only [`Fleet::read_every`] keeps all
+    /// readings of a large group. Otherwise they are the [`Fleet::measurements`].
     ///
     /// # Panics
     /// When there are not that many groups.

@@ -1,5 +1,5 @@
-//! Large groups of a line under one bound. Of their further rows only those that support a hull are kept, as of one line
-//! alone, and every x for the EUI.
+//! Large groups of a line under one bound. The fleet keeps few of their further rows: those that support a hull, as a fit
+//! of one line does. It also keeps every x for the EUI.
 
 use std::sync::{Arc, RwLock};
 
