@@ -1,7 +1,7 @@
 //! Fleets and reductions of columns in memory.
 
 use boundfit::Rational;
-use boundfit::ask::Groups;
+use boundfit::ask::{Groups, Shows};
 use boundfit::files::{ColumnSelector, GroupFit, Source};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -150,7 +150,8 @@ pub(crate) fn fit_groups<'py>(
     asked.options.table.reading = reading;
     let read = waiting(py, move |stop| {
         asked.options = stop.in_options(&asked.options);
-        Groups::read(&asked, Source::of_table("readings", table), &by).map(|own| lines(&own))
+        let source = Source::of_table("readings", table);
+        Groups::read(&asked, source, &by, Shows::Nothing).map(|own| lines(&own))
     })?;
     let (lines, per_row) = read.map_err(|refusal| refuse(questions::in_words(&refusal, false)))?;
     let dict = PyDict::new(py);

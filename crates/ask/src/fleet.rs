@@ -39,16 +39,21 @@ pub struct Groups {
 }
 
 impl Groups {
-    /// Reads the groups that a column makes, whose numbers are not too long for a fit of each.
+    /// Reads the groups that a column makes, whose numbers are not too long for a fit of each. [`Shows::Readings`] keeps every reading.
     ///
     /// # Errors
     /// When the table cannot be read, or its numbers are too long.
-    pub fn read(asked: &Asked, source: Source, by: &ColumnSelector) -> Result<Self, Refusal> {
+    pub fn read(asked: &Asked, source: Source, by: &ColumnSelector, shows: Shows) -> Result<Self, Refusal> {
         if asked.x_errors.is_some() {
             return Err(Refusal::Misuse(Misuse::FleetOfXErrors));
         }
         let options = asked.held(asked.options.table.row_cost, Shows::Nothing);
-        let fleet = boundfit_estimation::Fleet::read(source, &asked.question.columns, by, options)?;
+        let read = if shows < Shows::Readings {
+            boundfit_estimation::Fleet::read
+        } else {
+            boundfit_estimation::Fleet::read_every
+        };
+        let fleet = read(source, &asked.question.columns, by, options)?;
         let groups = Groups { question: asked.question.clone(), fleet };
         if groups.has_nameless() && groups.fleet.table().is_some_and(|table| table.looks.merged > 0) {
             let by = by.text().quoted();
@@ -202,8 +207,8 @@ impl Ask for Fleet {
     /// Groups are written one by one, as they are fitted.
     type Answer = ();
 
-    fn read(&self, asked: &Asked, source: Source, _: Shows) -> Result<Groups, Refusal> {
-        Groups::read(asked, source, &ColumnSelector::name_or_number(&self.by))
+    fn read(&self, asked: &Asked, source: Source, shows: Shows) -> Result<Groups, Refusal> {
+        Groups::read(asked, source, &ColumnSelector::name_or_number(&self.by), shows)
     }
 
     fn measurements<'a>(&self, _: &'a Groups) -> Option<&'a Measurements> {

@@ -30,5 +30,5 @@ pub use boundfit_exact::{Limits, Reading};
 pub use boundfit_formats::{
     AskedBlock, AskedDialect, ColumnSelector, CommentMark, Encoding, HalfPlaneFile, Header, InputError,
     InputErrorKind, MemoryBudget, MemoryNumbers, MemoryTable, Missing, MissingWords, Pieces, RowCondition,
-    RowRange, RowSet, ScanOptions, Setting, SizeLimits, Source, TableOptions, Way, read_half_planes,
+    RowKeys, RowRange, RowSet, ScanOptions, Setting, SizeLimits, Source, TableOptions, Way, read_half_planes,
 };

@@ -94,7 +94,7 @@ pub use reduction::{
     ReductionRecord, Reductions, open_reduction,
 };
 pub use row_range::RowRange;
-pub use scan::{Batch, Pieces, Progress, ScanOptions, Scanned};
+pub use scan::{Batch, Pieces, Progress, RowKeys, ScanOptions, Scanned};
 pub use selection::{ParseRowConditionError, RowCondition, RowNumbers, RowSet};
 pub use source::{Again, Source};
 pub use table::{TableOptions, TableRow, TextLayout};

@@ -57,13 +57,13 @@ impl FleetCsv {
             return false;
         };
         self.start(key, line.rows, line.first_row, GroupLine::KIND);
-        ends.into_iter().flatten().for_each(|end| self.cell(end.compact()));
+        ends.into_iter().flatten().for_each(|end| self.decimal(end));
         for PlusMinus { centre, error } in central {
-            self.cell(centre.compact());
-            self.cell(error.compact());
+            self.decimal(centre);
+            self.decimal(error);
         }
-        least_squares.into_iter().for_each(|estimate| self.cell(estimate.compact()));
-        self.cell(least.compact());
+        least_squares.into_iter().for_each(|estimate| self.decimal(estimate));
+        self.decimal(least);
         self.text.push('\n');
         true
     }
@@ -132,6 +132,12 @@ impl FleetCsv {
             Some(content) => self.cell(content),
             None => self.cell(""),
         }
+    }
+
+    /// Adds a cell without a formatter, which takes a third of the time.
+    fn decimal(&mut self, decimal: PlacedDecimal) {
+        self.text.push(',');
+        decimal.compact().write_to(&mut self.text).expect(WRITTEN);
     }
 
     /// Adds a cell that needs no quotes behind others.

@@ -314,3 +314,54 @@ fn groups_are_worked_on_in_order_for_any_number_of_threads() {
         assert_eq!((some.as_slice(), end), (&one[..40], Err(40)));
     }
 }
+
+/// Rows of two large groups and of small ones that take turns. Many rows of some stretches are equal, some numbers are long or no
+/// decimals, and some readings lie on one edge.
+fn large_groups(rng: &mut ChaCha8Rng, round: usize) -> String {
+    let mut table = "key,a,y\n".to_owned();
+    for row in 0..36_000 {
+        let key = match (round % 3, row % 5) {
+            (0, turn) => turn % 2,
+            (1, 4) => 2 + row / 1_000,
+            (1, _) => row / 300 % 2,
+            _ => rng.random_range(0..2) + row / 35_000,
+        };
+        let x: i64 = match (round % 4, row / 1_500 % 8) {
+            (1, 0 | 6) => row as i64 % 3,
+            (2, _) => row as i64,
+            _ => rng.random_range(-900..900),
+        };
+        let y = if round % 4 == 2 { x * x } else { 2 * x + rng.random_range(-5..=5) };
+        match rng.random_range(0..4_000) {
+            0 if round > 3 => writeln!(table, "g{key},{x}/7,{y}.123456789012345678901234567"),
+            1..30 => writeln!(table, "g{key},{x},{y}.{row:05}"),
+            _ => writeln!(table, "g{key},{x},{y}"),
+        }
+        .unwrap();
+    }
+    table
+}
+
+#[test]
+fn few_further_rows_of_large_groups_are_kept_and_they_tell_the_same() {
+    let mut rng = seeded(3_011);
+    let columns = columns(&Model::Line { x: Foreign::default() }, &ErrorBound::Uniform(Rational::from(7)));
+    let by = ColumnSelector::name_or_number("key");
+    for round in 0..8 {
+        let table = large_groups(&mut rng, round);
+        let source = || Source::new("table", Cursor::new(table.clone().into_bytes()));
+        let options = || ScanOptions { chunk_bytes: 1 << 14, ..ScanOptions::default() };
+        let every = Fleet::read_every(source(), &columns, &by, options()).unwrap();
+        let few = Fleet::read(source(), &columns, &by, options()).unwrap();
+        assert_eq!((few.len(), few.readings()), (every.len(), 36_000));
+        for group in 0..every.len() {
+            let answer = |fleet: &Fleet| {
+                let problem = Problem::new(fleet.measurements(group));
+                (fleet.first_row(group), GroupAnswer::of(&problem, &fit(&problem)))
+            };
+            assert_eq!((few.key(group), answer(&few)), (every.key(group), answer(&every)), "{round}");
+        }
+        let kept = few.each(0).kept().len();
+        assert!(every.each(0).kept().len() > 10_000 && (kept < 500) == (round % 4 != 2), "{round}: {kept}");
+    }
+}

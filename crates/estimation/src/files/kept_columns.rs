@@ -100,7 +100,7 @@ impl KeptPart {
         KeptPart { rows, columns: columns.iter().map(StoredColumn::new).collect() }
     }
 
-    fn bytes(&self) -> usize {
+    pub(super) fn bytes(&self) -> usize {
         self.columns.iter().map(StoredColumn::bytes).sum()
     }
 

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use boundfit_exact::{Column, Rational, Unit};
 
-use super::fleet::Counts;
+use super::fleet::{Counts, Integers};
 
 /// The number of numbers in a segment. One number that needs more room makes its segment longer, not the whole
 /// column, and a column grows without being moved.
@@ -39,7 +39,7 @@ impl Series {
 
     /// Returns whether some numbers did not fit into integers of machine words or doubles.
     pub(super) fn has_fractions(&self) -> bool {
-        self.segments.iter().any(|segment| matches!(segment, Column::Scattered(_) | Column::Fractions(_)))
+        self.segments.iter().any(are_fractions)
     }
 
     /// Some numbers one after the other.
@@ -73,7 +73,7 @@ impl Series {
     }
 
     /// Some numbers one after the other as [`Series::counts`] has them.
-    pub(super) fn counts_of_run(&self, rows: Range<usize>) -> Option<Counts> {
+    pub(super) fn counts_of_run(&self, rows: Range<usize>) -> Option<Counts<'_>> {
         let first = rows.start / SEGMENT;
         let within = rows.start % SEGMENT..rows.start % SEGMENT + rows.len();
         if within.end > SEGMENT || rows.is_empty() {
@@ -81,8 +81,8 @@ impl Series {
         }
         let segment = self.segments.get(first)?;
         let counts = match segment {
-            Column::Narrow(scaled) => scaled.counts().get(within)?.iter().copied().map(i128::from).collect(),
-            Column::Wide(scaled) => scaled.counts().get(within)?.to_vec(),
+            Column::Narrow(scaled) => Integers::Short(scaled.counts().get(within)?.into()),
+            Column::Wide(scaled) => Integers::Long(scaled.counts().get(within)?.into()),
             Column::Long(_) | Column::Doubles(_) | Column::Scattered(_) | Column::Fractions(_) => {
                 return None;
             }
@@ -91,7 +91,10 @@ impl Series {
     }
 
     /// Some of the numbers as integers on a power of ten, where they are kept as such: on the finest one of their segments.
-    pub(super) fn counts(&self, rows: impl ExactSizeIterator<Item = usize> + Clone) -> Option<Counts> {
+    pub(super) fn counts(
+        &self,
+        rows: impl ExactSizeIterator<Item = usize> + Clone,
+    ) -> Option<Counts<'static>> {
         /// The most numbers of several segments that are copied. A larger group finds its deciding readings without a copy.
         const MOST_SPREAD: usize = 4096;
         let segment = |row: usize| row / SEGMENT;
@@ -114,8 +117,14 @@ impl Series {
                 finer => count.checked_mul(10_i128.checked_pow(finer)?),
             }
         };
-        Some(Counts { counts: rows.map(count).collect::<Option<_>>()?, exponent: exponent_of_all })
+        let counts = Integers::Long(rows.map(count).collect::<Option<_>>()?);
+        Some(Counts { counts, exponent: exponent_of_all })
     }
+}
+
+/// Returns whether some numbers of a column did not fit into integers of machine words or doubles.
+pub(super) fn are_fractions(column: &Column) -> bool {
+    matches!(column, Column::Scattered(_) | Column::Fractions(_))
 }
 
 /// The power of ten of which the numbers of a segment are multiples by machine integers.
@@ -197,14 +206,16 @@ mod tests {
             for run in [some[0]..some[0] + 1, some[0]..some[0] + 5] {
                 let [own, by_row] =
                     [series.counts_of_run(run.clone()), series.counts(run)].map(Option::unwrap);
-                assert_eq!((own.counts, own.exponent), (by_row.counts, by_row.exponent));
+                let all = |own: &Counts| own.counts.iter().collect::<Vec<_>>();
+                assert_eq!((all(&own), own.exponent), (all(&by_row), by_row.exponent));
             }
-            let number = |count: &i128| Rational::scientific(*count, counts.exponent);
+            let number = |count: i128| Rational::scientific(count, counts.exponent);
             let found: Vec<Rational> = counts.counts.iter().map(number).collect();
             assert_eq!(found, some.iter().map(|&row| series.get(row)).collect::<Vec<_>>());
         }
         let across = series.counts_of_run(SEGMENT - 2..SEGMENT + 2).expect("decimals");
-        assert_eq!(across.counts, series.counts(SEGMENT - 2..SEGMENT + 2).expect("decimals").counts);
+        let by_row = series.counts(SEGMENT - 2..SEGMENT + 2).expect("decimals");
+        assert!(across.counts.iter().eq(by_row.counts.iter()));
         assert!(series.counts_of_run(3 * SEGMENT..3 * SEGMENT + 1).is_none());
         assert!(series.counts([0, 3 * SEGMENT].into_iter()).is_none());
         assert!(series.counts([0, 5 * SEGMENT].into_iter()).is_none());

@@ -63,7 +63,7 @@ impl Default for Keep {
 }
 
 /// The summary that is kept of readings of a line, however many there are.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct LineSummary {
     pub(crate) sums: Sums<Sum>,
     /// The readings that support a hull of those with the same error bound; under a uniform one, whatever it is, `None`

@@ -10,7 +10,7 @@ use arrow_schema::DataType;
 use boundfit_exact::{Foreign, Reading, Shortest};
 
 use crate::error::InputErrorKind;
-use crate::scan::{Pieces, csv_line};
+use crate::scan::{Pieces, RowKeys, csv_line};
 
 /// The problem with a column, and with which of its cells.
 pub(super) struct BadCell {
@@ -46,9 +46,9 @@ pub(super) fn refuse_nulls(array: &dyn Array) -> Result<(), BadCell> {
 }
 
 /// The cells as text, as it is stored.
-pub(super) fn keys(array: &ArrayRef) -> Result<Pieces<String>, BadCell> {
+pub(super) fn keys(array: &ArrayRef) -> Result<RowKeys, BadCell> {
     refuse_nulls(array)?;
-    let mut keys = Pieces::<String>::default();
+    let mut keys = RowKeys::default();
     for index in 0..array.len() {
         let key = text(array, index)
             .ok_or_else(|| BadCell::of_type(array.data_type(), "a column of text or of numbers"))?;

@@ -10,7 +10,7 @@ use crate::cells::CellReader;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::lacking::Lacking;
-use crate::scan::{Batch, Consumer, Pieces, Scanned, csv_line, readable_rows};
+use crate::scan::{Batch, Consumer, Pieces, RowKeys, Scanned, csv_line, readable_rows};
 use crate::selection::{RowNumbers, between, in_batches};
 use crate::threads;
 use crate::wanted::{Placed, WantedColumns};
@@ -181,9 +181,11 @@ impl<T: Cells<C>, C: Placed + Sync> Part<'_, T, C> {
         }
         let rows = || ranges.iter().cloned().flatten();
         let keys = self.wanted.key.as_ref().map(|key| {
-            let mut keys = Pieces::<String>::default();
+            let mut keys = RowKeys::default();
             let reading = self.wanted.options.table.reading;
-            rows().for_each(|row| keys.push(&self.table.key(key, self.index(row), reading)));
+            for row in rows() {
+                keys.push(&self.table.key(key, self.index(row), reading));
+            }
             keys
         });
         let lines = self.wanted.options.keep_text.then(|| {

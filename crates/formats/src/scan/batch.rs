@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use boundfit_exact::{Column, Foreign};
 
+use super::keys::RowKeys;
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
@@ -52,14 +53,6 @@ impl Pieces<String> {
         self.buffer.push_str(piece);
         self.ends.push(self.buffer.len());
     }
-
-    /// Adds the last piece once more, if there is one.
-    pub(crate) fn push_again(&mut self) {
-        if let Some(last) = self.ends.len().checked_sub(1) {
-            self.buffer.extend_from_within(self.range(last));
-            self.ends.push(self.buffer.len());
-        }
-    }
 }
 
 impl Pieces<Vec<u8>> {
@@ -86,7 +79,7 @@ pub struct Batch {
     /// The columns asked for, in the order asked, all of the same length.
     pub columns: Vec<Column>,
     /// The cells of [`ScanOptions::key`], without the spaces and tabs around them.
-    pub keys: Option<Pieces<String>>,
+    pub keys: Option<RowKeys>,
     /// The cells of [`ScanOptions::key`] in rows that are left out since they lack a number, one of equal neighbours.
     pub keys_missing: Vec<String>,
     /// Each row as it stands in the file, without its line end; only with [`ScanOptions::keep_text`].

@@ -3,6 +3,7 @@
 use boundfit_exact::Column;
 
 use super::batch::{Batch, Pieces};
+use super::keys::RowKeys;
 use crate::fractions::Fractions;
 use crate::selection::RowNumbers;
 
@@ -12,7 +13,7 @@ impl Batch {
         Batch {
             columns: vec![Column::default(); columns],
             fractions: vec![Fractions::default(); columns],
-            keys: keys.then(Pieces::default),
+            keys: keys.then(RowKeys::default),
             keys_missing: Vec::new(),
             lines: lines.then(Pieces::default),
             rows: RowNumbers::default(),

@@ -8,7 +8,7 @@ use crate::records::Record;
 use crate::table::TableRow;
 use crate::times::{is_time, or_time};
 
-use super::batch::Pieces;
+use super::keys::RowKeys;
 use super::layout::{Layout, begins_with_digits};
 use super::notes::Notes;
 use super::quoting::is_quoted;
@@ -184,11 +184,7 @@ impl Layout<'_> {
     }
 
     /// Adds the text in a cell to the keys, what stood in quotes as it is written.
-    pub(super) fn add_key(
-        cell: &[u8],
-        is_quoted: bool,
-        keys: &mut Pieces<String>,
-    ) -> Result<(), InputErrorKind> {
+    pub(super) fn add_key(cell: &[u8], is_quoted: bool, keys: &mut RowKeys) -> Result<(), InputErrorKind> {
         let key = decode(cell)?;
         keys.push(if is_quoted { key } else { unquoted_key(key) });
         Ok(())

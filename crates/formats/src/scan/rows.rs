@@ -150,7 +150,9 @@ impl<'a> RowReader<'a> {
             match layout.row(record, line, self.total, true, &mut self.mark, &mut self.notes)? {
                 Row::Values(values) => {
                     let key = layout.key_of(record, self.records.text(), line)?;
-                    key.zip(batch.keys.as_mut()).into_iter().for_each(|(key, keys)| keys.push(key));
+                    if let Some((key, keys)) = key.zip(batch.keys.as_mut()) {
+                        keys.push(key);
+                    }
                     let columns = values.into_iter().zip(&mut batch.columns);
                     columns.for_each(|(value, column)| value.push_to(column));
                     let cells = layout.places.iter().map(|place| record.cell(place.position - 1));

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use boundfit_exact::{Column, Scaled, any_prefix};
 
-use super::batch::Pieces;
+use super::keys::RowKeys;
 use super::lane::{Lane, Plain};
 use super::route::{Step, What};
 use super::row::unquoted_key;
@@ -40,6 +40,9 @@ struct Key {
     /// The index of the number that comes next.
     before: usize,
 }
+
+/// The cell of a key, and the position of its text among the keys.
+type KnownKey = (Range<usize>, u32);
 
 /// A cell with a number.
 #[derive(Clone, Copy)]
@@ -82,7 +85,7 @@ impl Straight {
     }
 
     /// Adds the rows from a position on up to one that takes more than this; gives how many, and where that one starts. `None`
-    /// when there are keys, and a column has become one of other numbers than integers of 64 bits.
+    /// when there are keys in quotes.
     pub(super) fn read(&self, lane: &mut Lane, at: usize) -> Option<(usize, usize)> {
         let mut columns = std::mem::take(&mut lane.batch.columns);
         let mut keys = lane.batch.keys.take();
@@ -111,7 +114,7 @@ impl<const N: usize> Way<N> {
         lane: &Lane,
         start: usize,
         columns: &mut [Column],
-        keys: Option<&mut Pieces<String>>,
+        keys: Option<&mut RowKeys>,
     ) -> Option<(usize, usize)> {
         // The loop without a key must not pay for one.
         match self.key {
@@ -126,7 +129,7 @@ impl<const N: usize> Way<N> {
         lane: &Lane,
         start: usize,
         columns: &mut [Column],
-        keys: Option<&mut Pieces<String>>,
+        keys: Option<&mut RowKeys>,
     ) -> Option<(usize, usize)> {
         let mut columns = columns.get_disjoint_mut(self.cells.map(|cell| cell.column)).ok()?;
         if columns.iter().all(|column| matches!(column, Column::Narrow(_))) {
@@ -137,16 +140,13 @@ impl<const N: usize> Way<N> {
                 self.rows::<KEYED, false>(lane, start, keys, |row| Scaled::push_row(&mut columns, row)),
             );
         }
-        if KEYED {
-            return None;
-        }
         let push = |row: [(i64, i32); N]| {
             let numbers = columns.iter_mut().zip(row);
             numbers.for_each(|(column, (mantissa, exponent))| column.push_decimal(mantissa, exponent));
             true
         };
         // Long columns most likely have long numbers.
-        Some(self.rows::<false, true>(lane, start, None, push))
+        Some(self.rows::<KEYED, true>(lane, start, keys, push))
     }
 
     /// Adds rows as long as `push` takes their numbers.
@@ -155,15 +155,15 @@ impl<const N: usize> Way<N> {
         &self,
         lane: &Lane,
         start: usize,
-        mut keys: Option<&mut Pieces<String>>,
+        mut keys: Option<&mut RowKeys>,
         mut push: impl FnMut([(i64, i32); N]) -> bool,
     ) -> (usize, usize) {
-        let (mut rows, mut at) = (0, start);
-        let (mut key, mut last_key) = (None, None);
-        while let Some((numbers, next)) = self.row::<KEYED, LONG>(lane, at, last_key.as_ref(), &mut key) {
-            let is_same = KEYED && last_key.is_some() && key == last_key;
+        let (mut rows, mut at, mut key) = (0, start, None);
+        // The last two keys: two groups may take turns.
+        let mut recent: [Option<KnownKey>; 2] = [None, None];
+        while let Some((numbers, next)) = self.row::<KEYED, LONG>(lane, at, &recent, &mut key) {
             let new_key = match &key {
-                Some(key) if KEYED && !is_same => match lane.chunk.get(key.clone()).map(decode) {
+                Some((cell, None)) if KEYED => match lane.chunk.get(cell.clone()).map(decode) {
                     Some(Ok(text)) => Some(unquoted_key(text)),
                     _ => break,
                 },
@@ -172,12 +172,15 @@ impl<const N: usize> Way<N> {
             if !push(numbers) {
                 break;
             }
-            if KEYED && let Some(keys) = &mut keys {
-                match new_key {
-                    Some(text) => keys.push(text),
-                    None => keys.push_again(),
+            if KEYED && let (Some(keys), Some((cell, known))) = (&mut keys, key.take()) {
+                let text = known.unwrap_or_else(|| keys.push(new_key.unwrap_or_default()));
+                if known.is_some() {
+                    keys.push_known(text);
                 }
-                last_key = key.take();
+                if recent[0].as_ref().is_none_or(|(_, last)| *last != text) {
+                    recent.swap(0, 1);
+                    recent[0] = Some((cell, text));
+                }
             }
             at = next;
             rows += 1;
@@ -185,15 +188,15 @@ impl<const N: usize> Way<N> {
         (rows, at)
     }
 
-    /// The numbers of the row that starts here, as mantissas and exponents, and the start of the next line. Its key is that of the row
-    /// before if it has the same text.
+    /// The numbers of the row that starts here, as mantissas and exponents, and the start of the next line. Its key is a recent one if
+    /// it has the same text.
     #[inline(always)]
     fn row<const KEYED: bool, const LONG: bool>(
         &self,
         lane: &Lane,
         start: usize,
-        last_key: Option<&Range<usize>>,
-        key: &mut Option<Range<usize>>,
+        recent: &[Option<KnownKey>],
+        key: &mut Option<(Range<usize>, Option<u32>)>,
     ) -> Option<([(i64, i32); N], usize)> {
         // A line that starts with white space may be blank.
         if lane.chunk.get(start).is_none_or(|&first| first <= b' ') {
@@ -206,11 +209,12 @@ impl<const N: usize> Way<N> {
                 for _ in 0..own.separators {
                     at = lane.after_separator(at)?;
                 }
-                (*key, at) = match last_key.and_then(|last| Some((last, lane.end_of_same(at, last)?))) {
-                    Some((last, end)) => (Some(last.clone()), end),
+                let same = |(cell, text): &KnownKey| Some((cell.clone(), *text, lane.end_of_same(at, cell)?));
+                (*key, at) = match recent.iter().flatten().find_map(same) {
+                    Some((cell, text, end)) => (Some((cell, Some(text))), end),
                     None => {
                         let (contents, end) = lane.cell(at)?;
-                        (Some(contents), end)
+                        (Some((contents, None)), end)
                     }
                 };
             }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use boundfit_ask::Groups;
+use boundfit_ask::{Groups, Shows};
 use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::Foreign;
 use boundfit_figures::{
@@ -163,7 +163,7 @@ fn run_groups(job: &Job, what: Compared) -> CommandResult {
     let Some(by) = &job.arguments.by else { return Ok(Exit::Answer) };
     let by = ColumnSelector::name_or_number(by);
     let (asked, source) = job.arguments.data.words_with(&job.arguments.x_errors).open()?.scan();
-    let groups = Groups::read(&asked, source, &by);
+    let groups = Groups::read(&asked, source, &by, Shows::Readings);
     let groups = groups.map_err(|refusal| Failure::of(&refusal, job.arguments.data.file_name()))?;
     let (asked, fleet) = (groups.question(), groups.fleet());
     input::say_table(job.arguments.data.file_name(), fleet.table(), fleet.rows_missing());

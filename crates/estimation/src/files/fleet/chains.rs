@@ -58,17 +58,11 @@ impl Coordinate for i128 {
     }
 
     #[inline]
-    fn compare_products(left: [i128; 2], right: [i128; 2]) -> Ordering {
-        let short = |[a, b]: [i128; 2]| Some([i64::try_from(a).ok()?, i64::try_from(b).ok()?]);
-        if let (Some(left), Some(right)) = (short(left), short(right)) {
-            return i64::compare_products(left, right);
-        }
-        let [left, right] = [left, right].map(|[a, b]| Wide::product(a, b));
-        let difference = left - right;
-        match difference.is_negative() {
-            true => Ordering::Less,
-            false if difference.is_zero() => Ordering::Equal,
-            false => Ordering::Greater,
+    fn compare_products([a, b]: [i128; 2], [c, d]: [i128; 2]) -> Ordering {
+        let short = i64::try_from;
+        match (short(a), short(b), short(c), short(d)) {
+            (Ok(a), Ok(b), Ok(c), Ok(d)) => i64::compare_products([a, b], [c, d]),
+            _ => Wide::product(a, b).cmp(&Wide::product(c, d)),
         }
     }
 }

@@ -13,8 +13,6 @@ pub(super) struct Keys {
     ends: Vec<usize>,
     /// The texts by their hashes.
     entries: HashTable<Entry>,
-    /// The last one that was looked up, and the one before: two groups may take turns.
-    recent: [Option<Entry>; 2],
     hasher: DefaultHashBuilder,
 }
 
@@ -52,15 +50,9 @@ impl Keys {
 
     /// The number of a text, a new one for a new text; `None` when there are no numbers left.
     pub(super) fn number_of(&mut self, key: &str) -> Option<u32> {
-        let Keys { text, ends, entries, recent, hasher } = self;
-        recent.reverse();
-        let [last, _] = recent;
-        if let Some(last) = last.filter(|last| last.of(text) == key) {
-            return Some(last.number);
-        }
+        let Keys { text, ends, entries, hasher } = self;
         let hash = hasher.hash_one(key);
         if let Some(entry) = entries.find(hash, |entry| entry.of(text) == key) {
-            *last = Some(*entry);
             return Some(entry.number);
         }
         let number = u32::try_from(ends.len()).ok()?;
@@ -68,7 +60,6 @@ impl Keys {
         text.push_str(key);
         ends.push(text.len());
         entries.insert_unique(hash, entry, |entry| hasher.hash_one(entry.of(text)));
-        *last = Some(entry);
         Some(number)
     }
 }

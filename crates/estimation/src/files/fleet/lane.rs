@@ -1,10 +1,13 @@
 //! The lines of groups whose readings are integers on powers of ten, as in most files. They follow from the two hulls
 //! alone, without half-planes, vertices, proofs or a fraction for each number.
 
+use std::borrow::Cow;
+
 use boundfit_exact::{Endpoint, Integer, Interval, Rational, Scaled, Unit, Wide, WideProducts, WideQuotient};
 use boundfit_geometry::RegionKind;
 
 use super::chains::{Chains, Coordinate, Corner, Ends, Quotient, Site};
+use super::counts::{Counts, Integers};
 use crate::bound_name::BoundName;
 use crate::bounds::{central_of, guaranteed_error};
 use crate::grid::Grid;
@@ -12,29 +15,6 @@ use crate::group_fit::{GroupAnswer, GroupFit, GroupLine, Terms};
 use crate::least_squares::LeastSquares;
 use crate::meaning::ErrorBound;
 use crate::moments::{SUM_BITS, Solution, Sums, bits};
-
-/// Numbers as integers on a power of ten.
-pub(in crate::files) struct Counts {
-    pub(in crate::files) counts: Vec<i128>,
-    pub(in crate::files) exponent: i32,
-}
-
-impl Counts {
-    /// The same numbers on the coarsest decimal unit up to 1 that they allow. The unit that they have is that of
-    /// thousands of readings, of which some may have more digits.
-    fn coarsened(self) -> Self {
-        let finest = (-self.exponent).clamp(0, 18).unsigned_abs();
-        let are_whole = |places: &u32| {
-            let power = 10_i128.pow(*places);
-            self.counts.iter().all(|count| count % power == 0)
-        };
-        // Mostly the first reading refuses each coarser unit.
-        let Some(places) = (1..=finest).rev().find(are_whole) else { return self };
-        let power = 10_i128.pow(places);
-        let counts = self.counts.iter().map(|count| count / power).collect();
-        Counts { counts, exponent: self.exponent + places as i32 }
-    }
-}
 
 /// Powers of ten beyond these are left to numbers of any size.
 const MOST_EXPONENT: u32 = 60;
@@ -44,16 +24,37 @@ const WIDE_BITS: u32 = 255;
 const MOST_REFINED: u32 = 18;
 
 /// The numbers that a line follows from.
-struct Group<'a> {
-    x: &'a [i128],
-    /// The ordinates, on the unit of ε.
-    y: Vec<i128>,
+struct Group {
+    /// The readings in the order of their rows. Ordinates are on the unit of ε.
+    sites: Sites,
     epsilon: i128,
     /// The powers of ten of θ1 and of θ2.
     exponents: [i32; 2],
     /// The bits of the largest x, of the largest y or of ε, and of the number of readings.
     sizes: [u32; 3],
     hulls: Hulls,
+}
+
+/// Readings on the shortest integers that hold them.
+enum Sites {
+    Short(Vec<Site<i64>>),
+    Long(Vec<Site<i128>>),
+}
+
+impl Sites {
+    fn len(&self) -> usize {
+        match self {
+            Sites::Short(sites) => sites.len(),
+            Sites::Long(sites) => sites.len(),
+        }
+    }
+
+    fn iter(&self) -> impl Iterator<Item = Site<i128>> {
+        (0..self.len()).map(|index| match self {
+            Sites::Short(sites) => (sites[index].0.into(), sites[index].1.into()),
+            Sites::Long(sites) => sites[index],
+        })
+    }
 }
 
 /// The results of both hulls.
@@ -65,10 +66,10 @@ struct Hulls {
 
 impl Hulls {
     /// The hulls of readings under an error bound; `None` unless the FPS is a polygon.
-    fn of<C: Coordinate>(x: &[i128], y: &[i128], epsilon: i128) -> Option<Self> {
-        let mut sites: Vec<Site<C>> = x.iter().zip(y).map(|(&x, &y)| (C::of(x), C::of(y))).collect();
+    fn of<C: Coordinate>(sites: &[Site<C>], epsilon: i128) -> Option<Self> {
+        let mut sites = Cow::Borrowed(sites);
         if !sites.is_sorted() {
-            sites.sort_unstable();
+            sites.to_mut().sort_unstable();
         }
         let chains = Chains::of_sorted(&sites)?;
         let gap = chains.gap();
@@ -77,32 +78,36 @@ impl Hulls {
     }
 }
 
-impl<'a> Group<'a> {
+impl Group {
     /// Readings (x, y) under a uniform error bound. Returns `None` unless the FPS is a polygon, and for numbers that are too long.
-    fn new(x: &'a Counts, y: &Counts, epsilon: &Rational) -> Option<Self> {
+    fn new(x: &Counts<'_>, y: &Counts<'_>, epsilon: &Rational) -> Option<Self> {
         if x.exponent.unsigned_abs().max(y.exponent.unsigned_abs()) > MOST_EXPONENT {
             return None;
         }
         let (epsilon, refined) = on_power_of_ten(epsilon, y.exponent)?;
         let exponent = y.exponent - refined as i32;
         let factor = 10_i128.pow(refined);
-        let widest = |counts: &[i128]| bits(counts.iter().fold(0, |all, count| all | count.unsigned_abs()));
+        let y_bits = y.counts.widest() + if refined > 0 { bits(factor.unsigned_abs()) } else { 0 };
         // A longer product would be too long below.
-        if widest(&y.counts) + bits(factor.unsigned_abs()) > i128::BITS - 1 {
+        if y_bits > i128::BITS - 1 {
             return None;
         }
-        let y: Vec<i128> = y.counts.iter().map(|count| count.wrapping_mul(factor)).collect();
         let exponents = [exponent - x.exponent, exponent];
-        let x = x.counts.as_slice();
-        let sizes = [widest(x), widest(&y).max(bits(epsilon.unsigned_abs())), bits(x.len() as u128)];
+        let sizes =
+            [x.counts.widest(), y_bits.max(bits(epsilon.unsigned_abs())), bits(x.counts.len() as u128)];
         let size = sizes[0].max(sizes[1]) + sizes[2];
-        if size > i128::MOST_BITS {
+        let (sites, hulls) = if size <= i64::MOST_BITS {
+            let sites = sites(&x.counts, &y.counts, factor);
+            let hulls = Hulls::of(&sites, epsilon)?;
+            (Sites::Short(sites), hulls)
+        } else if size <= i128::MOST_BITS {
+            let sites = sites(&x.counts, &y.counts, factor);
+            let hulls = Hulls::of(&sites, epsilon)?;
+            (Sites::Long(sites), hulls)
+        } else {
             return None;
-        }
-        let is_short = size <= i64::MOST_BITS;
-        let hulls =
-            if is_short { Hulls::of::<i64>(x, &y, epsilon)? } else { Hulls::of::<i128>(x, &y, epsilon)? };
-        Some(Group { x, y, epsilon, exponents, sizes, hulls })
+        };
+        Some(Group { sites, epsilon, exponents, sizes, hulls })
     }
 
     /// A parameter as a number.
@@ -141,7 +146,7 @@ impl<'a> Group<'a> {
         let long_sum = |pairs: &mut dyn Iterator<Item = (i128, i128)>| {
             pairs.fold(Wide::default(), |sum, (left, right)| sum + Wide::product(left, right))
         };
-        let sums: Sums<Wide> = moments(self.x, &self.y, self.products_fit(), long_sum);
+        let sums: Sums<Wide> = self.moments(long_sum);
         Some(sums.solution())
     }
 
@@ -151,10 +156,39 @@ impl<'a> Group<'a> {
         x_bits + x_bits.max(y_bits) + count_bits < SUM_BITS
     }
 
+    /// The sums over the readings. `long_sum` adds up products of which the sum may not fit into 128 bits.
+    fn moments<N: From<i128>>(
+        &self,
+        long_sum: impl Fn(&mut dyn Iterator<Item = (i128, i128)>) -> N,
+    ) -> Sums<N> {
+        let sites = match &self.sites {
+            // Their sums of products always fit.
+            Sites::Short(sites) => return short_moments(sites).map(N::from),
+            Sites::Long(sites) => sites,
+        };
+        let sum_of_products = |of: fn(&Site<i128>) -> (i128, i128)| {
+            let mut pairs = sites.iter().map(of);
+            match self.products_fit() {
+                true => {
+                    pairs.map(|(left, right)| left.wrapping_mul(right)).fold(0, i128::wrapping_add).into()
+                }
+                false => long_sum(&mut pairs),
+            }
+        };
+        Sums {
+            count: sites.len(),
+            uu: sum_of_products(|&(x, _)| (x, x)),
+            uv: sites.iter().map(|(x, _)| x).sum::<i128>().into(),
+            vv: (sites.len() as i128).into(),
+            uy: sum_of_products(|&site| site),
+            vy: sites.iter().map(|(_, y)| y).sum::<i128>().into(),
+        }
+    }
+
     /// Returns whether no reading is farther than ε from the least-squares line.
     fn is_feasible(&self, Solution { numerators: [slope, offset], determinant }: &Solution<Wide>) -> bool {
         let room = determinant * &Wide::from(self.epsilon);
-        self.x.iter().zip(&self.y).all(|(&x, &y)| {
+        self.sites.iter().all(|(x, y)| {
             let apart = determinant * &Wide::from(y) - slope * &Wide::from(x) - *offset;
             !(room - apart.negated_if(apart.is_negative())).is_negative()
         })
@@ -172,22 +206,26 @@ impl<'a> Group<'a> {
         let Ends { lower, upper, .. } = &self.hulls.ends;
         let line = if is_upper { upper[axis] } else { lower[axis] };
         let [left, right] = line.map(|corner| corner.site.0);
-        let sizes = if axis == 0 { [1, 1] } else { [right.unsigned_abs(), left.unsigned_abs()] };
-        let exponent = if axis == 0 { -x_exponent } else { 0 };
-        let term = |(Corner { site: (x, y), is_ceiling }, size): (Corner, u128)| {
+        let bound = |Corner { site: (x, y), is_ceiling }: Corner| {
             let y = if is_ceiling { y - self.epsilon } else { y + self.epsilon };
             // The first of those at one place stands for all.
-            let position =
-                self.x.iter().zip(&self.y).position(|(&own_x, &own_y)| own_x == x && own_y == y)?;
+            let position = self.sites.iter().position(|own| own == (x, y))?;
             let name = if is_ceiling { BoundName::Upper } else { BoundName::Lower };
-            Some((
-                name(row(position)),
-                Rational::scaled_quotient(size.into(), (right - left).into(), exponent)?,
-            ))
+            Some(name(row(position)))
+        };
+        let bounds = [bound(line[0])?, bound(line[1])?];
+        let over_run = |size: u128, exponent: i32| {
+            Rational::scaled_quotient(size.into(), (right - left).into(), exponent)
+        };
+        let multipliers = if axis == 0 {
+            let one = over_run(1, -x_exponent)?;
+            [one.clone(), one]
+        } else {
+            [over_run(right.unsigned_abs(), 0)?, over_run(left.unsigned_abs(), 0)?]
         };
         // A corner at 0 proves what is said of the value there alone.
         let mut terms: Terms =
-            line.into_iter().zip(sizes).filter(|(_, size)| *size > 0).map(term).collect::<Option<_>>()?;
+            bounds.into_iter().zip(multipliers).filter(|(_, multiplier)| !multiplier.is_zero()).collect();
         terms.sort();
         Some(terms)
     }
@@ -195,24 +233,24 @@ impl<'a> Group<'a> {
 
 /// Returns the line of a report about a group of readings (x, y) under a uniform error bound, except its rows.
 /// Returns `None` unless the FPS is a polygon, and for numbers that are too long. Exact. Cost: O(N log N).
-pub(super) fn group_fit(x: &Counts, y: &Counts, epsilon: &Rational) -> Option<GroupFit> {
+pub(super) fn group_fit(x: &Counts<'_>, y: &Counts<'_>, epsilon: &Rational) -> Option<GroupFit> {
     let group = Group::new(x, y, epsilon)?;
     let long_sum = |pairs: &mut dyn Iterator<Item = (i128, i128)>| {
         let mut sum = WideProducts::default();
         pairs.for_each(|(left, right)| sum.add(left, right));
         sum.total()
     };
-    let sums: Sums<Integer> = moments(group.x, &group.y, group.products_fit(), long_sum);
+    let sums: Sums<Integer> = group.moments(long_sum);
     let Solution { numerators: [slope, offset], determinant } = sums.solution();
     let least_squares = [group.theta(0, slope, determinant.clone())?, group.theta(1, offset, determinant)?];
     of_parts(&group, least_squares)
 }
 
-fn of_parts(group: &Group<'_>, least_squares: [Rational; 2]) -> Option<GroupFit> {
+fn of_parts(group: &Group, least_squares: [Rational; 2]) -> Option<GroupFit> {
     let pui = group.pui()?;
     let central = central_of(&pui);
     Some(GroupFit {
-        rows: group.x.len(),
+        rows: group.sites.len(),
         first_row: None,
         kind: RegionKind::Polygon,
         pui: Some(pui),
@@ -225,13 +263,13 @@ fn of_parts(group: &Group<'_>, least_squares: [Rational; 2]) -> Option<GroupFit>
 /// Returns what [`group_fit`] does with the proofs, for readings whose rows have these numbers. Returns `None` also where an end has
 /// more than one proof, and where numbers do not fit into 64 bits. Exact. Cost: O(N log N).
 pub(super) fn group_answer(
-    x: Counts,
-    y: Counts,
+    x: Counts<'_>,
+    y: Counts<'_>,
     epsilon: &Rational,
     row: &dyn Fn(usize) -> usize,
 ) -> Option<GroupAnswer> {
     let (x, y) = (&x.coarsened(), &y.coarsened());
-    let column = |own: &Counts| Scaled::<i64>::new(own.counts.iter().copied(), Unit::TenTo(own.exponent));
+    let column = |own: &Counts<'_>| Scaled::<i64>::new(own.counts.iter(), Unit::TenTo(own.exponent));
     // First of all: many readings of 17 digits do not fit.
     let grid = Grid { phi1: column(x)?, phi2: None, response: column(y)?, epsilon: None };
     let group = Group::new(x, y, epsilon)?;
@@ -260,16 +298,16 @@ pub(super) fn group_answer(
 
 /// Returns what [`group_fit`] does as quotients that nobody has reduced; `None` where the numbers are too long for these, too. Exact.
 /// Cost: as [`group_fit`], without greatest common divisors, which take most of its time.
-pub(super) fn group_line(x: &Counts, y: &Counts, epsilon: &Rational) -> Option<GroupLine> {
+pub(super) fn group_line(x: &Counts<'_>, y: &Counts<'_>, epsilon: &Rational) -> Option<GroupLine> {
     let group = Group::new(x, y, epsilon)?;
     let Solution { numerators: [slope, offset], determinant } = group.solution()?;
-    let Group { x, exponents, hulls: Hulls { gap, ends }, .. } = group;
+    let Group { sites, exponents, hulls: Hulls { gap, ends }, .. } = group;
     let end = |axis: usize, (numerator, denominator): Quotient| {
         WideQuotient::new(numerator, Wide::from(denominator), exponents[axis])
     };
     let quotients = ends.quotients();
     Some(GroupLine {
-        rows: x.len(),
+        rows: sites.len(),
         first_row: None,
         pui: [0, 1].map(|axis| quotients[axis].map(|quotient| end(axis, quotient))),
         least_squares: [
@@ -291,26 +329,26 @@ fn on_power_of_ten(number: &Rational, exponent: i32) -> Option<(i128, u32)> {
     })
 }
 
-/// The sums over readings of a line. Sums of products fit into 128 bits if `products_fit`; `long_sum` adds up others.
-fn moments<N: From<i128>>(
-    x: &[i128],
-    y: &[i128],
-    products_fit: bool,
-    long_sum: impl Fn(&mut dyn Iterator<Item = (i128, i128)>) -> N,
-) -> Sums<N> {
-    let sum_of_products = |left: &[i128], right: &[i128]| {
-        let mut pairs = left.iter().copied().zip(right.iter().copied());
-        match products_fit {
-            true => pairs.map(|(left, right)| left.wrapping_mul(right)).fold(0, i128::wrapping_add).into(),
-            false => long_sum(&mut pairs),
+/// Readings whose ordinates are multiplied.
+fn sites<C: Coordinate>(x: &Integers<'_>, y: &Integers<'_>, factor: i128) -> Vec<Site<C>> {
+    let site = |(x, y): (i128, i128)| (C::of(x), C::of(y.wrapping_mul(factor)));
+    match (x, y) {
+        (Integers::Short(x), Integers::Short(y)) => {
+            x.iter().zip(y.iter()).map(|(&x, &y)| site((x.into(), y.into()))).collect()
         }
-    };
-    Sums {
-        count: x.len(),
-        uu: sum_of_products(x, x),
-        uv: x.iter().sum::<i128>().into(),
-        vv: (x.len() as i128).into(),
-        uy: sum_of_products(x, y),
-        vy: y.iter().sum::<i128>().into(),
+        _ => x.iter().zip(y.iter()).map(site).collect(),
     }
+}
+
+/// The sums over readings of a line, whose bits and the bits of their number are at most those of a word.
+fn short_moments(sites: &[Site<i64>]) -> Sums<i128> {
+    let mut sums = Sums { count: sites.len(), vv: sites.len() as i128, ..Sums::default() };
+    for &(x, y) in sites {
+        let (x, y) = (i128::from(x), i128::from(y));
+        sums.uv = sums.uv.wrapping_add(x);
+        sums.vy = sums.vy.wrapping_add(y);
+        sums.uu = sums.uu.wrapping_add(x.wrapping_mul(x));
+        sums.uy = sums.uy.wrapping_add(x.wrapping_mul(y));
+    }
+    sums
 }

@@ -1,36 +1,43 @@
 //! Fleets: the readings of many sensors in one table, each sensor fitted on its own.
 //!
 //! The table is read once. A number takes eight bytes where the text allows it. A row takes one number in each column
-//! and the number of its group. The rows of a group need not be neighbours: counting gathers them.
+//! and the number of its group. The rows of a group need not be neighbours: counting gathers them. Most of the later rows of
+//! a large group are not kept (`streams.rs`).
 
 mod chains;
+mod counts;
 mod groups;
 mod keys;
 mod lane;
 mod plain;
+mod store;
+mod streams;
 
 use std::collections::HashMap;
 use std::io;
 use std::ops::Range;
+use std::sync::Arc;
 
-use boundfit_exact::{Column, Foreign, Unit};
+use boundfit_exact::{Column, Foreign};
 use boundfit_formats::{
     Batch, ColumnSelector, HeldRows, InputError, RowNumbers, ScanOptions, Source, TableNotes, scan, threads,
 };
 use boundfit_geometry::Tally;
 
 use crate::files::Columns;
-use crate::files::counted::{CountedBatch, CountedRows};
+use crate::files::counted::CountedRows;
 use crate::files::series::Series;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::measurements::{Measurements, Readings};
 use crate::reduction::{DecidingMinimax, Reach, Reduction};
-use crate::summary::{Keep, LineSummary, SharedSieve, Spread, Thresholds};
+use crate::summary::{Keep, LineSummary, SharedSieve, Thresholds};
 use crate::ties::Ties;
+pub(super) use counts::{Counts, Integers};
 use groups::Groups;
 use keys::Keys;
-pub(super) use lane::Counts;
+use store::{Digest, Store};
+use streams::{LargeGroups, Stream};
 
 /// The number of groups in one piece of work.
 const GROUPS_PER_PIECE: usize = 64;
@@ -51,6 +58,8 @@ pub struct Fleet {
     /// Other rows, of which many are equal: the number of the group, and then as the columns.
     counted: CountedRows,
     counted_groups: Groups,
+    /// The further rows of groups that have more than [`Keep::MOST_ROWS`].
+    streams: HashMap<u32, Arc<Stream>>,
     rows_missing: usize,
     /// The keys of rows that were left out which no other row has.
     empty: Vec<String>,
@@ -60,34 +69,59 @@ pub struct Fleet {
 impl Fleet {
     /// Reads the columns of a table. Rows with the same text in the column `by`, spaces and tabs around it aside, are
     /// a group. Ignores the option of `options` about keys. Exact. Cost: one pass, on the threads of the current
-    /// rayon pool; 8 bytes of memory per number and 4 to 8 per row.
+    /// rayon pool; 8 bytes of memory per number and 4 to 8 per row. A line under one bound for all readings takes 4
+    /// bytes for most rows of a group beyond the first [`Keep::MOST_ROWS`].
     ///
     /// # Errors
-    /// The first thing wrong with the file, a negative error bound included; more than 2³² - 1 rows.
+    /// The first thing wrong with the file, a negative error bound included; more than 2³² - 1 rows that are kept.
     pub fn read(
         source: Source,
         columns: &Columns,
         by: &ColumnSelector,
         options: ScanOptions,
     ) -> Result<Self, InputError> {
+        Fleet::read_with(source, columns, by, options, columns.are_open().then(LargeGroups::default))
+    }
+
+    /// Reads as [`Fleet::read`] does, and keeps every reading for [`Fleet::each`].
+    ///
+    /// # Errors
+    /// The errors of [`Fleet::read`].
+    pub fn read_every(
+        source: Source,
+        columns: &Columns,
+        by: &ColumnSelector,
+        options: ScanOptions,
+    ) -> Result<Self, InputError> {
+        Fleet::read_with(source, columns, by, options, None)
+    }
+
+    /// Keeps every reading unless there may be large groups.
+    fn read_with(
+        source: Source,
+        columns: &Columns,
+        by: &ColumnSelector,
+        options: ScanOptions,
+        large: Option<LargeGroups>,
+    ) -> Result<Self, InputError> {
         let selectors = columns.selectors();
         let options = ScanOptions { key: Some(by.clone()), ..options };
         let file = source.name().to_owned();
         let mut options = options;
         let held = HeldRows::limiting(&mut options);
-        let mut store = Store { columns: vec![Series::default(); selectors.len()], ..Store::default() };
+        let mut store = Store::new(selectors.len());
         let mut unbounded = None;
         let mut lacking = Keys::default();
-        let part = |mut batch: Batch| {
-            let keys_missing = std::mem::take(&mut batch.keys_missing);
-            (columns.first_unbounded(&batch), keys_missing, Part::of(batch))
+        let digest = |batch: Batch| {
+            let unbounded = columns.first_unbounded(&batch);
+            Digest::of(batch, unbounded, large.as_ref())
         };
-        let scanned = scan(source, &selectors, &options, part, |(row, keys_missing, part)| {
-            unbounded = unbounded.or(row);
-            for key in &keys_missing {
+        let scanned = scan(source, &selectors, &options, digest, |digest| {
+            unbounded = unbounded.or(digest.unbounded);
+            for key in &digest.keys_missing {
                 let _ = lacking.number_of(key);
             }
-            store.push(part, &held);
+            store.push(digest, large.as_ref(), &held);
         });
         held.check(file.raw())?;
         let scanned = scanned?;
@@ -101,7 +135,8 @@ impl Fleet {
         drop(std::mem::take(&mut store.group_of));
         let counted_groups = Groups::new(&store.counted_group_of, store.keys.len());
         let (rows_missing, table) = (scanned.rows_missing, scanned.table);
-        let Store { keys, columns, rows, counted, .. } = store;
+        let Store { keys, columns, rows, counted, streams, .. } = store;
+        let streams = streams.into_iter().map(|(group, stream)| (group, Arc::new(stream))).collect();
         let lacking = (0..lacking.len()).map(|number| lacking.get(number)).filter(|key| !keys.has(key));
         let empty = lacking.map(str::to_owned).collect();
         Ok(Fleet {
@@ -112,6 +147,7 @@ impl Fleet {
             rows,
             counted,
             counted_groups,
+            streams,
             rows_missing,
             empty,
             table,
@@ -130,7 +166,7 @@ impl Fleet {
 
     /// The number of readings there are.
     pub fn readings(&self) -> usize {
-        self.rows.len() + self.counted.rows()
+        self.rows.len() + self.counted.rows() + self.streams.values().map(|own| own.rows()).sum::<usize>()
     }
 
     /// Returns how many rows that were asked for were left out since they lack a number.
@@ -156,6 +192,7 @@ impl Fleet {
     /// Returns whether numbers may be long: some did not fit into machine words.
     pub fn has_fractions(&self) -> bool {
         self.columns.iter().chain(self.counted.columns()).any(Series::has_fractions)
+            || self.streams.values().any(|own| own.has_fractions)
     }
 
     /// The text that the rows of a group have in common.
@@ -178,6 +215,7 @@ impl Fleet {
         let is_large =
             self.groups.rows(group).len() + kinds.clone().map(count).sum::<usize>() > Keep::MOST_ROWS;
         match (is_large, kinds.len() > 0) {
+            _ if self.stream(group).is_some() => return self.supporting(group),
             (true, false) if self.meaning.is_open() => return self.supporting(group),
             (true, true) => {}
             _ => return self.each(group),
@@ -194,11 +232,15 @@ impl Fleet {
         Measurements::of_counted(meaning, rows, ties)
     }
 
-    /// Every reading of a group by itself, in the order of the file.
+    /// Every reading of a group by itself, in the order of the file. Only [`Fleet::read_every`] keeps all
+    /// readings of a large group. Otherwise they are the [`Fleet::measurements`].
     ///
     /// # Panics
     /// When there are not that many groups.
     pub fn each(&self, group: usize) -> Measurements {
+        if self.stream(group).is_some() {
+            return self.supporting(group);
+        }
         let mut rows: Vec<Measurement> = self.rows_of(group).collect();
         let kinds = self.counted_groups.rows(group);
         if kinds.len() > 0 {
@@ -240,46 +282,63 @@ impl Fleet {
         (self.meaning.measurement(tally.first() as usize, numbers), tally)
     }
 
+    /// The further readings of a large group.
+    fn stream(&self, group: usize) -> Option<&Stream> {
+        self.streams.get(&u32::try_from(group).ok()?).map(Arc::as_ref)
+    }
+
     /// The readings of a group of a line under one bound that support a hull, with what is known of all.
     fn supporting(&self, group: usize) -> Measurements {
-        const ROWS: usize = 1 << 16;
         let mut meaning = self.meaning.clone();
-        let count = self.groups.rows(group).len();
-        let part = |column: usize, start: usize| {
-            let rows = self.groups.rows_at(group, start..start + ROWS);
-            let part = |series: &Series| match self.groups.run(group) {
-                Some(run) => {
-                    let first = run.start + start;
-                    series.column_of_run(first..first + rows.len())
-                }
-                None => series.column(rows),
-            };
-            self.columns.get(column).map(part).unwrap_or_default()
-        };
-        let (mut summary, sieve) = (LineSummary::default(), SharedSieve::listing(Ties::MOST_LISTED));
-        for start in (0..count).step_by(ROWS) {
-            let rows = self.groups.rows_at(group, start..start + ROWS);
-            let numbers: Vec<usize> = rows.map(|row| self.rows.get(row)).collect();
-            let [x, y] = [part(0, start), part(1, start)];
+        let (stream, sieve) = (self.stream(group), SharedSieve::listing(Ties::MOST_LISTED));
+        let mut summary = stream.map(|own| own.summary.clone()).unwrap_or_default();
+        self.parts(group).for_each(|(numbers, [x, y])| {
             let own = LineSummary::of_columns([&x, &y], None, &|row| numbers[row], &sieve);
             summary.merge(own, &sieve);
-        }
+        });
         let epsilon = meaning.error_bound.uniform().cloned().unwrap_or_default();
         let (sums, rows, ties) = summary.into_parts(&epsilon, &sieve);
         let form = meaning.form.clone();
         let rows = meaning.settled(rows);
-        let sums = sums.counted_from(&form.x_origin);
+        let (count, sums) = (sums.count, sums.counted_from(&form.x_origin));
         let thresholds = Thresholds::of_form(&form, &sums);
-        let mut spread = Spread::default();
-        for start in (0..count).step_by(ROWS) {
-            spread = spread.merged(&thresholds.of_column(&part(0, start)));
-        }
-        let spread = spread.counted_from(&form.x_origin);
+        let further = stream.and_then(|own| own.x.spread(&thresholds)).unwrap_or_default();
+        let spreads = self.parts(group).map(|(_, [x, _])| thresholds.of_column(&x));
+        let spread = spreads.fold(further, |spread, own| spread.merged(&own)).counted_from(&form.x_origin);
         let (radii, absolute) = (spread.absolute_weights(&sums), spread.absolute_x(&sums));
         let reach = Ok(Reach { radii, absolute, middles: None });
         let (minimax, has_widths) = (DecidingMinimax::Kept, true);
         let reduction = Reduction { count, sums: Ok(sums), reach, minimax, has_widths };
         Measurements::of_readings(meaning, Readings::Supporting { rows, ties, reduction })
+    }
+
+    /// The readings of a group of a line that are kept, as the numbers of their rows, x and y.
+    fn parts(&self, group: usize) -> impl Iterator<Item = (Vec<usize>, [Column; 2])> + '_ {
+        const ROWS: usize = 1 << 16;
+        let starts = (0..self.groups.rows(group).len()).step_by(ROWS);
+        let by_themselves = starts.map(move |start| {
+            let rows = self.groups.rows_at(group, start..start + ROWS);
+            let numbers = rows.clone().map(|row| self.rows.get(row)).collect();
+            let column = |column: usize| match self.groups.run(group) {
+                Some(run) => {
+                    let first = run.start + start;
+                    self.columns[column].column_of_run(first..first + rows.len())
+                }
+                None => self.columns[column].column(rows.clone()),
+            };
+            (numbers, [column(0), column(1)])
+        });
+        let kinds = self.counted_groups.rows(group);
+        let rows_of = |kind: usize| self.counted.tally(kind).rows().map(move |row| (row as usize, kind));
+        let mut counted: Vec<(usize, usize)> = kinds.flat_map(rows_of).collect();
+        counted.sort_unstable();
+        let counted = (!counted.is_empty()).then(|| {
+            let kinds = || counted.iter().map(|(_, kind)| *kind);
+            // The first column has the group.
+            let columns = [1, 2].map(|column| self.counted.columns()[column].column(kinds()));
+            (counted.iter().map(|(row, _)| *row).collect(), columns)
+        });
+        by_themselves.chain(counted)
     }
 
     /// Calls `work` for consecutive groups, on the threads of the current rayon pool and in any order, and `take`
@@ -307,122 +366,5 @@ impl Fleet {
             ready = next;
         }
         ready.into_iter().try_for_each(take)
-    }
-}
-
-/// The rows read so far.
-#[derive(Default)]
-struct Store {
-    columns: Vec<Series>,
-    group_of: Vec<u32>,
-    keys: Keys,
-    rows: RowNumbers,
-    counted: CountedRows,
-    counted_group_of: Vec<u32>,
-    /// True if there are more rows than can be numbered.
-    is_full: bool,
-}
-
-impl Store {
-    fn push(&mut self, part: Part, held: &HeldRows) {
-        match part {
-            Part::Each { batch, starts } => {
-                // Its numbers, its group, and its place in the order of groups.
-                let bytes = 8 * (self.columns.len() as u64 + 1);
-                held.add_bytes(batch.rows.len(), batch.rows.len(), bytes * batch.rows.len() as u64);
-                self.push_each(&batch, &starts);
-            }
-            Part::Counted { rows, keys, key_of } => {
-                let before = (self.counted.kinds(), self.counted.bytes());
-                let met = rows.rows();
-                self.push_counted(rows, &keys, &key_of);
-                let more = self.counted.bytes().saturating_sub(before.1);
-                held.add_counted(met, self.counted.kinds() - before.0, more);
-            }
-        }
-    }
-
-    fn push_each(&mut self, batch: &Batch, starts: &[usize]) {
-        let Some(keys) = &batch.keys else { return };
-        self.is_full |= u32::try_from(self.group_of.len() + batch.rows.len()).is_err();
-        if self.is_full {
-            return;
-        }
-        self.rows.append(&batch.rows);
-        for (series, column) in self.columns.iter_mut().zip(&batch.columns) {
-            series.push(column);
-        }
-        let ends = starts.iter().skip(1).copied().chain([batch.rows.len()]);
-        for (&start, end) in starts.iter().zip(ends) {
-            // There are no more groups than rows.
-            let Some(group) = self.keys.number_of(keys.get(start)) else { return };
-            self.group_of.extend(std::iter::repeat_n(group, end - start));
-        }
-    }
-
-    fn push_counted(&mut self, rows: CountedBatch, keys: &[String], key_of: &[usize]) {
-        let numbers: Option<Vec<u32>> = keys.iter().map(|key| self.keys.number_of(key)).collect();
-        let Some(numbers) = numbers else { return };
-        let groups = key_of.iter().filter_map(|&key| numbers.get(key).copied());
-        let groups = Column::of_counts(groups.map(i128::from), Unit::TenTo(0));
-        let before = self.counted.kinds();
-        self.counted.push(rows, Some(&groups));
-        let group = |kind: usize| self.counted.numbers(kind).next()?.numerator().to_i128();
-        let new =
-            (before..self.counted.kinds()).map(|kind| group(kind).and_then(|own| u32::try_from(own).ok()));
-        self.counted_group_of.extend(new.map(Option::unwrap_or_default));
-    }
-}
-
-/// The divisor of the number of rows: counting equal rows pays if there are at most this part of different rows.
-const FEWEST_EQUAL: usize = 4;
-
-/// The rows of a batch.
-enum Part {
-    /// Each, with the places where a new key begins: a sorted table needs one look-up per group then.
-    Each { batch: Batch, starts: Vec<usize> },
-    /// Equal ones once, each kind with the number of its key.
-    Counted { rows: CountedBatch, keys: Vec<String>, key_of: Vec<usize> },
-}
-
-impl Part {
-    fn of(mut batch: Batch) -> Self {
-        let mut last = None;
-        let begins = |&row: &usize| {
-            let key = batch.keys.as_ref().map(|keys| keys.get(row));
-            key.is_some() && last.replace(key) != Some(key)
-        };
-        let starts: Vec<usize> = (0..batch.rows.len()).filter(begins).collect();
-        if starts.is_empty() || !CountedBatch::are_few(&batch.columns, FEWEST_EQUAL) {
-            return Part::Each { batch, starts };
-        }
-        let (keys, number_of) = Part::keys(&batch, &starts);
-        let key = |row: usize| number_of.get(row).map(|&number| number as u32);
-        let columns = std::mem::take(&mut batch.columns);
-        let rows = CountedBatch::new(columns, &batch.rows, key, FEWEST_EQUAL);
-        if rows.kinds() * FEWEST_EQUAL > rows.rows() {
-            let columns = rows.into_columns();
-            return Part::Each { batch: Batch { columns, ..batch }, starts };
-        }
-        let key_of = rows.positions().filter_map(|row| number_of.get(row).copied()).collect();
-        Part::Counted { rows, keys, key_of }
-    }
-
-    /// The different keys in the order in which they come, and the number of that of each row.
-    fn keys(batch: &Batch, starts: &[usize]) -> (Vec<String>, Vec<usize>) {
-        let Some(texts) = &batch.keys else { return <(Vec<String>, Vec<usize>)>::default() };
-        let mut keys: Vec<String> = Vec::new();
-        let mut numbers: HashMap<&str, usize> = HashMap::new();
-        let mut number_of = Vec::with_capacity(batch.rows.len());
-        let ends = starts.iter().skip(1).copied().chain([batch.rows.len()]);
-        for (&start, end) in starts.iter().zip(ends) {
-            let key = texts.get(start);
-            let number = *numbers.entry(key).or_insert_with(|| {
-                keys.push(key.to_owned());
-                keys.len() - 1
-            });
-            number_of.extend(std::iter::repeat_n(number, end - start));
-        }
-        (keys, number_of)
     }
 }

@@ -3,7 +3,6 @@
 use boundfit_exact::Rational;
 
 use super::{Counts, Fleet, lane};
-use crate::files::series::Series;
 use crate::group_fit::{GroupAnswer, GroupFit, GroupLine};
 use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::summary::Keep;
@@ -11,8 +10,8 @@ use crate::summary::Keep;
 /// Readings of a line under one error bound, as integers.
 struct Plain<'a> {
     first_row: Option<usize>,
-    x: Counts,
-    y: Counts,
+    x: Counts<'a>,
+    y: Counts<'a>,
     epsilon: &'a Rational,
 }
 
@@ -79,15 +78,15 @@ impl Fleet {
             && multiple_of_least.is_none()
             && !form.through_origin
             && form.x_origin.is_zero();
-        if !is_plain {
+        if !is_plain || self.stream(group).is_some() {
             return None;
         }
         if kinds.len() == 0 {
-            let counts = |series: &Series| match self.groups.run(group) {
-                Some(run) => series.counts_of_run(run),
-                None => series.counts(plain.clone()),
+            let counts = |column: usize| match self.groups.run(group) {
+                Some(run) => columns[column].counts_of_run(run),
+                None => columns[column].counts(plain.clone()),
             };
-            let [x, y] = [counts(x)?, counts(y)?];
+            let [x, y] = [counts(0)?, counts(1)?];
             return Some(Plain { first_row: plain.map(|row| self.rows.get(row)).next(), x, y, epsilon });
         }
         let first_row = kinds.clone().map(|kind| self.counted.tally(kind).first() as usize).min();
