@@ -28,9 +28,18 @@ impl Scale {
         is_uniform: bool,
         conditions: &[Condition],
     ) -> Option<Self> {
+        Scale::least_at(rows, is_uniform, conditions).map(|(scale, _)| scale)
+    }
+
+    /// [`Scale::least`], and a point that is left. Exact.
+    pub(crate) fn least_at<'a>(
+        rows: impl Iterator<Item = &'a Measurement>,
+        is_uniform: bool,
+        conditions: &[Condition],
+    ) -> Option<(Self, [Rational; 2])> {
         match least_growth(&Growing::of_rows(rows, is_uniform).with(conditions).inequalities) {
-            LeastGrowth::From { t, .. } if is_uniform => Some(Scale::Within(t)),
-            LeastGrowth::From { t, .. } => Some(Scale::Times(t)),
+            LeastGrowth::From { t, theta, .. } if is_uniform => Some((Scale::Within(t), theta)),
+            LeastGrowth::From { t, theta, .. } => Some((Scale::Times(t), theta)),
             LeastGrowth::Never => None,
         }
     }

@@ -1,12 +1,14 @@
 //! Columns of all readings in little memory, for further looks at them.
 
-use boundfit_exact::{Column, Rational, Scaled, Unit};
+use std::borrow::Cow;
+
+use boundfit_exact::{Column, Rational, Unit};
 use boundfit_formats::RowNumbers;
 
 use crate::summary::{Spread, Thresholds};
 
 /// All numbers of some columns seen so far, until they would take more memory than allowed; from then on none. Where
-/// the numbers of a part lie within 32 bits of each other, each takes four bytes.
+/// the numbers of each column of a part lie within 32 bits of each other, each takes four bytes.
 #[derive(Debug)]
 pub(super) struct KeptColumns {
     /// `None` once there were too many.
@@ -19,55 +21,45 @@ pub(super) struct KeptColumns {
 #[derive(Debug)]
 pub(super) struct KeptPart {
     pub(super) rows: RowNumbers,
-    columns: Vec<StoredColumn>,
+    columns: Stored,
 }
 
-/// A column of one part.
+/// The columns of one part.
 #[derive(Debug)]
-enum StoredColumn {
-    /// `base + offset` units each.
-    Offsets {
-        unit: Unit,
-        base: i64,
-        offsets: Vec<u32>,
-    },
-    Any(Column),
+enum Stored {
+    /// All of them within 32 bits.
+    Offsets(Vec<Offsets>),
+    Any(Vec<Column>),
 }
 
-impl StoredColumn {
-    fn new(x: &Column) -> Self {
-        let offsets = |x: &Scaled<i64>| {
-            let ends = |[least, most]: [i64; 2], &count: &i64| [least.min(count), most.max(count)];
-            let [base, most] = x.counts().iter().fold([i64::MAX, i64::MIN], ends);
-            // The ends of no numbers are the wrong way round, and too far apart.
-            u32::try_from(most.checked_sub(base)?).ok()?;
-            let offsets = x.counts().iter().map(|count| count.wrapping_sub(base) as u32).collect();
-            Some(StoredColumn::Offsets { unit: x.unit(), base, offsets })
-        };
-        let narrow = if let Column::Narrow(x) = x { offsets(x) } else { None };
-        narrow.unwrap_or_else(|| StoredColumn::Any(x.clone()))
-    }
+/// A column whose numbers are `base + offset` units each.
+#[derive(Debug)]
+struct Offsets {
+    unit: Unit,
+    base: i64,
+    offsets: Vec<u32>,
+}
 
-    fn bytes(&self) -> usize {
-        match self {
-            StoredColumn::Offsets { offsets, .. } => size_of_val(offsets.as_slice()),
-            StoredColumn::Any(column) => bytes_of(column),
-        }
+impl Offsets {
+    /// Returns the offsets of a column; `None` where they take more than 32 bits.
+    fn new(column: &Column) -> Option<Self> {
+        let Column::Narrow(x) = column else { return None };
+        let ends = |[least, most]: [i64; 2], &count: &i64| [least.min(count), most.max(count)];
+        let [base, most] = x.counts().iter().fold([i64::MAX, i64::MIN], ends);
+        // The ends of no numbers are the wrong way round, and too far apart.
+        u32::try_from(most.checked_sub(base)?).ok()?;
+        let offsets = x.counts().iter().map(|count| count.wrapping_sub(base) as u32).collect();
+        Some(Offsets { unit: x.unit(), base, offsets })
     }
 
     fn column(&self) -> Column {
-        match self {
-            StoredColumn::Any(column) => column.clone(),
-            StoredColumn::Offsets { unit, base, offsets } => Column::of_offsets(*base, offsets, *unit),
-        }
+        Column::of_offsets(self.base, &self.offsets, self.unit)
     }
 
     fn spread(&self, thresholds: &Thresholds) -> Spread {
-        let (unit, base, offsets) = match self {
-            StoredColumn::Offsets { unit, base, offsets } => (*unit, *base, offsets),
-            StoredColumn::Any(column) => return thresholds.of_column(column),
-        };
-        Spread::of_counts(thresholds.in_units(unit).map(|threshold| {
+        let Offsets { unit, base, offsets } = self;
+        let base = *base;
+        Spread::of_counts(thresholds.in_units(*unit).map(|threshold| {
             // Offsets are compared as 64-bit integers and counted without branches: this loop sees every reading.
             let least = threshold.saturating_sub(base.into()).clamp(-1, u32::MAX.into()) as i64;
             let (mut count, mut sum) = (0_u64, 0_u64);
@@ -97,16 +89,35 @@ fn bytes_of(column: &Column) -> usize {
 
 impl KeptPart {
     pub(super) fn new(columns: &[Column], rows: RowNumbers) -> Self {
-        KeptPart { rows, columns: columns.iter().map(StoredColumn::new).collect() }
+        let offsets = columns.iter().map(Offsets::new).collect();
+        let columns = match offsets {
+            Some(offsets) => Stored::Offsets(offsets),
+            None => Stored::Any(columns.to_vec()),
+        };
+        KeptPart { rows, columns }
     }
 
     pub(super) fn bytes(&self) -> usize {
-        self.columns.iter().map(StoredColumn::bytes).sum()
+        match &self.columns {
+            Stored::Offsets(columns) => columns.iter().map(|own| size_of_val(own.offsets.as_slice())).sum(),
+            Stored::Any(columns) => columns.iter().map(bytes_of).sum(),
+        }
     }
 
     /// The columns as they were read.
-    pub(super) fn columns(&self) -> Vec<Column> {
-        self.columns.iter().map(StoredColumn::column).collect()
+    pub(super) fn columns(&self) -> Cow<'_, [Column]> {
+        match &self.columns {
+            Stored::Offsets(columns) => columns.iter().map(Offsets::column).collect(),
+            Stored::Any(columns) => Cow::Borrowed(columns),
+        }
+    }
+
+    /// Returns what of the first column lies above each threshold.
+    fn spread(&self, thresholds: &Thresholds) -> Option<Spread> {
+        match &self.columns {
+            Stored::Offsets(columns) => columns.first().map(|x| x.spread(thresholds)),
+            Stored::Any(columns) => columns.first().map(|x| thresholds.of_column(x)),
+        }
     }
 }
 
@@ -133,8 +144,7 @@ impl KeptColumns {
 
     /// Returns what of the first columns lies above each threshold; `None` unless all numbers were kept.
     pub(super) fn spread(&self, thresholds: &Thresholds) -> Option<Spread> {
-        let spreads = self.parts.as_ref()?.iter().filter_map(|part| part.columns.first());
-        let spreads = spreads.map(|x| x.spread(thresholds));
+        let spreads = self.parts.as_ref()?.iter().filter_map(|part| part.spread(thresholds));
         Some(spreads.fold(Spread::default(), |total, part| total.merged(&part)))
     }
 }

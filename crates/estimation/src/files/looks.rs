@@ -35,6 +35,15 @@ pub(super) struct Looks<'a> {
     pub(super) totals: &'a [Rational],
 }
 
+/// The findings of the look that follows least squares.
+pub(super) struct Reached {
+    pub(super) reach: Result<Reach, NoEui>,
+    /// The first of the readings that the estimate misses most, or else comes nearest to missing.
+    pub(super) tightest: Option<Measurement>,
+    /// Some readings that the least factor so far is not enough for.
+    pub(super) missing: Vec<Measurement>,
+}
+
 impl Looks<'_> {
     /// Returns whether the readings can be seen again.
     pub(super) fn are_possible(&self) -> bool {
@@ -79,25 +88,38 @@ impl Looks<'_> {
     }
 
     /// Returns how far least squares may move, and the first of the readings that the estimate misses most, or else comes nearest to
-    /// missing. One look.
+    /// missing. The least factor of some readings may not be enough for others: those that miss its point most come along, so that it
+    /// takes fewer looks. One look.
     pub(super) fn reach_and_tightest(
         &self,
         meaning: &Meaning,
         sums: &Sums,
-    ) -> Result<(Result<Reach, NoEui>, Option<Measurement>), InputError> {
+        least: Option<&(Scale, [Rational; 2])>,
+    ) -> Result<Reached, InputError> {
         let weights = Weights::new(sums);
         let theta = LeastSquares::theta_of(sums);
+        let least = least.and_then(|(scale, theta)| {
+            let factor = match (scale, meaning.error_bound.uniform()) {
+                (Scale::Within(epsilon), Some(stated)) => epsilon.checked_div(stated)?,
+                (Scale::Times(factor), _) => factor.clone(),
+                _ => return None,
+            };
+            Some((factor.to_f64(), theta.each_ref().map(Rational::to_f64)))
+        });
         let bounds = FixedBounds::new(meaning, &Scale::AsStated, 1);
         let mut total = Ok(SignedSums::default());
         let mut tightest: Option<(Rational, Measurement)> = None;
+        let mut missing = Vec::new();
         let work = |columns: &[Column], rows: &RowNumbers| {
             let number = |k| rows.get(k);
             let strips = bounds.strips(columns, &number);
             let reading = |row: usize| meaning.of_columns(columns, row, number(row));
             let tightest = theta.as_ref().and_then(|theta| first_tightest(reading, &strips, theta));
-            (weights.of_columns(meaning, columns, &strips.phi, &number), tightest)
+            let missing = least.iter().flat_map(|(factor, theta)| missed_most(&strips, *theta, *factor));
+            let missing: Vec<Measurement> = missing.map(reading).collect();
+            (weights.of_columns(meaning, columns, &strips.phi, &number), tightest, missing)
         };
-        self.look(work, |(sums, part)| {
+        self.look(work, |(sums, part, missed)| {
             let so_far = std::mem::replace(&mut total, Err(NoEui::NotAsked));
             total = merged_or_reason(so_far, sums);
             let is_tighter =
@@ -105,8 +127,10 @@ impl Looks<'_> {
             if let Some(part) = part.filter(is_tighter) {
                 tightest = Some(part);
             }
+            missing.extend(missed);
         })?;
-        Ok((total.map(|total| weights.reach(meaning, total)), tightest.map(|(_, reading)| reading)))
+        let reach = total.map(|total| weights.reach(meaning, total));
+        Ok(Reached { reach, tightest: tightest.map(|(_, reading)| reading), missing })
     }
 
     /// The readings that touch an envelope under some bounds. One look.
@@ -151,10 +175,11 @@ impl Looks<'_> {
         &self,
         meaning: &Meaning,
         conditions: &[Condition],
-        some: &[Measurement],
+        mut known: Vec<Measurement>,
     ) -> Result<Vec<Measurement>, InputError> {
-        let mut known = some.to_vec();
         loop {
+            known.sort_by_key(|reading| reading.row);
+            known.dedup_by_key(|reading| reading.row);
             let Some(scale) = Scale::least(known.iter(), meaning.error_bound.is_uniform(), conditions) else {
                 return Ok(known);
             };
@@ -164,10 +189,38 @@ impl Looks<'_> {
                 return Ok(touching);
             }
             known.extend(touching);
-            known.sort_by_key(|reading| reading.row);
-            known.dedup_by_key(|reading| reading.row);
         }
     }
+}
+
+/// Returns a few positions of readings that miss a point most at a factor on the widths of their bounds, as far as floats tell. Cost:
+/// linear.
+fn missed_most(strips: &RoundedStrips, [theta1, theta2]: [f64; 2], factor: f64) -> Vec<usize> {
+    /// The most positions.
+    const FEW: usize = 8;
+    /// The rows that are looked at together, without a branch.
+    const BLOCK: usize = 64;
+    let shrinks = (1.0 - factor) / 2.0;
+    let slack = |(((phi1, phi2), lower), upper): (((&f64, &f64), &f64), &f64)| {
+        let value = phi1 * theta1 + phi2 * theta2;
+        let (above, below) = (upper - value, value - lower);
+        // A reading with one bound has no width.
+        let width = above + below;
+        let less = if width == f64::INFINITY { 0.0 } else { width * shrinks };
+        (if above < below { above } else { below }) - less
+    };
+    let [phi1, phi2] = strips.phi.each_ref().map(|phi| phi.chunks(BLOCK));
+    let blocks = phi1.zip(phi2).zip(strips.lower.chunks(BLOCK)).zip(strips.upper.chunks(BLOCK));
+    let mut missed: Vec<(f64, usize)> = Vec::new();
+    for (block, (((phi1, phi2), lower), upper)) in blocks.enumerate() {
+        let slacks = || phi1.iter().zip(phi2).zip(lower).zip(upper).map(slack);
+        if slacks().fold(f64::INFINITY, |least, own| if own < least { own } else { least }) < 0.0 {
+            let rows = slacks().zip(BLOCK * block..);
+            missed.extend(rows.filter(|(slack, _)| *slack < 0.0));
+        }
+    }
+    missed.sort_unstable_by(|(one, _), (other, _)| one.total_cmp(other));
+    missed.into_iter().take(FEW).map(|(_, row)| row).collect()
 }
 
 /// Returns the first reading with the least slack at a point, with that slack. Exact. Cost: linear.

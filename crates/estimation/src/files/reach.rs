@@ -13,7 +13,11 @@ use crate::sums::column_sum;
 
 /// A_jk times the determinant of ΦᵀΦ is p·φ_k1 + q·φ_k2, with (p, q) a row of the adjugate; then φ_k1 itself.
 #[derive(Debug, Clone)]
-pub(crate) struct Weights([[Rational; 2]; 3]);
+pub(crate) struct Weights {
+    of: [[Rational; 2]; 3],
+    /// Φᵀm, where readings have no y, and least squares takes the middles m instead.
+    middles: [Rational; 2],
+}
 
 /// Σ_k ±φ_k1·ε_k and Σ_k ±φ_k2·ε_k with the sign of A_jk, for each j, and with that of φ_k1; then Φᵀm, where the middles are
 /// not y.
@@ -44,8 +48,9 @@ pub(crate) fn merged_or_reason(
 
 impl Weights {
     /// The weights of readings with these sums.
-    pub(crate) fn new(Sums { uu, uv, vv, .. }: &Sums) -> Self {
-        Weights([[vv.clone(), -uv], [-uv, uu.clone()], [Rational::one(), Rational::zero()]])
+    pub(crate) fn new(Sums { uu, uv, vv, uy, vy, .. }: &Sums) -> Self {
+        let of = [[vv.clone(), -uv], [-uv, uu.clone()], [Rational::one(), Rational::zero()]];
+        Weights { of, middles: [uy.clone(), vy.clone()] }
     }
 
     /// Returns what readings in columns, with their rounded regressors, add. Exact. Cost: linear, on whole columns where these say
@@ -73,13 +78,13 @@ impl Weights {
             is_crossing |= epsilon.is_negative();
             let [u, v] = &reading.regressor;
             let [first, second, own, middles] = &mut sums;
-            for ([p, q], [sum_u, sum_v]) in self.0.iter().zip([first, second, own]) {
+            for ([p, q], [sum_u, sum_v]) in self.of.iter().zip([first, second, own]) {
                 let signed =
                     if (p * u + q * v).is_negative() { -epsilon.as_ref() } else { epsilon.as_ref().clone() };
                 sum_u.add_product(u, &signed);
                 sum_v.add_product(v, &signed);
             }
-            if !meaning.is_around_y() {
+            if !meaning.is_around_y() && meaning.has_response {
                 middles[0].add_product(u, &middle);
                 middles[1].add_product(v, &middle);
             }
@@ -94,7 +99,8 @@ impl Weights {
     pub(crate) fn reach(&self, meaning: &Meaning, sums: SignedSums) -> Reach {
         let SignedSums([first, second, [absolute, _], middles]) = sums;
         let radius = |[p, q]: &[Rational; 2], [sum_u, sum_v]: [Rational; 2]| p * sum_u + q * sum_v;
-        let radii = [radius(&self.0[0], first), radius(&self.0[1], second)];
+        let radii = [radius(&self.of[0], first), radius(&self.of[1], second)];
+        let middles = if meaning.has_response { middles } else { self.middles.clone() };
         Reach { radii, absolute, middles: (!meaning.is_around_y()).then_some(middles) }
     }
 
@@ -113,12 +119,14 @@ impl Weights {
         let phi = Phi { u: columns.first()?, v: second, rounded };
         if !meaning.is_around_y() {
             let halves = Halves::of_columns(meaning, columns)?;
-            let (middles, widths) = (halves.middles()?, halves.widths()?);
+            let widths = halves.widths()?;
             if widths.first_negative().is_some() {
                 return Some(Err(NoEui::Crossing));
             }
             let [first, second, own] = self.signed(&phi, Some(&widths));
-            return Some(Ok(SignedSums([first, second, own, phi.products(&middles)])));
+            let middles =
+                if meaning.has_response { phi.products(&halves.middles()?) } else { Default::default() };
+            return Some(Ok(SignedSums([first, second, own, middles])));
         }
         let sums = match meaning.error_bound.uniform() {
             Some(uniform) => self.signed(&phi, None).map(|pair| pair.map(|sum| sum * uniform)),
@@ -128,15 +136,25 @@ impl Weights {
         Some(Ok(SignedSums([first, second, own, <[Rational; 2]>::default()])))
     }
 
-    /// Σ ±u·ε and Σ ±v·ε with each sign, where a missing ε is 1.
+    /// Σ ±u·ε and Σ ±v·ε with each sign, where a missing ε is 1. Rows whose signs are the same are summed together.
     fn signed(&self, phi: &Phi, epsilon: Option<&Column>) -> [[Rational; 2]; 3] {
-        self.0.each_ref().map(|weight| {
-            let is_negative = phi.are_negative(weight);
-            match epsilon {
-                Some(epsilon) => phi.products(&epsilon.negated_where(&is_negative)),
-                None => phi.totals(&is_negative),
+        let negative = self.of.each_ref().map(|weight| phi.are_negative(weight));
+        let mut alike: [Vec<usize>; 8] = Default::default();
+        let [first, second, own] = &negative;
+        for (row, ((&first, &second), &own)) in first.iter().zip(second).zip(own).enumerate() {
+            let kind = usize::from(first) << 2 | usize::from(second) << 1 | usize::from(own);
+            alike[kind % 8].push(row);
+        }
+        let mut signed = [(); 3].map(|()| <[Rational; 2]>::default());
+        for (kind, rows) in alike.iter().enumerate().filter(|(_, rows)| !rows.is_empty()) {
+            let sums = phi.sums_at(rows, epsilon);
+            for (signed, bit) in signed.iter_mut().zip([4, 2, 1]) {
+                for (signed, sum) in signed.iter_mut().zip(&sums) {
+                    *signed = if kind & bit == 0 { &*signed + sum } else { &*signed - sum };
+                }
             }
-        })
+        }
+        signed
     }
 }
 
@@ -194,13 +212,16 @@ impl Phi<'_> {
         [product_sum(self.u, factors), of_v].map(|sum| sum.total())
     }
 
-    /// Σ ±u and Σ ±v. Exact.
-    fn totals(&self, is_negative: &[bool]) -> [Rational; 2] {
-        let of_ones = || {
-            let negative = is_negative.iter().filter(|is_negative| **is_negative).count();
-            Rational::from(is_negative.len()) - Rational::from(2 * negative)
-        };
-        let of_v = self.v.map_or_else(of_ones, |v| column_sum(&v.negated_where(is_negative)).total());
-        [column_sum(&self.u.negated_where(is_negative)).total(), of_v]
+    /// Σ u·ε and Σ v·ε over these rows, where a missing ε is 1. Exact.
+    fn sums_at(&self, rows: &[usize], epsilon: Option<&Column>) -> [Rational; 2] {
+        let at = |column: &Column| column.at(rows.iter().copied());
+        let (u, v) = (at(self.u), self.v.map(at));
+        match epsilon.map(at) {
+            Some(epsilon) => Phi { u: &u, v: v.as_ref(), rounded: self.rounded }.products(&epsilon),
+            None => {
+                let of_v = v.map_or_else(|| Rational::from(rows.len()), |v| column_sum(&v).total());
+                [column_sum(&u).total(), of_v]
+            }
+        }
     }
 }

@@ -20,6 +20,7 @@ use crate::measurement::Measurement;
 use crate::measurements::{Measurements, Origin, Readings};
 use crate::moments::Sums;
 use crate::reduction::{DecidingMinimax, NoEui, NoMinimax, Reach, Reduction};
+use crate::scale::Scale;
 use crate::selection::{FractionCells, Selection};
 use crate::summary::{Keep, Spread, Thresholds};
 use crate::ties::Ties;
@@ -205,12 +206,16 @@ fn readings_under_fixed_bounds(
     } else if !looks.are_possible() {
         (Err(NoEui::TooManyOnce), DecidingMinimax::Unknown(NoMinimax::TooManyOnce))
     } else {
-        let own = looks.deciding_minimax(meaning, conditions, &rows)?;
-        let (reach, tightest) = match &sums {
-            Ok(sums) => looks.reach_and_tightest(meaning, sums)?,
-            Err(_) => (Err(NoEui::NotAsked), None),
-        };
-        add_tightest(&mut rows, &mut ties, tightest, bounds);
+        let mut known = rows.clone();
+        let mut reach = Err(NoEui::NotAsked);
+        if let Ok(sums) = &sums {
+            let least = Scale::least_at(rows.iter(), meaning.error_bound.is_uniform(), conditions);
+            let reached = looks.reach_and_tightest(meaning, sums, least.as_ref())?;
+            reach = reached.reach;
+            known.extend(reached.missing);
+            add_tightest(&mut rows, &mut ties, reached.tightest, bounds);
+        }
+        let own = looks.deciding_minimax(meaning, conditions, known)?;
         (reach, DecidingMinimax::Own(own))
     };
     let reduction = Reduction { count: all.rows, sums, reach, minimax, has_widths };

@@ -132,12 +132,9 @@ impl Long {
         Long { words: self.words.get(range).unwrap_or_default().to_vec(), ..*self }
     }
 
-    /// The numbers, those negated that have the sign `true`.
-    pub(super) fn negated_where(&self, signs: impl Iterator<Item = bool>) -> Self {
-        let mut long = self.clone();
-        let numbers = long.words.chunks_exact_mut(self.width.max(1)).zip(signs);
-        numbers.filter(|(_, negated)| *negated).flat_map(|(words, _)| words).for_each(|word| *word = -*word);
-        long
+    /// The numbers at these places; none at places beyond them.
+    pub(super) fn at(&self, places: impl Iterator<Item = usize>) -> Self {
+        Long { words: places.flat_map(|place| self.words(place)).copied().collect(), ..*self }
     }
 
     pub(super) fn reserve(&mut self, more: usize) {

@@ -3,10 +3,10 @@
 mod alike;
 mod decimals;
 mod long;
+mod places;
 mod rounded;
 mod scaled;
 mod scattered;
-mod signed;
 mod unit;
 
 use std::borrow::Cow;
@@ -84,13 +84,16 @@ impl Column {
     /// Returns a column of these counts of units, given by their offsets above one of them. Exact. Cost: an addition
     /// each.
     pub fn of_offsets(base: i64, offsets: &[u32], unit: Unit) -> Self {
-        let wide = || offsets.iter().map(|&offset| i128::from(base) + i128::from(offset));
-        if base.unsigned_abs() >> <i64 as Count>::BITS != 0 {
-            return Column::of_counts(wide(), unit);
+        let widest = base.unsigned_abs().saturating_add(u32::MAX.into());
+        if widest >> <i64 as Count>::BITS != 0 {
+            return Column::of_counts(
+                offsets.iter().map(|&offset| i128::from(base) + i128::from(offset)),
+                unit,
+            );
         }
-        // A sum of an integer of 62 bits and one of 32 bits is never beyond 63 bits.
+        // Neither a sum of fewer bits than a word has overflows, nor is a look needed at any.
         let counts = offsets.iter().map(|&offset| base.wrapping_add(offset.into())).collect();
-        Column::of_short_counts(counts, unit).unwrap_or_else(|| Column::of_counts(wide(), unit))
+        Column::Narrow(Scaled::of_counts(counts, unit))
     }
 
     /// The number of numbers there are.
@@ -180,41 +183,6 @@ impl Column {
             }
             Column::Long(long) => Some(Cow::Borrowed(long)),
             Column::Doubles(_) | Column::Scattered(_) | Column::Fractions(_) => None,
-        }
-    }
-
-    /// Some of the numbers.
-    ///
-    /// # Panics
-    /// When there are not that many.
-    #[allow(clippy::indexing_slicing, reason = "documented to panic")]
-    pub fn part(&self, range: Range<usize>) -> Column {
-        match self {
-            Column::Narrow(scaled) => Column::Narrow(scaled.part(range)),
-            Column::Wide(scaled) => Column::Wide(scaled.part(range)),
-            Column::Long(long) => Column::Long(long.part(range)),
-            Column::Doubles(doubles) => Column::Doubles(doubles[range].to_vec()),
-            Column::Scattered(scattered) => Column::Scattered(scattered.part(range)),
-            Column::Fractions(numbers) => Column::Fractions(numbers[range].to_vec()),
-        }
-    }
-
-    /// Returns the numbers at these places.
-    ///
-    /// # Panics
-    /// When there are not that many.
-    #[allow(clippy::indexing_slicing, reason = "documented to panic")]
-    pub fn at(&self, places: impl Iterator<Item = usize>) -> Column {
-        match self {
-            Column::Narrow(scaled) => Column::Narrow(scaled.at(places)),
-            Column::Wide(scaled) => Column::Wide(scaled.at(places)),
-            Column::Doubles(doubles) => Column::Doubles(places.map(|place| doubles[place]).collect()),
-            Column::Scattered(scattered) => Column::Scattered(scattered.at(places)),
-            Column::Long(_) | Column::Fractions(_) => {
-                let mut column = Column::default();
-                places.for_each(|place| column.append(self, place..place + 1));
-                column
-            }
         }
     }
 

@@ -254,9 +254,11 @@ impl Scaled<i64> {
         true
     }
 
-    /// These numbers as wider integers.
+    /// These numbers as wider integers, with room for as many.
     pub(super) fn widened(&self) -> Scaled<i128> {
-        Scaled { counts: self.counts.iter().map(|&count| count.into()).collect(), unit: self.unit }
+        let mut counts = Vec::with_capacity(self.counts.capacity());
+        counts.extend(self.counts.iter().map(|&count| i128::from(count)));
+        Scaled { counts, unit: self.unit }
     }
 }
 

@@ -84,14 +84,6 @@ impl Scattered {
         Some(())
     }
 
-    /// The numbers, those negated that have the sign `true`.
-    pub(super) fn negated_where(&self, signs: impl Iterator<Item = bool>) -> Self {
-        let mut signed = self.clone();
-        let negated = signed.numbers.iter_mut().zip(signs).filter(|(_, negated)| *negated);
-        negated.for_each(|((mantissa, _), _)| *mantissa = mantissa.wrapping_neg());
-        signed
-    }
-
     /// The numbers above a threshold. Exact. Cost: some nanoseconds each.
     pub fn above(&self, threshold: &Rational) -> impl Iterator<Item = (i64, i32)> {
         let floor = floor_of(threshold);

@@ -61,8 +61,13 @@ impl EnvelopeSieve {
         let slopes = if strips.len() < FEW { None } else { slopes().as_ref() };
         let mut left = Vec::new();
         for start in (0..strips.len()).step_by(LANES) {
-            let lanes = slopes.zip(strips.lanes(start));
-            let certain = lanes.map_or([false; LANES], |(slopes, lanes)| slopes.discard(&lanes));
+            let certain = match (slopes, strips.lanes(start)) {
+                (Some(slopes), Some(lanes)) => slopes.discard(&lanes),
+                _ => [false; LANES],
+            };
+            if certain == [true; LANES] {
+                continue;
+            }
             let uncertain = certain.into_iter().enumerate().filter(|(_, is_certain)| !is_certain);
             let rows = uncertain.map(|(lane, _)| start + lane).take_while(|&row| row < strips.len());
             left.extend(rows.filter(|&row| !self.discards(&strips.strip(row), || exact(row))));

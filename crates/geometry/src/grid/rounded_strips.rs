@@ -56,9 +56,12 @@ impl RoundedStrips {
         let mut lanes = Lanes { slope: phi1, height: phi2, from_above: upper, from_below: lower };
         let bounds = lanes.from_above.iter_mut().zip(&mut lanes.from_below);
         for ((slope, height), (above, below)) in lanes.slope.iter_mut().zip(&mut lanes.height).zip(bounds) {
-            let is_upright = *height > 0.0;
-            (*above, *below) = if is_upright { (*above, -*below) } else { (-*below, *above) };
-            *slope = if is_upright { *slope } else { -*slope };
+            // On bits, since signs of regressors are no pattern that a branch could follow.
+            let sign = height.to_bits() & (-0.0_f64).to_bits();
+            let (upper, lower) = (above.to_bits(), (-*below).to_bits());
+            let swapped = (upper ^ lower) & ((sign as i64) >> 63) as u64;
+            (*above, *below) = (f64::from_bits(upper ^ swapped), f64::from_bits(lower ^ swapped));
+            *slope = f64::from_bits(slope.to_bits() ^ sign);
             *height = height.abs();
         }
         Some(lanes)
