@@ -1,17 +1,20 @@
 //! Exact constructions. Nothing here decides; a construction that does not exist is `None`.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Integer, Rational};
 
 use crate::half_plane::HalfPlane;
 use crate::point::{Direction, Point};
 
 /// The common point of two boundaries, unless they are parallel (Cramer's rule). Exact.
 pub fn meet(f: &HalfPlane, g: &HalfPlane) -> Option<Point> {
-    Point::from_homogeneous(
-        f.b() * g.a2() - g.b() * f.a2(),
-        f.a1() * g.b() - g.a1() * f.b(),
-        f.a1() * g.a2() - g.a1() * f.a2(),
-    )
+    let [x, y, w] = crossing(f, g);
+    Point::from_homogeneous(x, y, w)
+}
+
+/// The common point of two boundaries as a triple (x : y : w) with common divisors, `w` positive where the normals turn to the left
+/// and 0 where they are parallel. Exact.
+pub(crate) fn crossing(f: &HalfPlane, g: &HalfPlane) -> [Integer; 3] {
+    [f.b() * g.a2() - g.b() * f.a2(), f.a1() * g.b() - g.a1() * f.b(), f.a1() * g.a2() - g.a1() * f.a2()]
 }
 
 /// The point of the boundary that is nearest to the origin.

@@ -7,12 +7,13 @@ use std::cmp::Ordering;
 
 use boundfit_exact::{Integer, Rational, Sign};
 
-use crate::constructions::direction_between;
+use crate::active::Active;
+use crate::constructions::{direction_between, meet};
 use crate::half_plane::{HalfPlane, Inequality};
-use crate::point::Direction;
-use crate::predicates::{Turn, angle_order, approach, by_angle, normal_turn, turn, turn_between};
+use crate::point::{Direction, Point};
+use crate::predicates::{Side, Turn, angle_order, approach, by_angle, normal_turn, side, turn, turn_between};
 use crate::proof::{Farkas, Multiplier};
-use crate::region::{Region, Vertex};
+use crate::region::{PolygonRegion, Region, Vertex};
 use crate::system::System;
 
 /// The maximum of a linear form, as the fan sees it.
@@ -86,6 +87,66 @@ impl NormalFan {
         NormalFan { spokes }
     }
 
+    /// The fan of a polygon with these sides, by angle, each the first of those that coincide.
+    pub(crate) fn of_sides(spokes: Vec<usize>) -> Self {
+        NormalFan { spokes }
+    }
+
+    /// The place of the side of a polygon that leads away from its lexicographically smallest vertex, the first one. Cost:
+    /// logarithmic.
+    pub(crate) fn first_side(&self, system: &System) -> usize {
+        // That vertex lies behind the half-planes up to the angle of (-1, 0).
+        self.spokes.partition_point(|&spoke| !normal_of(system, spoke).a2().is_negative())
+    }
+
+    /// The half-planes of the side at a place and of the side before it, all places taken around the polygon. They meet in a vertex.
+    pub(crate) fn sides_at<'a>(&self, system: &'a System, place: usize) -> [&'a HalfPlane; 2] {
+        let count = self.spokes.len();
+        [place + count - 1, place].map(|place| normal_of(system, self.spokes[place % count]))
+    }
+
+    /// The vertex of a polygon between the side at a place and the side before it.
+    fn corner(&self, system: &System, place: usize) -> Point {
+        let [before, own] = self.sides_at(system, place);
+        meet(before, own).expect("parallel sides of a polygon that follow each other")
+    }
+
+    /// The ends of a side of a polygon, in the order of its vertices. Cost: logarithmic.
+    pub(crate) fn ends_of_side(&self, system: &System, side: usize) -> [Point; 2] {
+        let after = self.place_after(system, normal(normal_of(system, side)));
+        let [start, end] = [after - 1, after].map(|place| self.corner(system, place));
+        if after == self.first_side(system) { [end, start] } else { [start, end] }
+    }
+
+    /// The polygon of this fan, its vertices with all half-planes that are active there. Exact. Cost: O(n log n) in the number of
+    /// half-planes.
+    pub(crate) fn polygon(&self, system: &System) -> Region {
+        let (count, first) = (self.spokes.len(), self.first_side(system));
+        let mut is_side = vec![false; system.len()];
+        self.spokes.iter().for_each(|&spoke| is_side[spoke] = true);
+        let vertex = |place: usize| {
+            let active = [place + count - 1, place].map(|place| self.spokes[place % count]);
+            Vertex { point: self.corner(system, place), active: Active::Two(active) }
+        };
+        let mut vertices: Vec<Vertex> = (first..first + count).map(vertex).collect();
+        for (index, half_plane) in system.half_planes().filter(|(index, _)| !is_side[*index]) {
+            // A half-plane touches the polygon, if at all, between the two sides that its normal lies between.
+            let after = self.place_after(system, normal(half_plane));
+            let [own, next] = [after + count - first - 1, after + count - first].map(|place| place % count);
+            let side_before = self.sides_at(system, after)[0];
+            if half_plane == side_before {
+                vertices[own].active.push(index);
+                vertices[next].active.push(index);
+            } else if normal_turn(side_before, half_plane) != Turn::None
+                && side(half_plane, &vertices[next].point) == Side::Boundary
+            {
+                vertices[next].active.push(index);
+            }
+        }
+        vertices.iter_mut().for_each(|vertex| vertex.active.settle());
+        Region::Polygon(PolygonRegion { vertices })
+    }
+
     /// Indices of the irredundant half-planes, by angle.
     pub(crate) fn indices(&self) -> &[usize] {
         &self.spokes
@@ -149,10 +210,15 @@ impl NormalFan {
         if count == 0 {
             return None;
         }
-        let after = self.spokes.partition_point(|&index| {
-            angle_order(direction, normal(normal_of(system, index))) != Ordering::Less
-        });
+        let after = self.place_after(system, direction);
         Some((self.spokes[(after + count - 1) % count], self.spokes[after % count]))
+    }
+
+    /// The place of the first half-plane behind a direction; the number of places where there is none.
+    fn place_after(&self, system: &System, direction: (&Integer, &Integer)) -> usize {
+        self.spokes.partition_point(|&index| {
+            angle_order(direction, normal(normal_of(system, index))) != Ordering::Less
+        })
     }
 }
 

@@ -89,18 +89,30 @@ pub fn by_tightness(f: &HalfPlane, g: &HalfPlane) -> Ordering {
 /// Returns whether the corner of `f` and `h` lies in `g`, so that the other two imply the middle one. The three
 /// half-planes have normals in this angular order within a half turn.
 pub fn middle_is_implied(f: &HalfPlane, g: &HalfPlane, h: &HalfPlane) -> bool {
-    if let Some(is_implied) = middle_is_implied_in_words([f, g, h]) {
-        return is_implied;
+    order_of_middle(f, g, h).is_le()
+}
+
+/// Returns whether the boundaries of three half-planes meet in one point, or two of them are the same line. No two of them that
+/// follow each other may have parallel normals.
+pub(crate) fn are_concurrent(f: &HalfPlane, g: &HalfPlane, h: &HalfPlane) -> bool {
+    order_of_middle(f, g, h).is_eq()
+}
+
+/// Compares the corner of `f` and `h` with the boundary of `g`, by the sign of the determinant of all three: `Less` inside of `g`,
+/// where the normals are in this angular order within a half turn.
+fn order_of_middle(f: &HalfPlane, g: &HalfPlane, h: &HalfPlane) -> Ordering {
+    if let Some(order) = order_of_middle_in_words([f, g, h]) {
+        return order;
     }
     let minor = |(p, q): (&HalfPlane, &HalfPlane)| p.a1() * q.a2() - p.a2() * q.a1();
     // The corner of f and h has weight minor(f, h) > 0; Cramer's rule expands its slack along g.
     let (fg, gh, fh) = (minor((f, g)), minor((g, h)), minor((f, h)));
-    Integer::compare([(f.b(), &gh), (h.b(), &fg)], [(g.b(), &fh)]).is_le()
+    Integer::compare([(f.b(), &gh), (h.b(), &fg)], [(g.b(), &fh)])
 }
 
 /// The same of half-planes whose coefficients and minors are machine words, as those of most readings are; `None` of others.
 #[inline]
-fn middle_is_implied_in_words(half_planes: [&HalfPlane; 3]) -> Option<bool> {
+fn order_of_middle_in_words(half_planes: [&HalfPlane; 3]) -> Option<Ordering> {
     let word = |integer: &Integer| integer.to_i64();
     let [f, g, h] = half_planes.map(|own| Some([word(own.a1())?, word(own.a2())?, word(own.b())?]));
     let (f, g, h) = (f?, g?, h?);
@@ -109,7 +121,7 @@ fn middle_is_implied_in_words(half_planes: [&HalfPlane; 3]) -> Option<bool> {
         i64::try_from(product(p1, q2).checked_sub(product(p2, q1))?).ok()
     };
     let outer = product(f[2], minor(g, h)?).checked_add(product(h[2], minor(f, g)?))?;
-    Some(outer <= product(g[2], minor(f, h)?))
+    Some(outer.cmp(&product(g[2], minor(f, h)?)))
 }
 
 /// Compares two points by θ1.

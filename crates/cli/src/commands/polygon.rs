@@ -144,7 +144,7 @@ pub(super) fn run(arguments: &PolygonArguments) -> CommandResult {
     let theorem =
         theory.map(|theory| theorem(&file, &polyhedron, (reading, theory), name.borrowed())).transpose()?;
     files.write((&report, output), picture.as_deref(), theorem.as_deref(), &mut guard)?;
-    Ok(if polyhedron.region().is_empty() { Exit::Empty } else { Exit::Answer })
+    Ok(if polyhedron.is_empty() { Exit::Empty } else { Exit::Answer })
 }
 
 /// The theorem about a set of half-planes.
