@@ -103,23 +103,23 @@ fn ranges_of_box([theta1, theta2]: &[Interval; 2]) -> Option<Ranges> {
 ///
 /// A quotient of linear forms is monotone along every segment on one side of θ1 = 0. So -θ2/θ1 has its bounds in
 /// corners, except towards θ1 = 0: there the sign of θ2 decides its limit.
-fn ranges_of_corners(
-    corners: impl Iterator<Item = [Integer; 2]> + Clone,
-    theta1: &Interval,
-) -> Option<Ranges> {
+fn ranges_of_corners(mut corners: impl Iterator<Item = [Integer; 2]>, theta1: &Interval) -> Option<Ranges> {
     let (lower, upper) = theta1.ends()?;
-    let mut on_axis = Vec::new();
-    if !lower.is_positive() && !upper.is_negative() {
-        let next = corners.clone().cycle().skip(1);
-        on_axis.extend(corners.clone().zip(next).filter_map(|(corner, next)| sign_on_axis(&corner, &next)));
+    let (mut on_axis, mut offsets) = (Vec::new(), [None, None]);
+    let first = corners.next()?;
+    let mut last = first.clone();
+    for corner in corners.chain([first]) {
+        on_axis.extend(sign_on_axis(&last, &corner));
+        match corner[0].sign() {
+            Sign::Negative => add_offset(&mut offsets[0], &corner),
+            Sign::Zero => {}
+            Sign::Positive => add_offset(&mut offsets[1], &corner),
+        }
+        last = corner;
     }
     let mut ranges = [Vec::new(), Vec::new()];
-    for side in [Sign::Negative, Sign::Positive] {
-        if lower.sign() > side || upper.sign() < side {
-            continue;
-        }
-        let own = corners.clone().filter(|[x, _]| x.sign() == side);
-        let Some([least, most]) = offsets(own) else { continue };
+    for (side, offsets) in [Sign::Negative, Sign::Positive].into_iter().zip(offsets) {
+        let Some([least, most]) = offsets.map(|offsets| offsets.map(Rational::from)) else { continue };
         // Towards θ1 = 0 from the right, -θ2/θ1 grows where θ2 < 0; from the left, where θ2 > 0.
         let (falls, grows) = (side, if side == Sign::Negative { Sign::Positive } else { Sign::Negative });
         let end = |end: Rational, goes_on: Sign| {
@@ -146,24 +146,17 @@ fn sign_on_axis([x, y]: &[Integer; 2], [next_x, next_y]: &[Integer; 2]) -> Optio
     }
 }
 
-/// The least and the largest -θ2/θ1 of corners with θ1 ≠ 0; `None` without any.
-fn offsets(corners: impl Iterator<Item = [Integer; 2]>) -> Option<[Rational; 2]> {
+/// Adds the -θ2/θ1 of a corner with θ1 ≠ 0 to the least and the largest of others.
+fn add_offset(offsets: &mut Option<[Fraction; 2]>, [x, y]: &[Integer; 2]) {
     // A positive denominator from the start: the sign of each number is changed once at most.
-    let offset = |[x, y]: [Integer; 2]| {
-        if x.is_negative() { Fraction::new(y, -x) } else { Fraction::new(-y, x) }
-    };
-    let mut offsets = corners.filter_map(offset);
-    let first = offsets.next()?;
-    let (least, most) = offsets.fold((first.clone(), first), |(least, most), offset| {
-        if offset < least {
-            (offset, most)
-        } else if most < offset {
-            (least, offset)
-        } else {
-            (least, most)
-        }
-    });
-    Some([least.into(), most.into()])
+    let offset = if x.is_negative() { Fraction::new(y.clone(), -x) } else { Fraction::new(-y, x.clone()) };
+    let Some(offset) = offset else { return };
+    match offsets {
+        None => *offsets = Some([offset.clone(), offset]),
+        Some([least, _]) if offset < *least => *least = offset,
+        Some([_, most]) if *most < offset => *most = offset,
+        Some(_) => {}
+    }
 }
 
 /// Returns the ranges over a bounded box whose θ1 keeps one sign, as in nearly every fit. Each range takes two
