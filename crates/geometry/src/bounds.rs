@@ -23,7 +23,7 @@ fn theta1_of_meeting(f: &HalfPlane, g: &HalfPlane) -> Option<Fraction> {
 
 /// The θ1 where a boundary with `a2 = 0` stands.
 fn theta1_of_vertical((_, half_plane): &Facet) -> Option<Fraction> {
-    Fraction::new(half_plane.b().clone(), half_plane.a1().clone())
+    Fraction::new(half_plane.b(), half_plane.a1())
 }
 
 /// The distance `constant + slope·θ1`, up to a positive factor, from a lower bound of θ2 up to an upper bound.

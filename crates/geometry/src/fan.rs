@@ -11,7 +11,9 @@ use crate::active::Active;
 use crate::constructions::{direction_between, meet};
 use crate::half_plane::{HalfPlane, Inequality};
 use crate::point::{Direction, Point};
-use crate::predicates::{Side, Turn, angle_order, approach, by_angle, normal_turn, side, turn, turn_between};
+use crate::predicates::{
+    Side, Turn, angle_order, approach, by_angle, normal, normal_turn, side, turn, turn_between,
+};
 use crate::proof::{Farkas, Multiplier};
 use crate::region::{PolygonRegion, Region, Vertex};
 use crate::system::System;
@@ -113,7 +115,7 @@ impl NormalFan {
 
     /// The ends of a side of a polygon, in the order of its vertices. Cost: logarithmic.
     pub(crate) fn ends_of_side(&self, system: &System, side: usize) -> [Point; 2] {
-        let after = self.place_after(system, normal(normal_of(system, side)));
+        let after = self.place_after(system, normal(&normal_of(system, side).triple()));
         let [start, end] = [after - 1, after].map(|place| self.corner(system, place));
         if after == self.first_side(system) { [end, start] } else { [start, end] }
     }
@@ -131,7 +133,7 @@ impl NormalFan {
         let mut vertices: Vec<Vertex> = (first..first + count).map(vertex).collect();
         for (index, half_plane) in system.half_planes().filter(|(index, _)| !is_side[*index]) {
             // A half-plane touches the polygon, if at all, between the two sides that its normal lies between.
-            let after = self.place_after(system, normal(half_plane));
+            let after = self.place_after(system, normal(&half_plane.triple()));
             let [own, next] = [after + count - first - 1, after + count - first].map(|place| place % count);
             let side_before = self.sides_at(system, after)[0];
             if half_plane == side_before {
@@ -161,7 +163,7 @@ impl NormalFan {
             return FanSupport::Unbounded;
         };
         let (f, g) = (normal_of(system, before), normal_of(system, after));
-        let turn_in = turn_between(normal(f), form.vector());
+        let turn_in = turn_between(normal(&f.triple()), form.vector());
         if turn_in == Turn::None {
             let inequality = system.inequality(before);
             let multiplier = form.multiple(&inequality, f);
@@ -170,7 +172,7 @@ impl NormalFan {
             return FanSupport::Bounded { value, multipliers };
         }
         let within = turn_in == Turn::Left
-            && turn_between(form.vector(), normal(g)) == Turn::Left
+            && turn_between(form.vector(), normal(&g.triple())) == Turn::Left
             && normal_turn(f, g) == Turn::Left;
         if !within {
             return FanSupport::Unbounded;
@@ -198,7 +200,7 @@ impl NormalFan {
 
     /// The irredundant half-planes whose normals come last at or before, and first after, that of a half-plane.
     pub(crate) fn around(&self, system: &System, half_plane: &HalfPlane) -> Option<(usize, usize)> {
-        self.around_direction(system, normal(half_plane))
+        self.around_direction(system, normal(&half_plane.triple()))
     }
 
     fn neighbours(&self, system: &System, form: &IntegerForm) -> Option<(usize, usize)> {
@@ -217,7 +219,7 @@ impl NormalFan {
     /// The place of the first half-plane behind a direction; the number of places where there is none.
     fn place_after(&self, system: &System, direction: (&Integer, &Integer)) -> usize {
         self.spokes.partition_point(|&index| {
-            angle_order(direction, normal(normal_of(system, index))) != Ordering::Less
+            angle_order(direction, normal(&normal_of(system, index).triple())) != Ordering::Less
         })
     }
 }
@@ -254,15 +256,17 @@ impl IntegerForm {
         half_planes: [&HalfPlane; 2],
     ) -> (Rational, [Rational; 2]) {
         let [f, g] = half_planes;
+        let (f_triple, g_triple) = (f.triple(), g.triple());
+        let (f_normal, g_normal) = (normal(&f_triple), normal(&g_triple));
         let minor = |u: (&Integer, &Integer), v: (&Integer, &Integer)| u.0 * v.1 - u.1 * v.0;
-        let determinant = minor(normal(f), normal(g)) * &self.denominator;
+        let determinant = minor(f_normal, g_normal) * &self.denominator;
         // In multiples of the half-planes' integer triples.
-        let (s, t) = (minor(self.vector(), normal(g)), minor(normal(f), self.vector()));
+        let (s, t) = (minor(self.vector(), g_normal), minor(f_normal, self.vector()));
         let value = quotient(f.b() * &s + g.b() * &t, determinant.clone());
         let of_inequality = |times: Integer, inequality: &Inequality, half_plane: &HalfPlane| {
             // The triple is a positive multiple of the inequality: this often, with a second coefficient of 1, an integer.
             let axis = usize::from(!half_plane.a2().is_zero());
-            let (given, integer) = (&inequality.a[axis], [half_plane.a1(), half_plane.a2()][axis]);
+            let (given, integer) = (&inequality.a[axis], &half_plane.triple()[axis]);
             quotient(times * integer * given.denominator(), &determinant * given.numerator())
         };
         let multipliers = [of_inequality(s, inequalities[0], f), of_inequality(t, inequalities[1], g)];
@@ -275,10 +279,6 @@ fn quotient(numerator: Integer, denominator: Integer) -> Rational {
     Rational::new(numerator, denominator).expect("a form between two normals that are not parallel")
 }
 
-fn normal(half_plane: &HalfPlane) -> (&Integer, &Integer) {
-    (half_plane.a1(), half_plane.a2())
-}
-
 /// The half-plane of an index that came from an active set: those have a normal.
 pub(crate) fn normal_of(system: &System, index: usize) -> &HalfPlane {
     system.half_plane(index).expect("an active inequality without a normal")
@@ -288,7 +288,7 @@ pub(crate) fn normal_of(system: &System, index: usize) -> &HalfPlane {
 fn with_normal(system: &System, active: &[usize], normal: &Direction) -> Option<usize> {
     let vector = (normal.dx(), normal.dy());
     let faces_it =
-        |&index: &usize| turn_between(self::normal(normal_of(system, index)), vector) == Turn::None;
+        |&index: &usize| turn_between(self::normal(&normal_of(system, index).triple()), vector) == Turn::None;
     active.iter().copied().find(faces_it)
 }
 

@@ -149,7 +149,7 @@ impl Polyhedron {
 
     /// The coordinates of each vertex, counter-clockwise from any, times a positive number of its own. Exact. Cost: constant for each,
     /// without greatest common divisors.
-    pub fn multiples_of_vertices(&self) -> impl Iterator<Item = [Integer; 2]> + Clone + '_ {
+    pub fn multiples_of_vertices(&self) -> impl Iterator<Item = [Integer; 2]> + '_ {
         (0..self.vertex_count()).map(move |number| match self.region.get() {
             Some(region) => {
                 let (x, y, _) = region.vertices()[number].point().homogeneous();
