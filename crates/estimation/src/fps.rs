@@ -89,7 +89,7 @@ impl Fps {
         let (rows, known) = (measurements.kept(), measurements.ties());
         let mut ties = Ties::default();
         for touching in &extremes.touching {
-            let measurement = &rows[touching.position];
+            let measurement = &rows[touching.position()];
             if touching.tied.count() > 1 || known.is_some_and(|known| !known.is_empty()) {
                 let tied = touching.tied.rows().map(|position| {
                     let row = rows[position as usize].row;
@@ -121,7 +121,8 @@ impl Fps {
     ) -> Self {
         let count = extremes.touching.len() + 2;
         let (mut names, mut lines) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        for Touching { position, lower, upper, .. } in extremes.touching {
+        for touching in extremes.touching {
+            let (position, Touching { lower, upper, .. }) = (touching.position(), touching);
             let row = grid.places()[position].row;
             let above = lower.then(|| grid.upper(position)).flatten().map(|own| (BoundName::Upper(row), own));
             let below = upper.then(|| grid.lower(position)).flatten().map(|own| (BoundName::Lower(row), own));

@@ -171,9 +171,14 @@ impl<'a> Bounds<'a> {
             self.right = self.right.filter(|_| overlap.reaches_right);
             (overlap.upper, overlap.lower)
         };
-        let upper = self.upper.pieces[upper].iter().rev().copied();
-        let lower = self.lower.pieces[lower].iter().copied();
-        Some(self.right.into_iter().chain(upper).chain(self.left).chain(lower).collect())
+        // In the memory of the upper envelope, which may have every half-plane.
+        let mut facets = self.upper.pieces;
+        facets.truncate(upper.end);
+        facets.drain(..upper.start);
+        facets.extend(self.right);
+        facets.reverse();
+        facets.extend(self.left.into_iter().chain(self.lower.pieces.drain(lower)));
+        Some(facets)
     }
 
     /// Walks along both envelopes: first to where the gap opens, then to where it closes. The gap is concave, so that a binary

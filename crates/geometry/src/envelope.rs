@@ -28,7 +28,7 @@ pub fn intersect(system: &System) -> Region {
     }
 }
 
-/// What the envelopes say of a region.
+/// A region as the envelopes find it.
 pub(crate) enum Outline {
     /// A polygon, by its sides alone: its vertices would take more memory than the half-planes.
     Polygon(NormalFan),
@@ -38,8 +38,7 @@ pub(crate) enum Outline {
 
 /// The outline of the region of a system. Exact. Cost: O(n log n).
 pub(crate) fn outline(system: &System) -> Outline {
-    let mut sorted: Vec<Facet> = system.half_planes().collect();
-    angle_key::sort(&mut sorted);
+    let mut sorted = angle_key::sorted(system.half_planes());
     let copies: Vec<HalfPlane> =
         if is_scattered(&sorted) { sorted.iter().map(|(_, h)| (*h).clone()).collect() } else { Vec::new() };
     for ((_, half_plane), copy) in sorted.iter_mut().zip(&copies) {

@@ -19,7 +19,7 @@ use crate::system::System;
 pub struct Polyhedron {
     system: System,
     fan: NormalFan,
-    /// Of a polygon only once somebody has looked at it: its vertices take more memory than its half-planes.
+    /// The region; a polygon is made when somebody looks at it, since its vertices take more memory than its half-planes.
     region: OnceLock<Region>,
 }
 

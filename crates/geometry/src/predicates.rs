@@ -71,22 +71,17 @@ pub(crate) fn turn_between(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> 
 }
 
 /// The turn by the order of the products of which the difference is the cross product.
-fn turn_by(order: Ordering, is_along: impl FnOnce() -> bool) -> Turn {
+fn turn_by(order: Ordering, is_along: impl Fn() -> bool) -> Turn {
     match order {
         Ordering::Greater => Turn::Left,
         Ordering::Less => Turn::Right,
         // Parallel vectors are never zero, so one comparison of signs tells them apart.
-        Ordering::Equal => {
-            if is_along() {
-                Turn::None
-            } else {
-                Turn::Half
-            }
-        }
+        Ordering::Equal if is_along() => Turn::None,
+        Ordering::Equal => Turn::Half,
     }
 }
 
-/// Compares p·q with r·s.
+/// Compares p·q with r·s. Exact.
 fn products(p: i64, q: i64, r: i64, s: i64) -> Ordering {
     (i128::from(p) * i128::from(q)).cmp(&(i128::from(r) * i128::from(s)))
 }
@@ -132,8 +127,8 @@ pub(crate) fn are_concurrent(f: &HalfPlane, g: &HalfPlane, h: &HalfPlane) -> boo
     order_of_middle(f, g, h).is_eq()
 }
 
-/// Compares the corner of `f` and `h` with the boundary of `g`, by the sign of the determinant of all three: `Less` inside of `g`,
-/// where the normals are in this angular order within a half turn.
+/// Compares the determinant of three half-planes with 0. With normals in this angular order within a half turn, it is `Less`
+/// where the corner of `f` and `h` lies inside of `g`.
 fn order_of_middle(f: &HalfPlane, g: &HalfPlane, h: &HalfPlane) -> Ordering {
     if let Some(order) = order_of_middle_in_words([f, g, h]) {
         return order;
