@@ -131,9 +131,10 @@ impl NormalFan {
             Vertex { point: self.corner(system, place), active: Active::Two(active) }
         };
         let mut vertices: Vec<Vertex> = (first..first + count).map(vertex).collect();
+        let mut after = 0;
         for (index, half_plane) in system.half_planes().filter(|(index, _)| !is_side[*index]) {
             // A half-plane touches the polygon, if at all, between the two sides that its normal lies between.
-            let after = self.place_after(system, normal(&half_plane.triple()));
+            after = self.place_behind(system, half_plane, after);
             let [own, next] = [after + count - first - 1, after + count - first].map(|place| place % count);
             let side_before = self.sides_at(system, after)[0];
             if half_plane == side_before {
@@ -214,6 +215,15 @@ impl NormalFan {
         }
         let after = self.place_after(system, direction);
         Some((self.spokes[(after + count - 1) % count], self.spokes[after % count]))
+    }
+
+    /// The place of the first half-plane behind the normal of another one. A guess is tried before a search, since readings that follow
+    /// each other often have their place in common.
+    fn place_behind(&self, system: &System, half_plane: &HalfPlane, guess: usize) -> usize {
+        let is_before = |spoke: usize| by_angle(half_plane, normal_of(system, spoke)).is_lt();
+        let is_right = guess.checked_sub(1).is_none_or(|before| !is_before(self.spokes[before]))
+            && self.spokes.get(guess).is_none_or(|&spoke| is_before(spoke));
+        if is_right { guess } else { self.spokes.partition_point(|&spoke| !is_before(spoke)) }
     }
 
     /// The place of the first half-plane behind a direction; the number of places where there is none.
