@@ -93,8 +93,8 @@ pub fn section(fps: &Fps) -> Section {
     };
     let boundary = |boundary: &Boundary| {
         let (half_plane, normal) = (boundary.half_plane(), boundary.half_plane().normal());
-        let divisor = half_plane.a1().gcd(half_plane.a2());
-        let offset = Rational::new(half_plane.b().clone(), divisor).expect("a normal that is not zero");
+        let divisor = half_plane.a1().gcd(&half_plane.a2());
+        let offset = Rational::new(half_plane.b(), divisor).expect("a normal that is not zero");
         SectionBoundary { normal, offset, active: active(boundary.active()) }
     };
     Section {

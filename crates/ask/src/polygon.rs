@@ -91,7 +91,7 @@ impl Ask for Polygon {
                 Self::report(paper, || polygon_document(file, answer, name, style))?
             }
         };
-        paper.put_set(text, answer.region().is_empty())
+        paper.put_set(text, answer.is_empty())
     }
 
     fn refuse_vain_style(&self, form: Form, style: &Style) -> Result<(), Misuse> {

@@ -10,7 +10,7 @@ use crate::fit::Fit;
 pub fn least_squares_is_feasible(fit: &Fit) -> Option<bool> {
     let estimate = fit.least_squares.as_ref().ok()?;
     let polyhedron = fit.fps.polyhedron();
-    if polyhedron.region().is_empty() {
+    if polyhedron.is_empty() {
         return Some(false);
     }
     let point = Point::new(&estimate.theta[0], &estimate.theta[1]);

@@ -63,18 +63,20 @@ pub fn fit(problem: &Problem) -> Fit {
         Some(own) => Extremes::of_deciding(own),
         None => Extremes::new(measurements.kept(), grid.as_ref()),
     });
-    let mut decisive = None;
-    let fps = match &extremes {
-        Some(extremes) => Fps::of_extremes(measurements, conditions, extremes),
+    let (fps, minimax) = match extremes {
+        Some(extremes) => {
+            let minimax = Minimax::with_extremes(measurements, conditions, Some(&extremes), None);
+            (Fps::of_extremes(measurements, conditions, extremes), minimax)
+        }
         None => {
             let estimate = least_squares.as_ref().ok().map(|estimate| &estimate.theta);
-            let positions = decisive.insert(sieve::deciding(measurements.kept(), estimate));
-            Fps::of_deciding(measurements, conditions, positions)
+            let positions = sieve::deciding(measurements.kept(), estimate);
+            let minimax = Minimax::with_extremes(measurements, conditions, None, Some(&positions));
+            (Fps::of_deciding(measurements, conditions, &positions), minimax)
         }
     };
     let pui = parameter_intervals(fps.polyhedron());
     let central = pui.as_ref().and_then(central);
-    let minimax = Minimax::with_extremes(measurements, conditions, extremes.as_ref(), decisive.as_deref());
     Fit { least_squares, fps, pui, central, minimax }
 }
 
@@ -96,7 +98,7 @@ impl Fit {
 
     /// Returns whether no parameters agree with all readings. [`Fit::contradiction`] says why.
     pub fn is_empty(&self) -> bool {
-        self.fps.polyhedron().region().is_empty()
+        self.fps.polyhedron().is_empty()
     }
 
     /// The vertices (θ1, θ2) of the FPS, counter-clockwise from the lexicographically smallest. Exact.
@@ -177,7 +179,7 @@ impl Fit {
     /// depend on which half-planes that are never active the FPS has, nor on whether all readings are in memory.
     /// Exact.
     pub fn contradiction(&self, error_bound: &ErrorBound) -> Option<Vec<(BoundName, Rational)>> {
-        let certificate = self.fps.polyhedron().region().certificate()?;
+        let certificate = self.fps.polyhedron().certificate()?;
         let Some(epsilon) = error_bound.uniform() else { return self.fps.first_contradiction() };
         if !self.fps.has_hulls() {
             return self.contradiction_of_conditions().or_else(|| self.fps.first_contradiction());
@@ -210,7 +212,7 @@ impl Fit {
         if let Some(index) = first_unknown(&self.fps, &names, &every) {
             return Err(ProofError::UnknownInequality(index));
         }
-        if let Some(certificate) = self.fps.polyhedron().region().certificate() {
+        if let Some(certificate) = self.fps.polyhedron().certificate() {
             certificate.verify(system)?;
         }
         for interval in self.pui.iter().flatten() {

@@ -37,7 +37,7 @@ impl Fps {
     /// differ. Exact. Cost: O(N log N).
     pub fn new(measurements: &Measurements, conditions: &[Condition]) -> Self {
         match Extremes::of(measurements) {
-            Some(extremes) => Fps::of_extremes(measurements, conditions, &extremes),
+            Some(extremes) => Fps::of_extremes(measurements, conditions, extremes),
             None => Fps::of_every_half_plane(measurements, conditions),
         }
     }
@@ -71,11 +71,11 @@ impl Fps {
         Fps::of_system(measurements, names, System::new(inequalities))
     }
 
-    /// [`Fps::new`] with the extremes of a line under a uniform bound.
+    /// [`Fps::new`] with the extremes of a line under a uniform bound, which are gone before the half-planes are intersected.
     pub(crate) fn of_extremes(
         measurements: &Measurements,
         conditions: &[Condition],
-        extremes: &Extremes,
+        extremes: Extremes,
     ) -> Self {
         if let Some(grid) = measurements.on_grid() {
             return Fps::on_grid(measurements, grid, conditions, extremes);
@@ -89,7 +89,7 @@ impl Fps {
         let (rows, known) = (measurements.kept(), measurements.ties());
         let mut ties = Ties::default();
         for touching in &extremes.touching {
-            let measurement = &rows[touching.position];
+            let measurement = &rows[touching.position()];
             if touching.tied.count() > 1 || known.is_some_and(|known| !known.is_empty()) {
                 let tied = touching.tied.rows().map(|position| {
                     let row = rows[position as usize].row;
@@ -117,16 +117,15 @@ impl Fps {
         measurements: &Measurements,
         grid: &OnGrid,
         conditions: &[Condition],
-        extremes: &Extremes,
+        extremes: Extremes,
     ) -> Self {
         let count = extremes.touching.len() + 2;
         let (mut names, mut lines) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        for Touching { position, lower, upper, .. } in &extremes.touching {
-            let row = grid.places()[*position].row;
-            let above =
-                lower.then(|| grid.upper(*position)).flatten().map(|own| (BoundName::Upper(row), own));
-            let below =
-                upper.then(|| grid.lower(*position)).flatten().map(|own| (BoundName::Lower(row), own));
+        for touching in extremes.touching {
+            let (position, Touching { lower, upper, .. }) = (touching.position(), touching);
+            let row = grid.places()[position].row;
+            let above = lower.then(|| grid.upper(position)).flatten().map(|own| (BoundName::Upper(row), own));
+            let below = upper.then(|| grid.lower(position)).flatten().map(|own| (BoundName::Lower(row), own));
             for (name, half_plane) in above.into_iter().chain(below) {
                 names.push(name);
                 lines.push(half_plane);
@@ -158,7 +157,7 @@ impl Fps {
     /// earlier half-planes, with these and their multipliers. Only readings' half-planes that touch an envelope
     /// count, so that the answer does not depend on other half-planes. Exact. Cost: O(N log N).
     pub(crate) fn first_contradiction(&self) -> Option<Vec<(BoundName, Rational)>> {
-        self.polyhedron.region().certificate()?;
+        self.polyhedron.certificate()?;
         let is_condition = |name: &&BoundName| !matches!(name, BoundName::Upper(_) | BoundName::Lower(_));
         let readings = self.names.len() - self.names.iter().filter(is_condition).count();
         let system = self.polyhedron.system();
@@ -271,7 +270,7 @@ pub fn contradiction_among(
 ) -> Option<Vec<(BoundName, Rational)>> {
     let (names, system): (Vec<BoundName>, Vec<Inequality>) = named.unzip();
     let intersection = Polyhedron::intersect(System::new(system));
-    let multipliers = intersection.region().certificate()?.multipliers();
+    let multipliers = intersection.certificate()?.multipliers();
     Some(multipliers.iter().map(|m| (names[m.index], m.value.clone())).collect())
 }
 

@@ -34,7 +34,7 @@ impl GroupFit {
         GroupFit {
             rows: problem.measurements.fitted(),
             first_row: problem.measurements.kept().first().map(|measurement| measurement.row),
-            kind: fit.fps.polyhedron().region().kind(),
+            kind: fit.fps.polyhedron().kind(),
             pui: fit.pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval)),
             central: fit.central.clone(),
             least_squares: fit.least_squares.as_ref().ok().map(|estimate| estimate.theta.clone()),
@@ -81,7 +81,7 @@ impl GroupAnswer {
         GroupAnswer {
             fit: GroupFit::of(problem, fit),
             is_bounded_alike: error_bound.is_uniform(),
-            vertex_count: fit.fps.polyhedron().region().vertices().len(),
+            vertex_count: fit.fps.polyhedron().vertex_count(),
             is_feasible: least_squares_is_feasible(fit).unwrap_or(false),
             guaranteed_error: fit.least_squares_guaranteed_error(),
             eui: fit.eui().cloned(),

@@ -37,8 +37,7 @@ pub(crate) struct Extremes {
 /// A reading on a hull: the first of those at one corner, or strictly within one edge.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Touching {
-    pub(crate) position: usize,
-    /// The positions of all that it stands for.
+    /// The positions of all that it stands for, its own as the first.
     pub(crate) tied: Tally,
     /// `true` on the lower hull: the reading's upper bound can be active.
     pub(crate) lower: bool,
@@ -53,6 +52,13 @@ pub(crate) struct Gap {
     pub(crate) corner: usize,
     pub(crate) edge: [usize; 2],
     pub(crate) corner_is_lower: bool,
+}
+
+impl Touching {
+    /// The position of the reading.
+    pub(crate) fn position(&self) -> usize {
+        self.tied.first() as usize
+    }
 }
 
 impl Extremes {
@@ -108,12 +114,10 @@ impl Extremes {
         let mut on = vec![[false; 2]; points.len()];
         lower.support(points).for_each(|place| on[place][0] = true);
         upper.support(points).for_each(|place| on[place][1] = true);
-        let touching = |(point, [lower, upper]): (&P, [bool; 2])| {
-            let (position, tied) = (point.position(), point.rows().clone());
-            Touching { position, tied, lower, upper }
-        };
+        let touching =
+            |(point, [lower, upper]): (&P, [bool; 2])| Touching { tied: point.rows().clone(), lower, upper };
         let mut touching: Vec<Touching> = points.iter().zip(on).map(touching).collect();
-        touching.sort_unstable_by_key(|touching| touching.position);
+        touching.sort_unstable_by_key(Touching::position);
         let lower: Vec<&P> = lower.corners().map(|place| &points[place]).collect();
         let upper: Vec<&P> = upper.corners().rev().map(|place| &points[place]).collect();
         let mut corners: Vec<usize> = lower.iter().chain(&upper).map(|corner| corner.position()).collect();

@@ -1,7 +1,7 @@
 //! The inverse line x = gain·y + offset of y = θ1·x + θ2: gain 1/θ1, offset -θ2/θ1.
 
 use boundfit_exact::{Endpoint, Fraction, Integer, Interval, Rational, Sign};
-use boundfit_geometry::{Branch, Inequality, Polyhedron, Region, System, Vertex, inverse_line_image};
+use boundfit_geometry::{Branch, Inequality, Polyhedron, System, inverse_line_image};
 
 /// The facts about one parameter of the inverse line. Ranges are unions of at most two disjoint intervals, in
 /// ascending order: two where θ1 may have either sign, none where there is no feasible θ with θ1 ≠ 0.
@@ -38,7 +38,7 @@ impl Inverse {
         central: Option<&[Rational; 2]>,
         least_squares: Option<&[Rational; 2]>,
     ) -> Self {
-        let exact = pui.and_then(|[theta1, _]| ranges_of_region(fps.region(), theta1));
+        let exact = pui.and_then(|[theta1, _]| ranges_of_set(fps, theta1));
         let of_box = |intervals: &[Interval; 2]| {
             let bounded = ranges_of_one_sign(intervals).or_else(|| ranges_of_box(intervals));
             bounded.unwrap_or_else(|| ranges(&box_of(intervals)))
@@ -84,16 +84,9 @@ fn ranges(set: &Polyhedron) -> Ranges {
     ranges.map(united)
 }
 
-/// The ranges over a region whose θ1 has this range, if it is bounded: its vertices are enough.
-fn ranges_of_region(region: &Region, theta1: &Interval) -> Option<Ranges> {
-    if !region.is_bounded() {
-        return None;
-    }
-    let place = |vertex: &Vertex| {
-        let (x, y, _) = vertex.point().homogeneous();
-        [x.clone(), y.clone()]
-    };
-    ranges_of_corners(&region.vertices().iter().map(place).collect::<Vec<_>>(), theta1)
+/// The ranges over a set whose θ1 has this range, if it is bounded: its vertices are enough.
+fn ranges_of_set(set: &Polyhedron, theta1: &Interval) -> Option<Ranges> {
+    set.kind().is_bounded().then(|| ranges_of_corners(set.multiples_of_vertices(), theta1))?
 }
 
 /// The ranges over a box, if it is bounded.
@@ -102,7 +95,7 @@ fn ranges_of_box([theta1, theta2]: &[Interval; 2]) -> Option<Ranges> {
     let corners = [(left, low), (right, low), (right, high), (left, high)];
     let place =
         |(x, y): (&Rational, &Rational)| [x.numerator() * y.denominator(), y.numerator() * x.denominator()];
-    ranges_of_corners(&corners.map(place), theta1)
+    ranges_of_corners(corners.map(place).into_iter(), theta1)
 }
 
 /// The ranges over a convex polygon with these corners in order, each as (θ1, θ2) times a positive number of its own, and
@@ -110,17 +103,23 @@ fn ranges_of_box([theta1, theta2]: &[Interval; 2]) -> Option<Ranges> {
 ///
 /// A quotient of linear forms is monotone along every segment on one side of θ1 = 0. So -θ2/θ1 has its bounds in
 /// corners, except towards θ1 = 0: there the sign of θ2 decides its limit.
-fn ranges_of_corners(corners: &[[Integer; 2]], theta1: &Interval) -> Option<Ranges> {
+fn ranges_of_corners(mut corners: impl Iterator<Item = [Integer; 2]>, theta1: &Interval) -> Option<Ranges> {
     let (lower, upper) = theta1.ends()?;
-    let mut on_axis = Vec::new();
-    if !lower.is_positive() && !upper.is_negative() {
-        let next = corners.iter().cycle().skip(1);
-        on_axis.extend(corners.iter().zip(next).filter_map(|(corner, next)| sign_on_axis(corner, next)));
+    let (mut on_axis, mut offsets) = (Vec::new(), [None, None]);
+    let first = corners.next()?;
+    let mut last = first.clone();
+    for corner in corners.chain([first]) {
+        on_axis.extend(sign_on_axis(&last, &corner));
+        match corner[0].sign() {
+            Sign::Negative => add_offset(&mut offsets[0], &corner),
+            Sign::Zero => {}
+            Sign::Positive => add_offset(&mut offsets[1], &corner),
+        }
+        last = corner;
     }
     let mut ranges = [Vec::new(), Vec::new()];
-    for side in [Sign::Negative, Sign::Positive] {
-        let own = corners.iter().filter(|[x, _]| x.sign() == side);
-        let Some([least, most]) = offsets(own) else { continue };
+    for (side, offsets) in [Sign::Negative, Sign::Positive].into_iter().zip(offsets) {
+        let Some([least, most]) = offsets.map(|offsets| offsets.map(Rational::from)) else { continue };
         // Towards θ1 = 0 from the right, -θ2/θ1 grows where θ2 < 0; from the left, where θ2 > 0.
         let (falls, grows) = (side, if side == Sign::Negative { Sign::Positive } else { Sign::Negative });
         let end = |end: Rational, goes_on: Sign| {
@@ -147,24 +146,17 @@ fn sign_on_axis([x, y]: &[Integer; 2], [next_x, next_y]: &[Integer; 2]) -> Optio
     }
 }
 
-/// The least and the largest -θ2/θ1 of corners with θ1 ≠ 0; `None` without any.
-fn offsets<'a>(corners: impl Iterator<Item = &'a [Integer; 2]>) -> Option<[Rational; 2]> {
+/// Adds the -θ2/θ1 of a corner with θ1 ≠ 0 to the least and the largest of others.
+fn add_offset(offsets: &mut Option<[Fraction; 2]>, [x, y]: &[Integer; 2]) {
     // A positive denominator from the start: the sign of each number is changed once at most.
-    let offset = |[x, y]: &[Integer; 2]| {
-        if x.is_negative() { Fraction::new(y.clone(), -x) } else { Fraction::new(-y, x.clone()) }
-    };
-    let mut offsets = corners.filter_map(offset);
-    let first = offsets.next()?;
-    let (least, most) = offsets.fold((first.clone(), first), |(least, most), offset| {
-        if offset < least {
-            (offset, most)
-        } else if most < offset {
-            (least, offset)
-        } else {
-            (least, most)
-        }
-    });
-    Some([least.into(), most.into()])
+    let offset = if x.is_negative() { Fraction::new(y.clone(), -x) } else { Fraction::new(-y, x.clone()) };
+    let Some(offset) = offset else { return };
+    match offsets {
+        None => *offsets = Some([offset.clone(), offset]),
+        Some([least, _]) if offset < *least => *least = offset,
+        Some([_, most]) if *most < offset => *most = offset,
+        Some(_) => {}
+    }
 }
 
 /// Returns the ranges over a bounded box whose θ1 keeps one sign, as in nearly every fit. Each range takes two

@@ -29,7 +29,7 @@ pub fn mending_rows(problem: &Problem, fit: &Fit) -> Option<Vec<usize>> {
         match rest.error_bound().uniform().filter(|_| rest.has_hulls()) {
             // Two hulls and no polygon.
             Some(bound) => Minimax::new(&rest, conditions).is_some_and(|minimax| minimax.least <= *bound),
-            None => !Fps::new(&rest, conditions).polyhedron().region().is_empty(),
+            None => !Fps::new(&rest, conditions).polyhedron().is_empty(),
         }
     });
     Some(rows)

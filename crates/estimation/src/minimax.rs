@@ -94,7 +94,7 @@ impl Minimax {
             // The reading that a line misses most is on a hull, and so are all that it misses as much.
             Some(extremes) => {
                 let rows = measurements.kept();
-                let touching = extremes.touching.iter().map(|touching| &rows[touching.position]);
+                let touching = extremes.touching.iter().map(|touching| &rows[touching.position()]);
                 Growing::of_rows(touching, true).with(conditions).minimax()
             }
             None => {

@@ -10,20 +10,22 @@ use crate::predicates::{by_angle, by_tightness};
 /// half-planes, which are anywhere in memory, in each comparison.
 const FEWEST_FOR_KEYS: usize = 256;
 
-/// Sorts half-planes by angle, those of the same direction by tightness, and equal ones by index.
-pub(crate) fn sort(half_planes: &mut Vec<Facet>) {
-    let keyed: Option<Vec<(u64, Facet)>> = if half_planes.len() < FEWEST_FOR_KEYS {
-        None
-    } else {
-        half_planes.iter().map(|&(index, half_plane)| Some((key(half_plane)?, (index, half_plane)))).collect()
-    };
+/// Half-planes sorted by angle, those of the same direction by tightness, and equal ones by index.
+pub(crate) fn sorted<'a>(half_planes: impl Iterator<Item = Facet<'a>> + Clone) -> Vec<Facet<'a>> {
+    let are_few = half_planes.clone().nth(FEWEST_FOR_KEYS - 1).is_none();
+    let keyed = |(index, half_plane): Facet<'a>| Some((key(half_plane)?, (index, half_plane)));
+    let keyed: Option<Vec<(u64, Facet)>> =
+        if are_few { None } else { half_planes.clone().map(keyed).collect() };
     match keyed {
-        None => half_planes.sort_unstable_by(compare),
+        None => {
+            let mut sorted: Vec<Facet> = half_planes.collect();
+            sorted.sort_unstable_by(compare);
+            sorted
+        }
         Some(mut keyed) => {
             // Readings sorted by x come as few runs, which a stable sort merges.
             keyed.sort_by(|(k, f), (l, g)| k.cmp(l).then_with(|| compare(f, g)));
-            half_planes.clear();
-            half_planes.extend(keyed.into_iter().map(|(_, facet)| facet));
+            keyed.into_iter().map(|(_, facet)| facet).collect()
         }
     }
 }
@@ -75,12 +77,10 @@ mod tests {
         for (largest, keys) in [(1_i64 << 40, true), ((1 << 62) - 1, true), (i64::MAX, false)] {
             let half_planes = half_planes(largest);
             assert_eq!(half_planes.iter().all(|half_plane| key(half_plane).is_some()), keys, "{largest}");
-            let mut sorted: Vec<Facet> = half_planes.iter().enumerate().collect();
-            let mut expected = sorted.clone();
-            assert!(sorted.len() >= FEWEST_FOR_KEYS);
+            let mut expected: Vec<Facet> = half_planes.iter().enumerate().collect();
+            assert!(expected.len() >= FEWEST_FOR_KEYS);
             expected.sort_by(compare);
-            sort(&mut sorted);
-            assert_eq!(sorted, expected, "{largest}");
+            assert_eq!(sorted(half_planes.iter().enumerate()), expected, "{largest}");
         }
     }
 

@@ -6,7 +6,7 @@
 //! interval, and one walk from left to right finds both of its ends. (The two envelopes are dual to the two hulls of
 //! Andrew's monotone chain; de Berg et al., *Computational Geometry*, §§ 4.2 and 11.5.)
 
-use std::ops::RangeInclusive;
+use std::ops::Range;
 
 use boundfit_exact::{Fraction, Integer, Sign};
 
@@ -23,7 +23,7 @@ fn theta1_of_meeting(f: &HalfPlane, g: &HalfPlane) -> Option<Fraction> {
 
 /// The θ1 where a boundary with `a2 = 0` stands.
 fn theta1_of_vertical((_, half_plane): &Facet) -> Option<Fraction> {
-    Fraction::new(half_plane.b().clone(), half_plane.a1().clone())
+    Fraction::new(half_plane.b(), half_plane.a1())
 }
 
 /// The distance `constant + slope·θ1`, up to a positive factor, from a lower bound of θ2 up to an upper bound.
@@ -104,10 +104,10 @@ impl<'a> Envelope<'a> {
         first
     }
 
-    /// The pieces in force between two abscissas; empty for an empty envelope.
-    fn between(&self, left: Option<&Fraction>, right: Option<&Fraction>) -> &[Facet<'a>] {
+    /// The pieces in force between two abscissas; none of an empty envelope.
+    fn between(&self, left: Option<&Fraction>, right: Option<&Fraction>) -> Range<usize> {
         if self.pieces.is_empty() {
-            return &[];
+            return 0..0;
         }
         let first = self.first_after(left);
         let mut last = self.pieces.len() - 1;
@@ -117,7 +117,7 @@ impl<'a> Envelope<'a> {
         {
             last -= 1;
         }
-        &self.pieces[first..=last]
+        first..last + 1
     }
 }
 
@@ -132,8 +132,8 @@ pub(crate) struct Bounds<'a> {
 
 /// The pieces of both envelopes between which the region lies.
 struct Overlap {
-    upper: RangeInclusive<usize>,
-    lower: RangeInclusive<usize>,
+    upper: Range<usize>,
+    lower: Range<usize>,
     reaches_left: bool,
     reaches_right: bool,
 }
@@ -163,15 +163,22 @@ impl<'a> Bounds<'a> {
             return None;
         }
         let (upper, lower) = if self.upper.pieces.is_empty() || self.lower.pieces.is_empty() {
-            let range = |envelope: &Envelope<'a>| envelope.between(left.as_ref(), right.as_ref()).to_vec();
+            let range = |envelope: &Envelope<'a>| envelope.between(left.as_ref(), right.as_ref());
             (range(&self.upper), range(&self.lower))
         } else {
             let overlap = self.overlap(left, right.as_ref())?;
             self.left = self.left.filter(|_| overlap.reaches_left);
             self.right = self.right.filter(|_| overlap.reaches_right);
-            (self.upper.pieces[overlap.upper].to_vec(), self.lower.pieces[overlap.lower].to_vec())
+            (overlap.upper, overlap.lower)
         };
-        Some(self.right.into_iter().chain(upper.into_iter().rev()).chain(self.left).chain(lower).collect())
+        // In the memory of the upper envelope, which may have every half-plane.
+        let mut facets = self.upper.pieces;
+        facets.truncate(upper.end);
+        facets.drain(..upper.start);
+        facets.extend(self.right);
+        facets.reverse();
+        facets.extend(self.left.into_iter().chain(self.lower.pieces.drain(lower)));
+        Some(facets)
     }
 
     /// Walks along both envelopes: first to where the gap opens, then to where it closes. The gap is concave, so that a binary
@@ -214,8 +221,8 @@ impl<'a> Bounds<'a> {
             }
         };
         Some(Overlap {
-            upper: first_upper..=walk.upper.piece,
-            lower: first_lower..=walk.lower.piece,
+            upper: first_upper..walk.upper.piece + 1,
+            lower: first_lower..walk.lower.piece + 1,
             reaches_left,
             reaches_right,
         })

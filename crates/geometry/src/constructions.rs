@@ -1,22 +1,27 @@
 //! Exact constructions. Nothing here decides; a construction that does not exist is `None`.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Integer, Rational};
 
 use crate::half_plane::HalfPlane;
 use crate::point::{Direction, Point};
 
 /// The common point of two boundaries, unless they are parallel (Cramer's rule). Exact.
 pub fn meet(f: &HalfPlane, g: &HalfPlane) -> Option<Point> {
-    Point::from_homogeneous(
-        f.b() * g.a2() - g.b() * f.a2(),
-        f.a1() * g.b() - g.a1() * f.b(),
-        f.a1() * g.a2() - g.a1() * f.a2(),
-    )
+    let [x, y, w] = crossing(f, g);
+    Point::from_homogeneous(x, y, w)
+}
+
+/// The common point of two boundaries as a triple (x : y : w) with common divisors, `w` positive where the normals turn to the left
+/// and 0 where they are parallel. Exact.
+pub(crate) fn crossing(f: &HalfPlane, g: &HalfPlane) -> [Integer; 3] {
+    let (f, g) = (f.triple(), g.triple());
+    let ([f1, f2, f0], [g1, g2, g0]) = (&*f, &*g);
+    [f0 * g2 - g0 * f2, f1 * g0 - g1 * f0, f1 * g2 - g1 * f2]
 }
 
 /// The point of the boundary that is nearest to the origin.
 pub fn foot(half_plane: &HalfPlane) -> Point {
-    let (a1, a2, b) = (half_plane.a1(), half_plane.a2(), half_plane.b());
+    let [a1, a2, b] = &*half_plane.triple();
     Point::from_homogeneous(a1 * b, a2 * b, a1 * a1 + a2 * a2).expect("half-plane with a zero normal")
 }
 

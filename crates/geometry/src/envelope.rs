@@ -11,7 +11,7 @@ use crate::bounds::{Bounds, Facet};
 use crate::constructions::meet;
 use crate::fan::NormalFan;
 use crate::half_plane::{Constraint, HalfPlane};
-use crate::predicates::{Side, Turn, normal_turn, side};
+use crate::predicates::{Side, Turn, are_concurrent, normal_turn, side};
 use crate::proof::{Farkas, Multiplier};
 use crate::region::{
     Boundary, EmptyRegion, HalfPlaneRegion, Region, Vertex, from_chain, from_line, from_parallels,
@@ -22,8 +22,23 @@ use crate::system::System;
 ///
 /// The result equals that of [`crate::clipping::intersect`] in every part.
 pub fn intersect(system: &System) -> Region {
-    let mut sorted: Vec<Facet> = system.half_planes().collect();
-    angle_key::sort(&mut sorted);
+    match outline(system) {
+        Outline::Polygon(fan) => fan.polygon(system),
+        Outline::Other(region) => region,
+    }
+}
+
+/// A region as the envelopes find it.
+pub(crate) enum Outline {
+    /// A polygon, by its sides alone: its vertices would take more memory than the half-planes.
+    Polygon(NormalFan),
+    /// Any other region, or a polygon with half-planes between two sides that both envelopes keep.
+    Other(Region),
+}
+
+/// The outline of the region of a system. Exact. Cost: O(n log n).
+pub(crate) fn outline(system: &System) -> Outline {
+    let mut sorted = angle_key::sorted(system.half_planes());
     let copies: Vec<HalfPlane> =
         if is_scattered(&sorted) { sorted.iter().map(|(_, h)| (*h).clone()).collect() } else { Vec::new() };
     for ((_, half_plane), copy) in sorted.iter_mut().zip(&copies) {
@@ -36,14 +51,27 @@ pub fn intersect(system: &System) -> Region {
             let last = sorted.first_contradiction(prefix);
             let before = sorted.region(&sorted.facets(last).unwrap_or_default(), last);
             let certificate = NormalFan::of(system, &before).contradiction(system, last);
-            Region::Empty(EmptyRegion { certificate })
+            Outline::Other(Region::Empty(EmptyRegion { certificate }))
         }
         Some(_) if prefix < system.len() => {
             let multipliers = vec![Multiplier { index: prefix, value: Rational::one() }];
-            Region::Empty(EmptyRegion { certificate: Farkas::new(multipliers) })
+            Outline::Other(Region::Empty(EmptyRegion { certificate: Farkas::new(multipliers) }))
         }
-        Some(facets) => sorted.region(&facets, prefix),
+        Some(facets) if are_sides_of_polygon(&facets) => {
+            Outline::Polygon(NormalFan::of_sides(facets.into_iter().map(|(index, _)| index).collect()))
+        }
+        Some(facets) => Outline::Other(sorted.region(&facets, prefix)),
     }
+}
+
+/// Returns whether each of the facets goes from one vertex to another one, and the last leads to the first.
+fn are_sides_of_polygon(facets: &[Facet]) -> bool {
+    let count = facets.len();
+    let is_side = |position: usize| {
+        let [before, own, next] = [0, 1, 2].map(|step| facets[(position + step) % count].1);
+        normal_turn(own, next) == Turn::Left && !are_concurrent(before, own, next)
+    };
+    count >= 3 && (0..count).all(is_side)
 }
 
 fn first_never(system: &System) -> Option<usize> {

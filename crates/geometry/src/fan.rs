@@ -7,12 +7,15 @@ use std::cmp::Ordering;
 
 use boundfit_exact::{Integer, Rational, Sign};
 
-use crate::constructions::direction_between;
+use crate::active::Active;
+use crate::constructions::{direction_between, meet};
 use crate::half_plane::{HalfPlane, Inequality};
-use crate::point::Direction;
-use crate::predicates::{Turn, angle_order, approach, by_angle, normal_turn, turn, turn_between};
+use crate::point::{Direction, Point};
+use crate::predicates::{
+    Side, Turn, angle_order, approach, by_angle, normal, normal_turn, side, turn, turn_between,
+};
 use crate::proof::{Farkas, Multiplier};
-use crate::region::{Region, Vertex};
+use crate::region::{PolygonRegion, Region, Vertex};
 use crate::system::System;
 
 /// The maximum of a linear form, as the fan sees it.
@@ -86,6 +89,67 @@ impl NormalFan {
         NormalFan { spokes }
     }
 
+    /// The fan of a polygon with these sides, by angle, each the first of those that coincide.
+    pub(crate) fn of_sides(spokes: Vec<usize>) -> Self {
+        NormalFan { spokes }
+    }
+
+    /// The place of the side of a polygon that leads away from its lexicographically smallest vertex, the first one. Cost:
+    /// logarithmic.
+    pub(crate) fn first_side(&self, system: &System) -> usize {
+        // That vertex lies behind the half-planes up to the angle of (-1, 0).
+        self.spokes.partition_point(|&spoke| !normal_of(system, spoke).a2().is_negative())
+    }
+
+    /// The half-planes of the side at a place and of the side before it, all places taken around the polygon. They meet in a vertex.
+    pub(crate) fn sides_at<'a>(&self, system: &'a System, place: usize) -> [&'a HalfPlane; 2] {
+        let count = self.spokes.len();
+        [place + count - 1, place].map(|place| normal_of(system, self.spokes[place % count]))
+    }
+
+    /// The vertex of a polygon between the side at a place and the side before it.
+    fn corner(&self, system: &System, place: usize) -> Point {
+        let [before, own] = self.sides_at(system, place);
+        meet(before, own).expect("parallel sides of a polygon that follow each other")
+    }
+
+    /// The ends of a side of a polygon, in the order of its vertices. Cost: logarithmic.
+    pub(crate) fn ends_of_side(&self, system: &System, side: usize) -> [Point; 2] {
+        let after = self.place_after(system, normal(&normal_of(system, side).triple()));
+        let [start, end] = [after - 1, after].map(|place| self.corner(system, place));
+        if after == self.first_side(system) { [end, start] } else { [start, end] }
+    }
+
+    /// The polygon of this fan, its vertices with all half-planes that are active there. Exact. Cost: O(n log n) in the number of
+    /// half-planes.
+    pub(crate) fn polygon(&self, system: &System) -> Region {
+        let (count, first) = (self.spokes.len(), self.first_side(system));
+        let mut is_side = vec![false; system.len()];
+        self.spokes.iter().for_each(|&spoke| is_side[spoke] = true);
+        let vertex = |place: usize| {
+            let active = [place + count - 1, place].map(|place| self.spokes[place % count]);
+            Vertex { point: self.corner(system, place), active: Active::Two(active) }
+        };
+        let mut vertices: Vec<Vertex> = (first..first + count).map(vertex).collect();
+        let mut after = 0;
+        for (index, half_plane) in system.half_planes().filter(|(index, _)| !is_side[*index]) {
+            // A half-plane touches the polygon, if at all, between the two sides that its normal lies between.
+            after = self.place_behind(system, half_plane, after);
+            let [own, next] = [after + count - first - 1, after + count - first].map(|place| place % count);
+            let side_before = self.sides_at(system, after)[0];
+            if half_plane == side_before {
+                vertices[own].active.push(index);
+                vertices[next].active.push(index);
+            } else if normal_turn(side_before, half_plane) != Turn::None
+                && side(half_plane, &vertices[next].point) == Side::Boundary
+            {
+                vertices[next].active.push(index);
+            }
+        }
+        vertices.iter_mut().for_each(|vertex| vertex.active.settle());
+        Region::Polygon(PolygonRegion { vertices })
+    }
+
     /// Indices of the irredundant half-planes, by angle.
     pub(crate) fn indices(&self) -> &[usize] {
         &self.spokes
@@ -100,7 +164,7 @@ impl NormalFan {
             return FanSupport::Unbounded;
         };
         let (f, g) = (normal_of(system, before), normal_of(system, after));
-        let turn_in = turn_between(normal(f), form.vector());
+        let turn_in = turn_between(normal(&f.triple()), form.vector());
         if turn_in == Turn::None {
             let inequality = system.inequality(before);
             let multiplier = form.multiple(&inequality, f);
@@ -109,7 +173,7 @@ impl NormalFan {
             return FanSupport::Bounded { value, multipliers };
         }
         let within = turn_in == Turn::Left
-            && turn_between(form.vector(), normal(g)) == Turn::Left
+            && turn_between(form.vector(), normal(&g.triple())) == Turn::Left
             && normal_turn(f, g) == Turn::Left;
         if !within {
             return FanSupport::Unbounded;
@@ -137,7 +201,7 @@ impl NormalFan {
 
     /// The irredundant half-planes whose normals come last at or before, and first after, that of a half-plane.
     pub(crate) fn around(&self, system: &System, half_plane: &HalfPlane) -> Option<(usize, usize)> {
-        self.around_direction(system, normal(half_plane))
+        self.around_direction(system, normal(&half_plane.triple()))
     }
 
     fn neighbours(&self, system: &System, form: &IntegerForm) -> Option<(usize, usize)> {
@@ -149,10 +213,24 @@ impl NormalFan {
         if count == 0 {
             return None;
         }
-        let after = self.spokes.partition_point(|&index| {
-            angle_order(direction, normal(normal_of(system, index))) != Ordering::Less
-        });
+        let after = self.place_after(system, direction);
         Some((self.spokes[(after + count - 1) % count], self.spokes[after % count]))
+    }
+
+    /// The place of the first half-plane behind the normal of another one. A guess is tried before a search, since readings that follow
+    /// each other often have their place in common.
+    fn place_behind(&self, system: &System, half_plane: &HalfPlane, guess: usize) -> usize {
+        let is_before = |spoke: usize| by_angle(half_plane, normal_of(system, spoke)).is_lt();
+        let is_right = guess.checked_sub(1).is_none_or(|before| !is_before(self.spokes[before]))
+            && self.spokes.get(guess).is_none_or(|&spoke| is_before(spoke));
+        if is_right { guess } else { self.spokes.partition_point(|&spoke| !is_before(spoke)) }
+    }
+
+    /// The place of the first half-plane behind a direction; the number of places where there is none.
+    fn place_after(&self, system: &System, direction: (&Integer, &Integer)) -> usize {
+        self.spokes.partition_point(|&index| {
+            angle_order(direction, normal(&normal_of(system, index).triple())) != Ordering::Less
+        })
     }
 }
 
@@ -188,15 +266,17 @@ impl IntegerForm {
         half_planes: [&HalfPlane; 2],
     ) -> (Rational, [Rational; 2]) {
         let [f, g] = half_planes;
+        let (f_triple, g_triple) = (f.triple(), g.triple());
+        let (f_normal, g_normal) = (normal(&f_triple), normal(&g_triple));
         let minor = |u: (&Integer, &Integer), v: (&Integer, &Integer)| u.0 * v.1 - u.1 * v.0;
-        let determinant = minor(normal(f), normal(g)) * &self.denominator;
+        let determinant = minor(f_normal, g_normal) * &self.denominator;
         // In multiples of the half-planes' integer triples.
-        let (s, t) = (minor(self.vector(), normal(g)), minor(normal(f), self.vector()));
+        let (s, t) = (minor(self.vector(), g_normal), minor(f_normal, self.vector()));
         let value = quotient(f.b() * &s + g.b() * &t, determinant.clone());
         let of_inequality = |times: Integer, inequality: &Inequality, half_plane: &HalfPlane| {
             // The triple is a positive multiple of the inequality: this often, with a second coefficient of 1, an integer.
             let axis = usize::from(!half_plane.a2().is_zero());
-            let (given, integer) = (&inequality.a[axis], [half_plane.a1(), half_plane.a2()][axis]);
+            let (given, integer) = (&inequality.a[axis], &half_plane.triple()[axis]);
             quotient(times * integer * given.denominator(), &determinant * given.numerator())
         };
         let multipliers = [of_inequality(s, inequalities[0], f), of_inequality(t, inequalities[1], g)];
@@ -209,10 +289,6 @@ fn quotient(numerator: Integer, denominator: Integer) -> Rational {
     Rational::new(numerator, denominator).expect("a form between two normals that are not parallel")
 }
 
-fn normal(half_plane: &HalfPlane) -> (&Integer, &Integer) {
-    (half_plane.a1(), half_plane.a2())
-}
-
 /// The half-plane of an index that came from an active set: those have a normal.
 pub(crate) fn normal_of(system: &System, index: usize) -> &HalfPlane {
     system.half_plane(index).expect("an active inequality without a normal")
@@ -222,7 +298,7 @@ pub(crate) fn normal_of(system: &System, index: usize) -> &HalfPlane {
 fn with_normal(system: &System, active: &[usize], normal: &Direction) -> Option<usize> {
     let vector = (normal.dx(), normal.dy());
     let faces_it =
-        |&index: &usize| turn_between(self::normal(normal_of(system, index)), vector) == Turn::None;
+        |&index: &usize| turn_between(self::normal(&normal_of(system, index).triple()), vector) == Turn::None;
     active.iter().copied().find(faces_it)
 }
 

@@ -1,5 +1,7 @@
 //! Linear inequalities as given, and the half-planes they stand for.
 
+use std::borrow::Cow;
+
 use boundfit_exact::{Fraction, Integer, Rational};
 
 use crate::point::Direction;
@@ -20,7 +22,8 @@ impl Inequality {
     }
 
     /// The inequality of a half-plane that has 1 or -1 for `a2`. Exact.
-    pub(crate) fn of_line(HalfPlane { a1, a2, b }: &HalfPlane) -> Self {
+    pub(crate) fn of_line(half_plane: &HalfPlane) -> Self {
+        let [a1, a2, b] = &*half_plane.triple();
         let over = |number: &Integer| Rational::new(number.clone(), a2.abs()).unwrap_or_default();
         Inequality { a: [over(a1), over(a2)], b: over(b) }
     }
@@ -32,7 +35,7 @@ impl Inequality {
         // A prime of the common denominator leaves some scaled number indivisible, and one of them is ± that denominator:
         // no common divisor is to be looked for.
         if p1.abs() == common || p2.abs() == common {
-            return Constraint::HalfPlane(HalfPlane { a1: p1, a2: p2, b: q });
+            return Constraint::HalfPlane(HalfPlane::of_coprime(p1, p2, q));
         }
         match HalfPlane::new(p1, p2, q) {
             Some(half_plane) => Constraint::HalfPlane(half_plane),
@@ -69,10 +72,13 @@ pub enum Constraint {
 ///
 /// Equal half-planes have equal triples.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct HalfPlane {
-    a1: Integer,
-    a2: Integer,
-    b: Integer,
+pub struct HalfPlane(Size);
+
+/// The form of a triple: words wherever all three fit, which take less than half of the memory.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+enum Size {
+    Words([i64; 3]),
+    Long(Box<[Integer; 3]>),
 }
 
 impl HalfPlane {
@@ -83,36 +89,71 @@ impl HalfPlane {
         }
         let divisor = a1.gcd(&a2).gcd(&b);
         let reduced = |value: Integer| value.quotient(&divisor);
-        Some(HalfPlane { a1: reduced(a1), a2: reduced(a2), b: reduced(b) })
+        Some(HalfPlane::of_coprime(reduced(a1), reduced(a2), reduced(b)))
+    }
+
+    fn of_coprime(a1: Integer, a2: Integer, b: Integer) -> Self {
+        HalfPlane(match (a1.to_i64(), a2.to_i64(), b.to_i64()) {
+            (Some(a1), Some(a2), Some(b)) => Size::Words([a1, a2, b]),
+            _ => Size::Long(Box::new([a1, a2, b])),
+        })
     }
 
     /// First coefficient of the outward normal.
     #[inline]
-    pub fn a1(&self) -> &Integer {
-        &self.a1
+    pub fn a1(&self) -> Integer {
+        self.coefficient(0)
     }
 
     /// Second coefficient of the outward normal.
     #[inline]
-    pub fn a2(&self) -> &Integer {
-        &self.a2
+    pub fn a2(&self) -> Integer {
+        self.coefficient(1)
     }
 
     /// The right-hand side.
     #[inline]
-    pub fn b(&self) -> &Integer {
-        &self.b
+    pub fn b(&self) -> Integer {
+        self.coefficient(2)
+    }
+
+    #[inline]
+    fn coefficient(&self, position: usize) -> Integer {
+        match &self.0 {
+            Size::Words(words) => Integer::from(words[position]),
+            Size::Long(triple) => triple[position].clone(),
+        }
+    }
+
+    /// The triple `(a1, a2, b)`, without copies of long numbers.
+    #[inline]
+    pub(crate) fn triple(&self) -> Cow<'_, [Integer; 3]> {
+        match &self.0 {
+            Size::Words([a1, a2, b]) => {
+                Cow::Owned([Integer::from(*a1), Integer::from(*a2), Integer::from(*b)])
+            }
+            Size::Long(triple) => Cow::Borrowed(triple),
+        }
+    }
+
+    /// The triple, where it is one of machine words.
+    #[inline]
+    pub(crate) fn words(&self) -> Option<[i64; 3]> {
+        match self.0 {
+            Size::Words(words) => Some(words),
+            Size::Long(_) => None,
+        }
     }
 
     /// The half-plane on the other side of the same line.
     pub fn opposite(&self) -> Self {
-        HalfPlane { a1: -&self.a1, a2: -&self.a2, b: -&self.b }
+        HalfPlane::of_coprime(-self.a1(), -self.a2(), -self.b())
     }
 
     /// The direction of the outward normal `(a1, a2)`.
     pub fn normal(&self) -> Direction {
         // A half-plane has a non-zero normal by construction.
-        Direction::new(self.a1.clone(), self.a2.clone()).expect("half-plane with a zero normal")
+        Direction::new(self.a1(), self.a2()).expect("half-plane with a zero normal")
     }
 }
 

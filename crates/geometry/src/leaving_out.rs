@@ -59,8 +59,7 @@ impl<'a> LeavingOut<'a> {
         if (0..count).all(is_left_out) {
             return None;
         }
-        // Behind the half-planes up to the angle of (-1, 0) is the lexicographically smallest vertex.
-        let first = spokes.partition_point(|&spoke| !normal_of(system, spoke).a2().is_negative());
+        let first = self.polyhedron.fan().first_side(system);
         let (mut vertices, mut bounding_box) = (Vec::with_capacity(count), self.bounding_box.clone()?);
         for (number, vertex) in polygon.vertices.iter().enumerate() {
             let [before, after] = [first + number + count - 1, first + number].map(|place| place % count);

@@ -1,23 +1,26 @@
 //! A system together with its region, and the questions one asks about them.
 
-use boundfit_exact::{Endpoint, Interval, Rational};
+use std::sync::OnceLock;
 
-use crate::constructions::foot;
-use crate::envelope;
+use boundfit_exact::{Endpoint, Integer, Interval, Rational};
+
+use crate::constructions::{crossing, foot, meet};
+use crate::envelope::{self, Outline};
 use crate::fan::{FanSupport, NormalFan};
 use crate::half_plane::HalfPlane;
 use crate::point::{Direction, Point};
 use crate::predicates::{Turn, turn};
 use crate::proof::{BoundProof, Farkas, Multiplier, UnboundedProof};
-use crate::region::Region;
+use crate::region::{Region, RegionKind};
 use crate::system::System;
 
 /// A system of inequalities and the region that it describes.
 #[derive(Debug, Clone)]
 pub struct Polyhedron {
     system: System,
-    region: Region,
     fan: NormalFan,
+    /// The region; a polygon is made when somebody looks at it, since its vertices take more memory than its half-planes.
+    region: OnceLock<Region>,
 }
 
 /// The maximum of a linear form over a region.
@@ -111,9 +114,12 @@ impl Polyhedron {
     /// assert_eq!((set.region().vertices().len(), set.region().area()), (2, None));
     /// ```
     pub fn intersect(system: System) -> Self {
-        let region = envelope::intersect(&system);
-        let fan = NormalFan::of(&system, &region);
-        Polyhedron { system, region, fan }
+        match envelope::outline(&system) {
+            Outline::Polygon(fan) => Polyhedron { system, fan, region: OnceLock::new() },
+            Outline::Other(region) => {
+                Polyhedron { fan: NormalFan::of(&system, &region), system, region: region.into() }
+            }
+        }
     }
 
     /// The inequalities.
@@ -121,14 +127,50 @@ impl Polyhedron {
         &self.system
     }
 
-    /// The intersection of the system's half-planes.
+    /// The intersection of the system's half-planes. Cost: O(n log n) for a polygon at which somebody looks for the first time.
     pub fn region(&self) -> &Region {
-        &self.region
+        self.region.get_or_init(|| self.fan.polygon(&self.system))
+    }
+
+    /// Returns the kind of the region, one of ten. Cost: constant.
+    pub fn kind(&self) -> RegionKind {
+        self.region.get().map_or(RegionKind::Polygon, Region::kind)
+    }
+
+    /// Returns whether there is no point in the region. Cost: constant.
+    pub fn is_empty(&self) -> bool {
+        self.kind() == RegionKind::Empty
+    }
+
+    /// The number of vertices. Cost: constant.
+    pub fn vertex_count(&self) -> usize {
+        self.region.get().map_or(self.fan.indices().len(), |region| region.vertices().len())
+    }
+
+    /// The coordinates of each vertex, counter-clockwise from any, times a positive number of its own. Exact. Cost: constant for each,
+    /// without greatest common divisors.
+    pub fn multiples_of_vertices(&self) -> impl Iterator<Item = [Integer; 2]> + '_ {
+        (0..self.vertex_count()).map(move |number| match self.region.get() {
+            Some(region) => {
+                let (x, y, _) = region.vertices()[number].point().homogeneous();
+                [x.clone(), y.clone()]
+            }
+            None => {
+                let [f, g] = self.fan.sides_at(&self.system, number);
+                let [x, y, _] = crossing(f, g);
+                [x, y]
+            }
+        })
+    }
+
+    /// The irredundant half-planes by angle.
+    pub(crate) fn fan(&self) -> &NormalFan {
+        &self.fan
     }
 
     /// The maximum of `form·θ` over the region, with its proof. Exact. Cost: linear in the number of vertices.
     pub fn support(&self, form: &[Rational; 2]) -> Support {
-        if let Some(certificate) = self.region.certificate() {
+        if let Some(certificate) = self.certificate() {
             return Support::Empty(certificate.clone());
         }
         match self.fan.support(&self.system, form) {
@@ -139,7 +181,7 @@ impl Polyhedron {
             }
             FanSupport::Unbounded => Support::Unbounded(UnboundedProof {
                 form: form.clone(),
-                point: self.region.witness().unwrap_or_else(Point::origin),
+                point: self.region().witness().unwrap_or_else(Point::origin),
                 ray: self.growing_ray(form),
             }),
         }
@@ -175,7 +217,7 @@ impl Polyhedron {
     /// Indices of a minimal set of inequalities with the same region, ascending. The first of coinciding inequalities
     /// is kept. For an empty region: those of the certificate.
     pub fn irredundant(&self) -> Vec<usize> {
-        let mut indices = match self.region.certificate() {
+        let mut indices = match self.certificate() {
             Some(certificate) => certificate.multipliers().iter().map(|m| m.index).collect(),
             None => self.fan.indices().to_vec(),
         };
@@ -213,7 +255,7 @@ impl Polyhedron {
 
     /// The reason why an inequality, one that is redundant, could be left out. Exact. Cost: logarithmic.
     pub fn reason(&self, index: usize) -> Redundancy {
-        if self.region.is_empty() {
+        if self.is_empty() {
             return Redundancy::EmptyWithout;
         }
         let inequality = self.system.inequality(index);
@@ -240,8 +282,13 @@ impl Polyhedron {
         Membership { slack, tightest }
     }
 
+    /// The proof of emptiness, when the region is empty. Cost: constant.
+    pub fn certificate(&self) -> Option<&Farkas> {
+        self.region.get().and_then(Region::certificate)
+    }
+
     fn maximum(&self, form: &[Rational; 2]) -> Option<Endpoint> {
-        if self.region.is_empty() {
+        if self.is_empty() {
             return None;
         }
         Some(match self.fan.support(&self.system, form) {
@@ -255,10 +302,20 @@ impl Polyhedron {
     /// A point attains the maximum exactly when every inequality of its proof is active there (complementary slackness).
     fn face(&self, form: &[Rational; 2], proof: &[Multiplier]) -> (Face, Point) {
         let Some(direction) = Direction::from_rational(form) else {
-            return (Face::Whole, self.region.witness().unwrap_or_else(Point::origin));
+            return (Face::Whole, self.region().witness().unwrap_or_else(Point::origin));
         };
+        if let [f, g] = proof
+            && let [Some(f), Some(g)] = [f, g].map(|own| self.system.half_plane(own.index))
+            && let Some(vertex) = meet(f, g)
+        {
+            return (Face::Vertex(vertex.clone()), vertex);
+        }
+        if let ([side], RegionKind::Polygon) = (proof, self.kind()) {
+            let ends = self.fan.ends_of_side(&self.system, side.index);
+            return (Face::Segment(ends.clone()), ends[0].clone());
+        }
         let attaining: Vec<&Point> = self
-            .region
+            .region()
             .vertices()
             .iter()
             .filter(|vertex| proof.iter().all(|m| vertex.active().binary_search(&m.index).is_ok()))
@@ -268,7 +325,7 @@ impl Polyhedron {
             [one, other, ..] => (Face::Segment([(*one).clone(), (*other).clone()]), (*one).clone()),
             [apex] => {
                 let apex = (*apex).clone();
-                let along = self.region.rays().into_iter().find(|ray| along(form, ray).is_zero());
+                let along = self.region().rays().into_iter().find(|ray| along(form, ray).is_zero());
                 match along {
                     Some(direction) => (Face::Ray { apex: apex.clone(), direction }, apex),
                     None => (Face::Vertex(apex.clone()), apex),
@@ -276,9 +333,9 @@ impl Polyhedron {
             }
             [] => {
                 let faces_it = |normal: &Direction| turn(normal, &direction) == Turn::None;
-                let boundary = self.region.boundaries().iter().find(|b| faces_it(&b.half_plane().normal()));
+                let boundary = self.region().boundaries().iter().find(|b| faces_it(&b.half_plane().normal()));
                 // A line is kept from one side only; the form may look at it from the other.
-                let boundary = boundary.or(self.region.boundaries().first());
+                let boundary = boundary.or(self.region().boundaries().first());
                 let point = boundary.map_or_else(Point::origin, |boundary| foot(boundary.half_plane()));
                 (Face::Line { point: point.clone(), direction: direction.turned_left().of_line() }, point)
             }
@@ -287,8 +344,8 @@ impl Polyhedron {
 
     /// A recession direction along which a form grows that the region does not bound.
     fn growing_ray(&self, form: &[Rational; 2]) -> Direction {
-        let lines = self.region.lines().into_iter().flat_map(|line| [line.reversed(), line]);
-        self.region
+        let lines = self.region().lines().into_iter().flat_map(|line| [line.reversed(), line]);
+        self.region()
             .rays()
             .into_iter()
             .chain(lines)

@@ -34,7 +34,8 @@ pub enum Turn {
 /// Returns the side of the half-plane's boundary on which the point lies.
 pub fn side(half_plane: &HalfPlane, point: &Point) -> Side {
     let (x, y, w) = point.homogeneous();
-    match Integer::compare([(half_plane.a1(), x), (half_plane.a2(), y)], [(half_plane.b(), w)]) {
+    let [a1, a2, b] = &*half_plane.triple();
+    match Integer::compare([(a1, x), (a2, y)], [(b, w)]) {
         Ordering::Less => Side::Inside,
         Ordering::Equal => Side::Boundary,
         Ordering::Greater => Side::Outside,
@@ -44,7 +45,8 @@ pub fn side(half_plane: &HalfPlane, point: &Point) -> Side {
 /// The sign of `a·d`: whether moving in a direction leads towards the boundary and beyond (positive), along it
 /// (zero) or away from it (negative).
 pub fn approach(half_plane: &HalfPlane, direction: &Direction) -> Sign {
-    Integer::compare([(half_plane.a1(), direction.dx()), (half_plane.a2(), direction.dy())], []).into()
+    let [a1, a2, _] = &*half_plane.triple();
+    Integer::compare([(a1, direction.dx()), (a2, direction.dy())], []).into()
 }
 
 /// Returns the turn from `u` to `v`.
@@ -54,23 +56,50 @@ pub fn turn(u: &Direction, v: &Direction) -> Turn {
 
 /// Returns the turn from the outward normal of `f` to that of `g`.
 pub fn normal_turn(f: &HalfPlane, g: &HalfPlane) -> Turn {
-    turn_between((f.a1(), f.a2()), (g.a1(), g.a2()))
+    match (f.words(), g.words()) {
+        (Some([f1, f2, _]), Some([g1, g2, _])) => {
+            turn_by(products(f1, g2, f2, g1), || f1.signum() == g1.signum() && f2.signum() == g2.signum())
+        }
+        _ => turn_between(normal(&f.triple()), normal(&g.triple())),
+    }
 }
 
 /// Returns the turn from the vector `u` to the vector `v`, given as components. Neither may be zero.
 pub(crate) fn turn_between(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Turn {
-    match Integer::compare([(u.0, v.1)], [(u.1, v.0)]) {
+    let is_along = || u.0.sign() == v.0.sign() && u.1.sign() == v.1.sign();
+    turn_by(Integer::compare([(u.0, v.1)], [(u.1, v.0)]), is_along)
+}
+
+/// The turn by the order of the products of which the difference is the cross product.
+fn turn_by(order: Ordering, is_along: impl Fn() -> bool) -> Turn {
+    match order {
         Ordering::Greater => Turn::Left,
         Ordering::Less => Turn::Right,
         // Parallel vectors are never zero, so one comparison of signs tells them apart.
-        Ordering::Equal if u.0.sign() == v.0.sign() && u.1.sign() == v.1.sign() => Turn::None,
+        Ordering::Equal if is_along() => Turn::None,
         Ordering::Equal => Turn::Half,
     }
 }
 
+/// Compares p·q with r·s. Exact.
+fn products(p: i64, q: i64, r: i64, s: i64) -> Ordering {
+    (i128::from(p) * i128::from(q)).cmp(&(i128::from(r) * i128::from(s)))
+}
+
 /// Compares outward normals by their angle in [0, 2π) from the positive θ1 axis.
 pub fn by_angle(f: &HalfPlane, g: &HalfPlane) -> Ordering {
-    angle_order((f.a1(), f.a2()), (g.a1(), g.a2()))
+    match (f.words(), g.words()) {
+        (Some([f1, f2, _]), Some([g1, g2, _])) => {
+            let lower_half = |x: i64, y: i64| y < 0 || (y == 0 && x < 0);
+            lower_half(f1, f2).cmp(&lower_half(g1, g2)).then_with(|| products(f2, g1, f1, g2))
+        }
+        _ => angle_order(normal(&f.triple()), normal(&g.triple())),
+    }
+}
+
+/// The normal of the half-plane with this triple, as components.
+pub(crate) fn normal([a1, a2, _]: &[Integer; 3]) -> (&Integer, &Integer) {
+    (a1, a2)
 }
 
 /// Compares two vectors, as components, by angle in [0, 2π).
@@ -83,33 +112,45 @@ pub fn angle_order(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Ordering
 /// Compares two half-planes with the same direction of normal: `Less` when `f` lies inside `g`.
 pub fn by_tightness(f: &HalfPlane, g: &HalfPlane) -> Ordering {
     let size = |h: &HalfPlane| h.a1().abs() + h.a2().abs();
-    Integer::compare([(f.b(), &size(g))], [(g.b(), &size(f))])
+    Integer::compare([(&f.b(), &size(g))], [(&g.b(), &size(f))])
 }
 
 /// Returns whether the corner of `f` and `h` lies in `g`, so that the other two imply the middle one. The three
 /// half-planes have normals in this angular order within a half turn.
 pub fn middle_is_implied(f: &HalfPlane, g: &HalfPlane, h: &HalfPlane) -> bool {
-    if let Some(is_implied) = middle_is_implied_in_words([f, g, h]) {
-        return is_implied;
+    order_of_middle(f, g, h).is_le()
+}
+
+/// Returns whether the boundaries of three half-planes meet in one point, or two of them are the same line. No two of them that
+/// follow each other may have parallel normals.
+pub(crate) fn are_concurrent(f: &HalfPlane, g: &HalfPlane, h: &HalfPlane) -> bool {
+    order_of_middle(f, g, h).is_eq()
+}
+
+/// Compares the determinant of three half-planes with 0. With normals in this angular order within a half turn, it is `Less`
+/// where the corner of `f` and `h` lies inside of `g`.
+fn order_of_middle(f: &HalfPlane, g: &HalfPlane, h: &HalfPlane) -> Ordering {
+    if let Some(order) = order_of_middle_in_words([f, g, h]) {
+        return order;
     }
-    let minor = |(p, q): (&HalfPlane, &HalfPlane)| p.a1() * q.a2() - p.a2() * q.a1();
+    let (f, g, h) = (f.triple(), g.triple(), h.triple());
+    let minor = |p: &[Integer; 3], q: &[Integer; 3]| &p[0] * &q[1] - &p[1] * &q[0];
     // The corner of f and h has weight minor(f, h) > 0; Cramer's rule expands its slack along g.
-    let (fg, gh, fh) = (minor((f, g)), minor((g, h)), minor((f, h)));
-    Integer::compare([(f.b(), &gh), (h.b(), &fg)], [(g.b(), &fh)]).is_le()
+    let (fg, gh, fh) = (minor(&f, &g), minor(&g, &h), minor(&f, &h));
+    Integer::compare([(&f[2], &gh), (&h[2], &fg)], [(&g[2], &fh)])
 }
 
 /// The same of half-planes whose coefficients and minors are machine words, as those of most readings are; `None` of others.
 #[inline]
-fn middle_is_implied_in_words(half_planes: [&HalfPlane; 3]) -> Option<bool> {
-    let word = |integer: &Integer| integer.to_i64();
-    let [f, g, h] = half_planes.map(|own| Some([word(own.a1())?, word(own.a2())?, word(own.b())?]));
-    let (f, g, h) = (f?, g?, h?);
+fn order_of_middle_in_words(half_planes: [&HalfPlane; 3]) -> Option<Ordering> {
+    let [f, g, h] = half_planes;
+    let (f, g, h) = (f.words()?, g.words()?, h.words()?);
     let product = |left: i64, right: i64| i128::from(left) * i128::from(right);
     let minor = |[p1, p2, _]: [i64; 3], [q1, q2, _]: [i64; 3]| {
         i64::try_from(product(p1, q2).checked_sub(product(p2, q1))?).ok()
     };
     let outer = product(f[2], minor(g, h)?).checked_add(product(h[2], minor(f, g)?))?;
-    Some(outer <= product(g[2], minor(f, h)?))
+    Some(outer.cmp(&product(g[2], minor(f, h)?)))
 }
 
 /// Compares two points by θ1.

@@ -47,6 +47,11 @@ impl RegionKind {
         RegionKind::Plane,
     ];
 
+    /// Returns whether regions of this kind have no recession direction (an empty region counts as bounded).
+    pub fn is_bounded(self) -> bool {
+        matches!(self, RegionKind::Empty | RegionKind::Point | RegionKind::Segment | RegionKind::Polygon)
+    }
+
     /// The name used in reports: `unbounded-polygon` and so on.
     pub fn name(self) -> &'static str {
         match self {
@@ -264,7 +269,7 @@ impl Region {
 
     /// Returns whether the region has no recession direction (the empty region counts as bounded).
     pub fn is_bounded(&self) -> bool {
-        matches!(self, Region::Empty(_) | Region::Point(_) | Region::Segment(_) | Region::Polygon(_))
+        self.kind().is_bounded()
     }
 
     /// The vertices, counter-clockwise, starting at the lexicographically smallest.

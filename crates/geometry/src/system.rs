@@ -123,7 +123,7 @@ impl System {
     }
 
     /// The half-planes with their indices, in order.
-    pub fn half_planes(&self) -> impl Iterator<Item = (usize, &HalfPlane)> {
+    pub fn half_planes(&self) -> impl Iterator<Item = (usize, &HalfPlane)> + Clone {
         self.constraints.iter().enumerate().filter_map(|(index, constraint)| match constraint {
             Constraint::HalfPlane(half_plane) => Some((index, half_plane)),
             Constraint::Always | Constraint::Never => None,

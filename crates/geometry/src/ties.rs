@@ -47,13 +47,14 @@ fn touching<P: Tied>(
 ) -> Vec<P> {
     let points = at_one_place(sorted, most);
     // Who stands for each point: itself, another one, or none.
-    let mut speaker: Vec<Option<usize>> = vec![None; points.len()];
+    let mut speaker: Vec<Option<usize>> = Vec::new();
     for side in [HullSide::Lower, HullSide::Upper] {
         let hull = Hull::new(side, &points, &orientation);
         // All points are corners, as those of a smooth curve: the other hull has only their ends.
         if hull.corners().count() == points.len() {
             return points;
         }
+        speaker.resize(points.len(), None);
         for edge in hull.corners_and_edges() {
             let first = edge.clone().min_by_key(|&position| points[position].rows().first());
             edge.for_each(|position| speaker[position] = if edges_as_one { first } else { Some(position) });

@@ -102,7 +102,7 @@ impl Family {
         let from_above = side == HullSide::Lower;
         let dual = |(position, own): (usize, &HalfPlane)| {
             let is_own = !own.a2().is_zero() && own.a2().is_positive() == from_above;
-            let point = || Point::from_homogeneous(own.a1().clone(), own.b().clone(), own.a2().clone());
+            let point = || Point::from_homogeneous(own.a1(), own.b(), own.a2());
             is_own.then(point).flatten().map(|point| Dual { point, position })
         };
         let mut sorted: Vec<Dual> = half_planes.filter_map(dual).collect();

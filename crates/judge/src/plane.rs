@@ -159,8 +159,8 @@ fn unit(axis: usize) -> [Rational; 2] {
 
 /// The point of a line where the second coordinate is 0, or the first one where the line does not meet that axis in a point.
 pub(crate) fn point_on_axis(line: &HalfPlane) -> [Rational; 2] {
-    match Rational::new(line.b().clone(), line.a1().clone()) {
+    match Rational::new(line.b(), line.a1()) {
         Some(first) => [first, Rational::zero()],
-        None => [Rational::zero(), Rational::new(line.b().clone(), line.a2().clone()).unwrap_or_default()],
+        None => [Rational::zero(), Rational::new(line.b(), line.a2()).unwrap_or_default()],
     }
 }

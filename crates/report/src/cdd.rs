@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use boundfit_exact::Rational;
-use boundfit_geometry::{Constraint, Inequality, Polyhedron, Region};
+use boundfit_geometry::{Constraint, Inequality, Polyhedron, RegionKind};
 
 use crate::generators::{Generator, GeneratorKind, generators};
 
@@ -62,16 +62,16 @@ pub fn h_representation(polyhedron: &Polyhedron) -> String {
     let system = polyhedron.system();
     let row = |Inequality { a: [a1, a2], b }: &Inequality| [b.clone(), -a1, -a2];
     let mut matrix = Matrix::default();
-    match polyhedron.region() {
-        Region::Plane => matrix.push([1, 0, 0].map(Rational::from)),
-        Region::Point(_) => {
+    match polyhedron.kind() {
+        RegionKind::Plane => matrix.push([1, 0, 0].map(Rational::from)),
+        RegionKind::Point => {
             for point in polyhedron.region().vertices() {
                 let [theta1, theta2] = point.point().coordinates();
                 matrix.push_linear([-theta1, Rational::one(), Rational::zero()]);
                 matrix.push_linear([-theta2, Rational::zero(), Rational::one()]);
             }
         }
-        region => {
+        kind => {
             let irredundant = polyhedron.irredundant();
             let constraints = system.constraints();
             let opposite = |index: usize| match constraints.get(index) {
@@ -81,7 +81,7 @@ pub fn h_representation(polyhedron: &Polyhedron) -> String {
                 }
                 _ => None,
             };
-            let is_flat = matches!(region, Region::Segment(_) | Region::Ray(_) | Region::Line(_));
+            let is_flat = matches!(kind, RegionKind::Segment | RegionKind::Ray | RegionKind::Line);
             for &index in &irredundant {
                 let inequality = &system.inequality(index);
                 // Only a set within a line has few sides, so that each may be looked for among all.

@@ -19,7 +19,7 @@ const COLUMNS: [&str; 8] =
 /// there are none, errors and the least error bound up, values to nearest. The last columns are exact.
 pub fn fit_csv(problem: &Problem, fit: &Fit) -> String {
     let mut table = Table::new();
-    table.text("set", "kind", fit.fps.polyhedron().region().kind().name());
+    table.text("set", "kind", fit.fps.polyhedron().kind().name());
     if let Some(epsilon) = problem.measurements.multiple_of_least().map(MultipleOfLeast::bound) {
         table.value("error_bound", "", epsilon.ceil_to_f64(), &epsilon);
     }

@@ -108,7 +108,7 @@ impl FeasibleSetJson {
     pub(crate) fn new(problem: &Problem, fit: &Fit, style: &Style) -> Self {
         let contradiction = fit.contradiction(problem.measurements.error_bound());
         FeasibleSetJson {
-            kind: fit.fps.polyhedron().region().kind().name(),
+            kind: fit.fps.polyhedron().kind().name(),
             certificate: contradiction.map(|terms| CertificateJson::new(&terms, style)),
         }
     }

@@ -60,7 +60,7 @@ fn the_set_is_what_the_rows_generate() {
         for row in rows {
             let [w, x, y] = row.numbers;
             for half_plane in polyhedron.system().half_planes().map(|(_, half_plane)| half_plane) {
-                let [a1, a2, b] = [half_plane.a1(), half_plane.a2(), half_plane.b()].map(small);
+                let [a1, a2, b] = [half_plane.a1(), half_plane.a2(), half_plane.b()].map(|own| small(&own));
                 let slack = b * w - a1 * x - a2 * y;
                 assert!(if row.linear { slack == 0 } else { slack >= 0 }, "{rows:?}: {half_plane:?}");
             }

@@ -80,5 +80,5 @@ pub(super) fn run(arguments: &LessonArguments) -> CommandResult {
     };
     let page = while_working("writing the page", || page(&problem, &fit, reading, &options));
     output::write(page.map_err(Failure::data)?, output, &guard)?;
-    Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
+    Ok(if fit.fps.polyhedron().is_empty() { Exit::Empty } else { Exit::Answer })
 }

@@ -77,7 +77,7 @@ impl Family {
             minimax.and_then(|minimax| minimax.least_factor(problem.measurements.error_bound()))
         } else {
             // Nothing grows: all sets are the same one.
-            (!system.polyhedron(&from).region().is_empty()).then(Rational::zero)
+            (!system.polyhedron(&from).is_empty()).then(Rational::zero)
         };
         // Sets grow with s: empty below the least factor, never above it.
         let born = least

@@ -79,5 +79,5 @@ fn offset(boundary: &Boundary) -> Rational {
     let (own, primitive) =
         if normal.dx().is_zero() { (half_plane.a2(), normal.dy()) } else { (half_plane.a1(), normal.dx()) };
     // b / (own / primitive), in which `primitive` is not zero.
-    Rational::new(half_plane.b() * primitive, own.clone()).unwrap_or_default()
+    Rational::new(half_plane.b() * primitive, own).unwrap_or_default()
 }

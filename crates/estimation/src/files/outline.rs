@@ -28,7 +28,7 @@ impl<'a> Outline<'a> {
         };
         let chain = |is_on: fn(&&Touching) -> bool| {
             let on = extremes.touching.iter().filter(is_on);
-            let mut chain: Vec<_> = on.filter_map(|own| place(own.position)).collect();
+            let mut chain: Vec<_> = on.filter_map(|own| place(own.position())).collect();
             chain.sort_unstable();
             chain
         };

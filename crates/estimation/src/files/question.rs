@@ -123,7 +123,7 @@ impl Question {
     pub fn conditions_contradict(&self) -> bool {
         let conditions = self.every_condition();
         let half_planes = conditions.iter().flat_map(Condition::inequalities);
-        Polyhedron::intersect(System::new(half_planes)).region().is_empty()
+        Polyhedron::intersect(System::new(half_planes)).is_empty()
     }
 
     /// Returns whether a multiple of the least bound is asked of readings that were reduced under bounds that are fixed: there is none.

@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use boundfit_exact::{Rational, Scaled, Sign, Unit};
+use boundfit_exact::{Integer, Rational, Scaled, Sign, Unit};
 use boundfit_geometry::grid::touching_of_columns;
 use boundfit_geometry::{Constraint, HalfPlane, Tally, Touch, touches_of_envelopes};
 
@@ -215,7 +215,7 @@ impl Vertex {
             else {
                 return None;
             };
-            let minor = |p: [&_; 2], q: [&_; 2]| Rational::from(&(p[0] * q[1] - p[1] * q[0]));
+            let minor = |p: [Integer; 2], q: [Integer; 2]| Rational::from(&p[0] * &q[1] - &p[1] * &q[0]);
             let normal = |own: &HalfPlane| [own.a1(), own.a2()].map(Rational::from);
             Some(Vertex {
                 through: [

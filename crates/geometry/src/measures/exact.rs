@@ -1,10 +1,10 @@
 //! Area and moments of a polygon as fractions.
 
-use std::borrow::Cow;
 use std::cell::OnceCell;
 
 use boundfit_exact::{Fraction, Integer, LongSum};
 
+use super::corners::Corners;
 use crate::point::Point;
 
 /// The sums of the shoelace formula: twice the area, and six times the integrals of both coordinates where they are asked for.
@@ -17,7 +17,7 @@ pub(super) struct ExactMoments {
 
 impl ExactMoments {
     /// Returns the moments of the corners of a polygon. Adds nothing yet.
-    pub(super) fn new(corners: &[Cow<Point>]) -> Self {
+    pub(super) fn new(corners: &Corners) -> Self {
         let edges = edges(corners).map(|(p, q)| doubled_triangle(p, q));
         ExactMoments {
             doubled_area: edges.filter_map(|(doubled, weight)| Fraction::new(doubled, weight)).collect(),
@@ -30,7 +30,7 @@ impl ExactMoments {
         self.total.get_or_init(|| self.doubled_area.total())
     }
 
-    fn sixfold_moment(&self, corners: &[Cow<Point>], axis: usize) -> &LongSum {
+    fn sixfold_moment(&self, corners: &Corners, axis: usize) -> &LongSum {
         let term = |(p, q): (&Point, &Point)| {
             let (doubled, weight) = doubled_triangle(p, q);
             let (sum, _) = corners_sum(p, q, axis);
@@ -44,7 +44,7 @@ impl ExactMoments {
     }
 
     /// The centroid of the corners that these moments are of.
-    pub(super) fn centroid(&self, corners: &[Cow<Point>], axis: usize) -> Fraction {
+    pub(super) fn centroid(&self, corners: &Corners, axis: usize) -> Fraction {
         quotient(&self.sixfold_moment(corners, axis).total(), self.doubled_area())
     }
 
@@ -54,16 +54,15 @@ impl ExactMoments {
     }
 
     /// Computes [`ExactMoments::centroid`], where both common denominators have at most so many bits.
-    pub(super) fn centroid_within(&self, corners: &[Cow<Point>], axis: usize, bits: u64) -> Option<Fraction> {
+    pub(super) fn centroid_within(&self, corners: &Corners, axis: usize, bits: u64) -> Option<Fraction> {
         let moment = self.sixfold_moment(corners, axis).total_within(bits)?;
         Some(quotient(&moment, &self.doubled_area.total_within(bits)?))
     }
 }
 
 /// Each corner with the next one.
-fn edges<'a>(corners: &'a [Cow<Point>]) -> impl Iterator<Item = (&'a Point, &'a Point)> {
-    let points = corners.iter().map(Cow::as_ref);
-    points.clone().zip(points.cycle().skip(1))
+fn edges<'a>(corners: &'a Corners) -> impl Iterator<Item = (&'a Point, &'a Point)> {
+    corners.iter().zip(corners.iter().cycle().skip(1))
 }
 
 /// Twice the area of the triangle of the origin and two points, as numerator and denominator.

@@ -1,5 +1,6 @@
 //! Area and centroid: what they round to, and their fractions, which are as long as all vertices together.
 
+mod corners;
 mod diameter;
 mod exact;
 mod rough;
@@ -13,6 +14,7 @@ use boundfit_exact::{Fraction, Integer, LongSum, Rational, Rounding};
 use crate::constructions::mean;
 use crate::point::Point;
 use crate::region::{Region, RegionKind};
+use corners::Corners;
 use exact::ExactMoments;
 use rough::RoughMoments;
 
@@ -34,10 +36,7 @@ impl Region {
 
     /// Area and centroid, of which nothing is computed before it is asked for, and nothing twice.
     pub fn measures(&self) -> Measures<'_> {
-        Measures::of(
-            self.kind(),
-            self.vertices().iter().map(|vertex| Cow::Borrowed(vertex.point())).collect(),
-        )
+        Measures::new(self.kind(), Corners::Vertices(self.vertices()))
     }
 }
 
@@ -45,7 +44,7 @@ impl Region {
 #[derive(Debug)]
 pub struct Measures<'a> {
     kind: RegionKind,
-    corners: Vec<Cow<'a, Point>>,
+    corners: Corners<'a>,
     /// Each with four times the bits of the one before.
     rough: [OnceCell<Option<RoughMoments>>; MOST_LEVELS],
     exact: OnceCell<ExactMoments>,
@@ -63,6 +62,10 @@ impl<'a> Measures<'a> {
     /// Returns the measures of a region of this kind with these corners, which go around it. Where they are those of
     /// no convex polygon, the area counts each point as often as they go around it counter-clockwise.
     pub fn of(kind: RegionKind, corners: Vec<Cow<'a, Point>>) -> Self {
+        Measures::new(kind, Corners::Points(corners))
+    }
+
+    fn new(kind: RegionKind, corners: Corners<'a>) -> Self {
         let rough = Default::default();
         Measures { kind, corners, rough, exact: OnceCell::new(), is_on_grid: OnceCell::new() }
     }
@@ -101,7 +104,7 @@ impl<'a> Measures<'a> {
     pub fn centroid(&self) -> Option<[Measure<'_>; 2]> {
         match self.kind {
             RegionKind::Point | RegionKind::Segment => {
-                let middle = mean(self.corners.iter().map(Cow::as_ref));
+                let middle = mean(self.corners.iter());
                 Some(middle.coordinates().map(|coordinate| Measure(Kind::Short(coordinate))))
             }
             RegionKind::Polygon => Some([0, 1].map(|axis| Measure(Kind::Centroid { of: self, axis }))),
@@ -273,7 +276,7 @@ impl<'a> Measure<'a> {
 }
 
 /// Returns whether the coordinates of these points are multiples of one over a denominator of at most 64 bits.
-fn is_on_grid(corners: &[Cow<Point>]) -> bool {
+fn is_on_grid(corners: &Corners) -> bool {
     let mut common = Integer::one();
     corners.iter().all(|corner| {
         common = common.lcm(corner.homogeneous().2);

@@ -1,9 +1,8 @@
 //! Area and moments of a polygon between bounds, from vertices rounded to a grid.
 
-use std::borrow::Cow;
-
 use boundfit_exact::{Integer, Rational};
 
+use super::corners::Corners;
 use crate::point::Point;
 
 /// The moments of a closed polygon `Q`, with bounds on their distance from the moments of `P`. The vertices of `Q`
@@ -32,7 +31,7 @@ pub(super) struct RoughMoments {
 impl RoughMoments {
     /// Computes the moments on a grid on which the polygon is at least `2^bits` units wide and high. Exact but for
     /// the rounding that it bounds. Cost: linear. `None` where there is no polygon.
-    pub(super) fn new(corners: &[Cow<Point>], bits: u64) -> Option<Self> {
+    pub(super) fn new(corners: &Corners, bits: u64) -> Option<Self> {
         let scale = [0, 1].map(|axis| scale(corners, axis, bits));
         let [Some(x_scale), Some(y_scale)] = scale else { return None };
         let scale = [x_scale, y_scale];
@@ -45,22 +44,24 @@ impl RoughMoments {
             };
             [floor(0, x), floor(1, y)]
         };
-        let origin = on_grid(corners.first()?);
-        let from_origin = corners.iter().map(|corner| {
-            let [x, y] = on_grid(corner);
-            [x - &origin[0], y - &origin[1]]
-        });
-        let corners: Vec<[Integer; 2]> = from_origin.collect();
+        let origin = on_grid(corners.iter().next()?);
         let mut moments = RoughMoments {
             scale,
-            origin,
+            origin: origin.clone(),
             doubled_area: Integer::zero(),
             sixfold_moments: Default::default(),
             change: Integer::from(2 * corners.len()),
             reach: [Integer::one(), Integer::one()],
         };
-        let next = corners.iter().cycle().skip(1);
-        corners.iter().zip(next).for_each(|(p, q)| moments.add_edge(p, q));
+        let first = || [Integer::zero(), Integer::zero()];
+        let mut last = first();
+        for corner in corners.iter().skip(1) {
+            let [x, y] = on_grid(corner);
+            let next = [x - &origin[0], y - &origin[1]];
+            moments.add_edge(&last, &next);
+            last = next;
+        }
+        moments.add_edge(&last, &first());
         Some(moments)
     }
 
@@ -114,13 +115,13 @@ impl RoughMoments {
 
 /// A scale on which some of the corners are at least `2^bits` units apart in a coordinate; `None` where those that are looked
 /// at are not apart. Three corners of a polygon that is strictly convex are on no line.
-fn scale(corners: &[Cow<Point>], axis: usize, bits: u64) -> Option<i64> {
+fn scale(corners: &Corners, axis: usize, bits: u64) -> Option<i64> {
     const LOOKS: usize = 3;
     let coordinate = |point: &Point| {
         let (x, y, w) = point.homogeneous();
         (if axis == 0 { x.clone() } else { y.clone() }, w.clone())
     };
-    let (first, first_weight) = coordinate(corners.first()?);
+    let (first, first_weight) = coordinate(corners.iter().next()?);
     let others = corners.iter().step_by(corners.len().div_ceil(LOOKS)).skip(1);
     let apart = others.filter_map(|other| {
         let (other, weight) = coordinate(other);

@@ -210,7 +210,7 @@ impl Lines {
             // By the angle of the way: a vertical boundary goes up and comes last.
             let (f, g) = (&one.below, &other.below);
             let is_vertical = f.a2().is_zero().cmp(&g.a2().is_zero());
-            let steeper = || Integer::compare([(g.a1(), f.a2())], [(f.a1(), g.a2())]);
+            let steeper = || Integer::compare([(&g.a1(), &f.a2())], [(&f.a1(), &g.a2())]);
             // Among parallel boundaries it is the leftmost, which is the uppermost unless they are vertical.
             let leftmost = || {
                 let upper = by_tightness(f, g);
@@ -331,7 +331,7 @@ fn along_parallels(lines: &Lines, within: u64) -> Growth {
             reach.add_direction(line, false);
             if let Some(axis) = axis {
                 let a = if axis == 0 { line.below.a1() } else { line.below.a2() };
-                let value = Rational::new(line.below.b().clone(), a.clone()).unwrap_or_default();
+                let value = Rational::new(line.below.b(), a).unwrap_or_default();
                 reach.add_value(axis, value);
             }
         }

@@ -51,7 +51,7 @@ pub struct WindowSet {
 
 /// Returns the reason why a set is empty, by name.
 pub(super) fn contradiction_of(polyhedron: &Polyhedron, names: &[BoundName]) -> Option<Contradiction> {
-    let certificate = polyhedron.region().certificate()?;
+    let certificate = polyhedron.certificate()?;
     let term = |m: &boundfit_geometry::Multiplier| (names[m.index], m.value.clone());
     let mut terms: Vec<_> = certificate.multipliers().iter().map(term).collect();
     terms.sort_by_key(|(name, _)| *name);

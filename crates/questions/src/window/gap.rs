@@ -55,7 +55,7 @@ impl Gap {
         let walls = both.walls();
         let value_of = |id: &Id| {
             let wall = both.store.half_plane(*id)?;
-            Rational::new(wall.b().clone(), wall.a1().clone())
+            Rational::new(wall.b(), wall.a1())
         };
         let left = walls[0].iter().filter_map(value_of).max();
         let right = walls[1].iter().filter_map(value_of).min();

@@ -90,7 +90,7 @@ impl Window {
         let mut ids = gap.ids();
         ids.extend(ends.into_iter().flat_map(|found| found.lower.into_iter().chain(found.upper)));
         let mut set = self.set_of(ids.clone());
-        if set.polyhedron.region().kind() != RegionKind::Polygon {
+        if set.polyhedron.kind() != RegionKind::Polygon {
             // The outermost ones tell in which directions the set goes on.
             for part in both.parts {
                 for chain in [&part.lower, &part.upper] {
@@ -103,7 +103,7 @@ impl Window {
         let pui = parameter_intervals(&polyhedron);
         let intervals = pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval));
         let fit = WindowFit {
-            kind: polyhedron.region().kind(),
+            kind: polyhedron.kind(),
             central: intervals.as_ref().and_then(central_of),
             contradiction: contradiction_of(&polyhedron, &names),
             least,

@@ -344,12 +344,12 @@ impl View<'_> {
 /// Compares the bounds on θ2 of two half-planes at a place.
 pub(super) fn compare_at(f: &HalfPlane, g: &HalfPlane, place: &Place) -> Ordering {
     let excess = |h: &HalfPlane| h.b() * &place.denominator - h.a1() * &place.numerator;
-    let order = Integer::compare([(&excess(f), g.a2())], [(&excess(g), f.a2())]);
+    let order = Integer::compare([(&excess(f), &g.a2())], [(&excess(g), &f.a2())]);
     if f.a2().is_negative() == g.a2().is_negative() { order } else { order.reverse() }
 }
 
 /// Compares a place with a bound on θ1.
 fn compare_with_wall(place: &Place, wall: &HalfPlane) -> Ordering {
-    let order = Integer::compare([(&place.numerator, wall.a1())], [(wall.b(), &place.denominator)]);
+    let order = Integer::compare([(&place.numerator, &wall.a1())], [(&wall.b(), &place.denominator)]);
     if wall.a1().is_negative() { order.reverse() } else { order }
 }

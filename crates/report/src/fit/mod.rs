@@ -121,7 +121,7 @@ pub(crate) fn fit_facts(problem: &Problem, fit: &Fit, origin: &Origin, style: &S
 /// Says of an empty set which rows contradict each other, and what would help, for any answer that needs a set.
 pub(crate) fn empty_blocks(problem: &Problem, fit: &Fit, style: &Style) -> Vec<Block> {
     let report = Report::new(problem, fit, None, InverseLine::default(), style);
-    let title = Block::Title(format!("{SET}: {}", fit.fps.polyhedron().region().kind().name()).into());
+    let title = Block::Title(format!("{SET}: {}", fit.fps.polyhedron().kind().name()).into());
     [title].into_iter().chain(report.emptiness().into_iter().map(Block::Paragraph)).collect()
 }
 

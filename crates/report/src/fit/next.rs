@@ -29,7 +29,7 @@ impl NextStep {
 
 /// Returns the steps that help where the set is empty; none where it is not, nor where the conditions alone make it so.
 pub fn next_steps(problem: &Problem, fit: &Fit, style: &Style) -> Vec<NextStep> {
-    if !fit.fps.polyhedron().region().is_empty() || fit.contradiction_of_conditions().is_some() {
+    if !fit.fps.polyhedron().is_empty() || fit.contradiction_of_conditions().is_some() {
         return Vec::new();
     }
     let measurements = &problem.measurements;

@@ -244,6 +244,6 @@ fn between(from: &Point, to: &Point) -> Option<Direction> {
 /// The point of a boundary line that is nearest to the origin: a·b/|a|².
 fn foot(half_plane: &HalfPlane) -> Option<[Rational; 2]> {
     let (a1, a2, b) = (half_plane.a1(), half_plane.a2(), half_plane.b());
-    let size = a1 * a1 + a2 * a2;
-    Some([Rational::new(a1 * b, size.clone())?, Rational::new(a2 * b, size)?])
+    let size = &a1 * &a1 + &a2 * &a2;
+    Some([Rational::new(a1 * &b, size.clone())?, Rational::new(a2 * b, size)?])
 }

@@ -47,7 +47,7 @@ pub fn range_json(report: &RangeReport<'_>, origin: &Origin, style: &Style) -> S
 
 fn longest_json(own: &Problem, fit: &Fit, style: &Style) -> LongestJson {
     LongestJson {
-        kind: fit.fps.polyhedron().region().kind().name(),
+        kind: fit.fps.polyhedron().kind().name(),
         pui: pui(fit, style),
         central: central(fit, style),
         epsilon_min: uniform_minimum(own, fit).map(|epsilon| style.upper_number(epsilon)),

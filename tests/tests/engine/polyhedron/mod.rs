@@ -1,6 +1,7 @@
 //! The truth of a polyhedron's statements: supports, redundancies, measures and their proofs on generated systems of
 //! half-planes.
 
+mod before_a_look;
 mod large;
 mod leaving_out;
 mod long_sums;

@@ -1,0 +1,54 @@
+//! The answers of a polyhedron before anybody has looked at its region, which a polygon makes only then.
+
+use boundfit_exact::Integer;
+use boundfit_geometry::{Direction, Face, Point, Polyhedron, Support, clipping};
+use boundfit_tests::generate::{rational_system, seeded, share};
+use boundfit_tests::shape::{Tally, value};
+
+#[test]
+fn answers_before_a_look_are_those_of_the_region() {
+    let mut rng = seeded(1_404);
+    let mut tally = Tally::default();
+    for _ in 0..share(24_000) {
+        let system = rational_system(&mut rng);
+        let polyhedron = Polyhedron::intersect(system);
+        let rows = polyhedron.system().inequalities();
+        let (kind, count) = (polyhedron.kind(), polyhedron.vertex_count());
+        let certificate = polyhedron.certificate().cloned();
+        let multiples: Vec<[Integer; 2]> = polyhedron.multiples_of_vertices().collect();
+        let supports: Vec<Support> = rows.iter().map(|row| polyhedron.support(&row.a)).collect();
+
+        let region = clipping::intersect(polyhedron.system());
+        let points: Vec<&Point> = region.vertices().iter().map(|vertex| vertex.point()).collect();
+        assert_eq!((kind, count), (region.kind(), points.len()), "{rows:?}");
+        assert_eq!((certificate.as_ref(), polyhedron.is_empty()), (region.certificate(), region.is_empty()));
+        let way = |[x, y]: [Integer; 2]| Direction::new(x, y);
+        let mut ways: Vec<_> = multiples.into_iter().map(way).collect();
+        let expected = points.iter().map(|point| {
+            let (x, y, _) = point.homogeneous();
+            way([x.clone(), y.clone()])
+        });
+        let expected: Vec<_> = expected.collect();
+        let is_turned = (0..count.max(1)).any(|_| {
+            ways.rotate_left(count.min(1));
+            ways == expected
+        });
+        assert!(is_turned, "{rows:?}: {ways:?}");
+        for (row, support) in rows.iter().zip(supports) {
+            let Support::Bounded { proof, face } = support else { continue };
+            let attaining = points.iter().filter(|point| value(&row.a, point) == proof.value);
+            let attaining: Vec<Point> = attaining.map(|point| (*point).clone()).collect();
+            match face {
+                Face::Vertex(vertex) => assert_eq!(attaining, [vertex], "{rows:?}"),
+                Face::Segment(ends) => assert_eq!(attaining, ends, "{rows:?}"),
+                Face::Ray { apex, .. } => assert_eq!(attaining, [apex], "{rows:?}"),
+                Face::Line { .. } | Face::Whole => continue,
+            }
+            assert_eq!(proof.attained_at, attaining[0], "{rows:?}");
+            tally.count(if attaining.len() == 2 { "side" } else { "corner" });
+        }
+        tally.count(kind.name());
+    }
+    tally.assert_each_kind(20);
+    tally.assert_each(1000, &["side", "corner"]);
+}
