@@ -2,8 +2,9 @@
 
 use boundfit_exact::Column;
 
-use super::batch::{Batch, Pieces};
+use super::batch::Batch;
 use super::keys::RowKeys;
+use super::pieces::Pieces;
 use crate::fractions::Fractions;
 use crate::selection::RowNumbers;
 

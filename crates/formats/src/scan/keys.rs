@@ -1,6 +1,6 @@
 //! The text of each row that says to which group the row belongs.
 
-use super::batch::Pieces;
+use super::pieces::Pieces;
 
 /// One text per row, kept once for rows that follow each other and for two groups that take turns.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

@@ -17,6 +17,7 @@ mod layout;
 mod notes;
 mod others;
 mod parallel;
+mod pieces;
 mod plain;
 mod preamble;
 mod quoting;
@@ -39,7 +40,7 @@ use crate::notes::BlockNote;
 use crate::table::TextLayout;
 
 pub(crate) use batch::check_rows;
-pub use batch::{Batch, Pieces, Progress, ScanOptions, Scanned};
+pub use batch::{Batch, Progress, ScanOptions, Scanned};
 use chosen::Chosen;
 pub(crate) use consumer::Consumer;
 pub(crate) use csv_line::{csv_line, each_once};
@@ -47,6 +48,7 @@ use first_record::FirstRecord;
 pub use keys::RowKeys;
 use notes::Notes;
 pub(crate) use others::readable_rows;
+pub use pieces::Pieces;
 use run::Run;
 
 /// Reads columns of delimited text as [`scan`](crate::scan) says.
