@@ -35,7 +35,7 @@ from ._found import (
     WindowFit,
 )
 from ._groups import fit_groups
-from ._judge import Finding, JudgedProgram, judge
+from ._judge import Finding, JudgedProgram, judge, judge_file
 from ._linearity import Characteristic, Linearity, LinearityLine, linearity, linearity_file
 from ._open import InnerLowerBound, InnerUpperBound, OpenInterval
 from ._polygon import Polygon, generators, polygon, polygon_file
@@ -95,6 +95,7 @@ __all__ = [
     "fit_groups",
     "generators",
     "judge",
+    "judge_file",
     "linearity",
     "linearity_file",
     "outliers",

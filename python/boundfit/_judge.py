@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import math
+import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 from . import _boundfit
-from ._columns import fraction, numbers_of, rows_of, several
+from ._answers import number, value
+from ._asking import exact
+from ._columns import Number, fraction, numbers_of, rows_of, several
 from ._keywords import knows
 
 
@@ -90,6 +94,28 @@ def judge(
     status, value, points, findings = _boundfit.judge(costs, rows, _bounds(bounds, len(costs)), claimed, tolerance)
     found = [Finding(*finding) for finding in findings]
     return JudgedProgram(status, value, [tuple(point) for point in points], found)
+
+
+@knows()
+def judge_file(
+    path: str | os.PathLike[str],
+    solution: str | os.PathLike[str] | None = None,
+    *,
+    tolerance: Number = "1e-6",
+    digits_as_printed: bool = True,
+) -> JudgedProgram:
+    """Solves the linear program of an MPS or LP file exactly, and judges the solution file that a solver wrote about it. Without
+    ``digits_as_printed`` its numbers are exact.
+    """
+    request: dict[str, Any] = {"ask": "judge", "tolerance": exact(tolerance, "decimal"), "digits_as_printed": digits_as_printed}
+    if solution is not None:
+        with open(solution, encoding="utf-8") as file:
+            request["solution"] = [{"file": os.fsdecode(solution), "text": file.read()}]
+    document = json.loads(_boundfit.judge_file(os.fsdecode(path), json.dumps(request), "json"))
+    vertices = (document["face"] or {"vertices": []})["vertices"]
+    points = [tuple(map(value, vertex)) for vertex in vertices]
+    findings = [Finding(own["aspect"], own["verdict"], number(own["error"])) for judged in document["solutions"] for own in judged["findings"]]
+    return JudgedProgram(document["status"], number(document["objective"]), points, findings)
 
 
 def _rows(matrix: Any, ends: Any, name: str) -> list[tuple[list[Any], Any]]:

@@ -42,7 +42,7 @@ mod _boundfit {
     #[pymodule_export]
     use crate::plane::{Plane, polygon_of_file, polygon_of_text};
     #[pymodule_export]
-    use crate::program::judge;
+    use crate::program::{judge, judge_file};
     #[pymodule_export]
     use crate::proofs::verify;
     #[pymodule_export]

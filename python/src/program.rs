@@ -1,14 +1,20 @@
 //! Linear programs of two variables, and what solvers answer about them.
 
-use boundfit::Rational;
+use boundfit::ask::{Readings, Request};
+use boundfit::engine::exact::Foreign;
 use boundfit::engine::lp::Printed;
 use boundfit::judge::{
     Answer, Bounds, Given, Ground, Model, ModelColumn, ModelRow, ObjectiveSense, Solution, SolverStatus,
     Tolerances,
 };
+use boundfit::files::Source;
+use boundfit::report::{Origin, Style};
+use boundfit::{Rational, Reading};
 use pyo3::prelude::*;
 
+use crate::forms::named;
 use crate::numbers::{Number, exact, refuse};
+use crate::questions::refused;
 use crate::waiting::waiting;
 
 /// A row of a program: its coefficients and both bounds.
@@ -33,7 +39,22 @@ pub(crate) struct Claimed<'py> {
     reduced_costs: Option<Vec<Bound<'py, PyAny>>>,
 }
 
-/// The exact answer, and what was found about each aspect of a claimed one.
+/// The answer about the linear program in a file: `request` is what JSON says, such as `{"ask": "judge"}`.
+#[pyfunction]
+pub(crate) fn judge_file(py: Python<'_>, path: String, request: String, form: &str) -> PyResult<String> {
+    let form = named(form)?;
+    let answer = waiting(py, move |_| {
+        let request = Request::parse(&request)?;
+        request.refuse_vain(form, &Style::default())?;
+        let asked = request.resolve(&Readings::default(), Reading::Decimal)?;
+        let origin = Origin { file: Some(Foreign::of(&path)), reading: Reading::Decimal, is_stored: false };
+        request.answer(&asked, Source::open(&path)?, form, Some(origin), &Style::default())
+    })?;
+    Ok(answer.map_err(|refusal| refused(py, &refusal, false))?.text)
+}
+
+/// The exact answer, and what was found about each aspect of a claimed one. This is no request: the program and the claim are numbers of
+/// arrays, which were never a text.
 #[pyfunction]
 #[pyo3(signature = (costs, rows, bounds, claimed, tolerance))]
 pub(crate) fn judge<'py>(

@@ -66,6 +66,20 @@ def test_results_about_hard_programs_are_judged(case: str, c: list[float]) -> No
             assert judged.is_refuted
 
 
+def test_a_file_is_judged_as_the_program_does() -> None:
+    path = FIXTURES / "tiny-lp/vertex-third.mps"
+    assert boundfit.judge_file(path).value == Fraction(-2, 3) and boundfit.judge_file(path).worst is None
+    solution = FIXTURES / "solutions/tiny-lp/vertex-third.cbc.sol"
+    judged = boundfit.judge_file(path, solution)
+    third = Fraction(1, 3)
+    assert (judged.status, judged.points, judged.worst) == ("optimal", [(third, third)], "rounded")
+    assert boundfit.judge_file(path, solution, tolerance=0, digits_as_printed=False).is_refuted
+    refused = FIXTURES / "solutions/statuses/highs-raw-infeasible.sol"
+    assert boundfit.judge_file(path, refused).findings[0] == ("status", "refuted", None)
+    with pytest.raises(ValueError, match="line 1, column 1"):
+        boundfit.judge_file(FIXTURES / "polygon/house.csv")
+
+
 def test_a_right_result_is_not_refuted_and_a_false_one_is() -> None:
     c, matrix, ends = [-1, -1], [[1, 2], [3, 1]], [4, 6]
     right = linprog(c, matrix, ends)

@@ -25,6 +25,7 @@ FUNCTIONS = {
     "fit": boundfit.fit_file,
     "fit-x-errors": boundfit.fit_file,
     "fleet": boundfit.fit_groups,
+    "judge": boundfit.judge_file,
     "linearity": boundfit.linearity_file,
     "next": boundfit.next,
     "outliers": boundfit.outliers,
@@ -85,13 +86,15 @@ def readings(line: str, question: str) -> _boundfit.Readings:
     x: Any = given.pop("x").split(",")
     y, eps = given.pop("y", None), given.pop("eps", None)
     more: dict[str, Any] = {**given, "x_eps": "1/10"} if question == "fit-x-errors" else dict(given)
-    return _asking.readings_of_file(f"fixtures/{file}", x, y, eps, **more)
+    return _asking.readings_of_file(file, x, y, eps, **more)
 
 
 def told(line: str, question: str, request: str, form: str) -> str:
     """What the package answers."""
     if question == "polygon":
-        return boundfit.polygon_file(f"fixtures/{line}").report(form)
+        return boundfit.polygon_file(line).report(form)
+    if question == "judge":
+        return _boundfit.judge_file(line, request, form)
     return _boundfit.ask(readings(line, question), request, form, None)
 
 
@@ -104,8 +107,8 @@ def written(line: str, command: str, form: str, proof: Path) -> str | None:
         words = [word for at in taken for word in words[at : at + 2]]
     name, *own = command.split(" ")
     formats = {"vertices": ["--vertices", "--format", "csv"], "proof": ["--proof", str(proof)]}
-    arguments = [name, f"fixtures/{file}", *words, *own, *formats.get(form, ["--format", form])]
-    done = subprocess.run([_program(), *arguments], capture_output=True, text=True, cwd=ROOT)
+    arguments = [name, file, *words, *own, *formats.get(form, ["--format", form])]
+    done = subprocess.run([_program(), *arguments], capture_output=True, text=True, cwd=ROOT / "fixtures")
     if done.returncode not in (0, 3, 4):
         return None
     return proof.read_text() if form == "proof" else done.stdout
@@ -113,7 +116,7 @@ def written(line: str, command: str, form: str, proof: Path) -> str | None:
 
 @pytest.mark.parametrize("question", QUESTIONS)
 def test_the_package_says_what_the_program_writes(question: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(ROOT)
+    monkeypatch.chdir(ROOT / "fixtures")
     own = QUESTIONS[question]
     request = json.dumps({"ask": question, **own["request"]})
     answers = 0

@@ -47,12 +47,12 @@ pub struct Check {
     pub time_limit: Option<u64>,
 }
 
-/// A file of claims.
+/// A file of claims, or of a solution.
 #[derive(Debug, Clone, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct ClaimFile {
-    /// The name, which may say which program a solution answers: `theta1-min`, `theta1-max`, `theta2-min` or
+    /// The name, which tells `check` the program that a solution answers: `theta1-min`, `theta1-max`, `theta2-min` or
     /// `theta2-max`.
     pub file: String,
     /// The content.
@@ -66,13 +66,11 @@ pub struct Checkable {
     options: CheckOptions,
 }
 
-/// Returns the distance by which an answer may be off: at least 0. Limits lower than usual are meant for the data and
-/// leave it alone.
-///
-/// # Errors
-/// When it is no such number.
-pub fn tolerance(given: &Given, asked: &Limits) -> Result<Rational, Refusal> {
+/// Returns the distance by which an answer may be off: at least 0, and 1e-6 unless it is said. Limits lower than usual are
+/// meant for the data and leave it alone.
+pub(crate) fn tolerance(given: Option<&Given>, asked: &Limits) -> Result<Rational, Refusal> {
     const EXPECTED: &str = "expected a number that is at least 0, such as 1e-6";
+    let Some(given) = given else { return Ok(Rational::ratio(1, 1_000_000)) };
     let usual = Limits::default();
     let limits =
         Limits { digits: asked.digits.max(usual.digits), exponent: asked.exponent.max(usual.exponent) };
@@ -102,10 +100,7 @@ impl Check {
             })
         };
         let answers = self.claim_pui.iter().map(ends).collect::<Result<Vec<Answer>, _>>()?;
-        let tolerance = match &self.tolerance {
-            Some(given) => tolerance(given, limits)?,
-            None => Rational::ratio(1, 1_000_000),
-        };
+        let tolerance = tolerance(self.tolerance.as_ref(), limits)?;
         let ranges = [
             ("directions", self.directions.map(u64::from), 3..=10_000, "expected an integer from 3 to 10000"),
             ("time_limit", self.time_limit, 1..=86_400, "expected an integer from 1 to 86400"),

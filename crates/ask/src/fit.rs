@@ -229,7 +229,19 @@ impl Fit {
 
 impl Ask for Fit {
     const NAME: &'static str = "fit";
-    const FORMS: &'static [Form] = &Form::ALL;
+    const FORMS: &'static [Form] = &[
+        Form::Text,
+        Form::Latex,
+        Form::Markdown,
+        Form::Json,
+        Form::Csv,
+        Form::Wkt,
+        Form::Vertices,
+        Form::M,
+        Form::Ine,
+        Form::Ext,
+        Form::Proof,
+    ];
     type Problem = Fittable;
     type Answer = Fitted;
 

@@ -27,13 +27,17 @@ pub enum Form {
     Ine,
     /// The vertices, rays and lines as cdd and lrs read them.
     Ext,
+    /// The findings about solutions as SARIF, for code hosts.
+    Sarif,
+    /// The findings about solutions as JUnit XML, for continuous integration.
+    Junit,
     /// The proof.
     Proof,
 }
 
 impl Form {
     /// Every form.
-    pub const ALL: [Form; 11] = [
+    pub const ALL: [Form; 13] = [
         Form::Text,
         Form::Latex,
         Form::Markdown,
@@ -44,6 +48,8 @@ impl Form {
         Form::M,
         Form::Ine,
         Form::Ext,
+        Form::Sarif,
+        Form::Junit,
         Form::Proof,
     ];
 
@@ -60,6 +66,8 @@ impl Form {
             Form::M => "m",
             Form::Ine => "ine",
             Form::Ext => "ext",
+            Form::Sarif => "sarif",
+            Form::Junit => "junit",
             Form::Proof => "proof",
         }
     }

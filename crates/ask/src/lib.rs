@@ -9,6 +9,7 @@
 //! | `check` | which ends of both intervals are right, of those that solvers find and others claim |
 //! | `fit` | every parameter pair that agrees with all readings |
 //! | `fleet` | the fit of each group of readings |
+//! | `judge` | the exact answer to a linear program, and what is found about solutions of it |
 //! | `linearity` | how far a sensor is from a straight line |
 //! | `next` | where the next reading certainly helps |
 //! | `outliers` | the fewest readings to leave out |
@@ -19,9 +20,10 @@
 //! | `window` | the fits of the last readings as the window moves on |
 //! | `x_errors` | the lines that agree with readings whose x have errors, too |
 //!
-//! [`Readings`] says of which readings, in the words of people; of half-planes it says how their file is written. [`Request::resolve`]
-//! makes of it what the engine takes, [`Asked`], and refuses words that exclude each other. [`Refusal`] says, as data, why there is no
-//! answer. A [`Surface`] knows how it names keys and limits, and [`Refusal::words`] puts these names into the sentence.
+//! [`Readings`] says of which readings, in the words of people; of half-planes it says how their file is written, and of a linear
+//! program its limits alone. [`Request::resolve`] makes of it what the engine takes, [`Asked`], and refuses words that exclude each
+//! other. [`Refusal`] says, as data, why there is no answer. A [`Surface`] knows how it names keys and limits, and [`Refusal::words`]
+//! puts these names into the sentence.
 //!
 //! ```
 //! use boundfit_ask::{Asked, Form, Refusal, Request};
@@ -48,6 +50,7 @@ mod fit;
 mod fleet;
 mod form;
 mod given;
+mod judge;
 mod linearity;
 mod misuse;
 mod next;
@@ -71,11 +74,12 @@ mod wrong_type;
 mod x_errors;
 
 pub use asked::{Asked, AskedXBounds, XErrors};
-pub use check::{Check, ClaimFile, tolerance};
+pub use check::{Check, ClaimFile};
 pub use fit::{Factors, Fit, Fittable, Fitted};
 pub use fleet::{Fleet, Groups};
 pub use form::{Form, Shows, Written};
 pub use given::{Given, ends};
+pub use judge::{Judge, Solvable, Solved};
 pub use linearity::{Calibrated, Linearity, Through};
 pub use misuse::{Misuse, NoProof};
 pub use next::{Next, common_bound};

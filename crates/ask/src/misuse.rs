@@ -107,6 +107,10 @@ misuses! {
     /// Half-planes have neither columns of readings nor bounds, conditions and rows.
     ReadingsOfHalfPlanes: "half-planes are rows with the columns a1, a2 and b: {x}, {y}, {eps}, {where}, {rows} and their like are about \
                  readings",
+    /// A linear program is read as it is written.
+    ReadingsOfProgram: "a linear program is read as MPS or LP format say: beside it only {limits} is a word about the data",
+    /// Findings are about solutions, and none is given.
+    FindingsOfNothing: "sarif and junit write findings about solutions: give {solution}",
     /// Directions are spread in some way, and there are none.
     ScaledAlone: "{scaled} says how directions are spread: say how many there are with {directions}",
     /// The columns of a calibration are missing, or given twice.

@@ -31,9 +31,11 @@ pub enum Subject {
     Readings,
     /// Half-planes, or the generators of a set, without readings.
     HalfPlanes,
+    /// A linear program, without readings.
+    LinearProgram,
 }
 
-/// A question about readings, or about half-planes.
+/// A question about readings, about half-planes or about a linear program.
 pub trait Ask {
     /// The name of the question: the value of `ask`, and the command.
     const NAME: &'static str;
@@ -43,7 +45,7 @@ pub trait Ask {
     const SUBJECT: Subject = Subject::BoundedReadings;
     /// `true` if the question looks at errors in x. Others are refused beside them.
     const LOOKS_AT_X_ERRORS: bool = false;
-    /// The readings or half-planes, read as the question needs them.
+    /// The readings, half-planes or linear program, read as the question needs them.
     type Problem;
     /// The answer, from which every form is written.
     type Answer;

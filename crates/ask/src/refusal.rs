@@ -3,9 +3,11 @@
 use std::io;
 
 use boundfit_check::{ClaimFileError, SourceError};
-use boundfit_exact::english::counted;
-use boundfit_exact::{Limit, TooMuchWork};
+use boundfit_exact::english::{counted, in_words};
+use boundfit_exact::{Foreign, Limit, TooMuchWork};
 use boundfit_formats::{InputError, Way};
+use boundfit_judge::{SolutionError, SolveError};
+use boundfit_lp::ModelError;
 use boundfit_questions::{NoFurtherError, NoOutliers};
 
 use crate::form::Form;
@@ -58,6 +60,26 @@ pub enum Refusal {
     NextError(String),
     /// A file of claims cannot be used.
     Claim(ClaimFileError),
+    /// The text is no linear program.
+    Model(Box<ModelError>),
+    /// The linear program has no answer here.
+    Program(SolveError),
+    /// The text is no solution of the linear program.
+    Solution(Box<SolutionError>),
+    /// A file beside the data is at fault.
+    OfFile {
+        /// The file.
+        file: Foreign,
+        /// The fault.
+        why: Box<Refusal>,
+    },
+    /// A theorem is about linear programs in two columns.
+    ColumnsOfTheorem {
+        /// The file.
+        file: Foreign,
+        /// The number of columns in it.
+        count: usize,
+    },
     /// The build has no solver of this name.
     Solver(SourceError),
     /// Outliers are not found.
@@ -98,6 +120,7 @@ impl Refusal {
             | Refusal::FurtherError(_)
             | Refusal::NextError(_)
             | Refusal::Solver(_)
+            | Refusal::ColumnsOfTheorem { .. }
             | Refusal::NoProof(_) => true,
             _ => false,
         }
@@ -105,7 +128,10 @@ impl Refusal {
 
     /// Returns whether the sentence names the file that is at fault.
     pub fn names_file(&self) -> bool {
-        matches!(self, Refusal::Input(_) | Refusal::NoHalfPlanes(_) | Refusal::Claim(_))
+        matches!(
+            self,
+            Refusal::Input(_) | Refusal::NoHalfPlanes(_) | Refusal::Claim(_) | Refusal::OfFile { .. }
+        )
     }
 
     /// Returns what can be set so that the request is not refused.
@@ -114,6 +140,9 @@ impl Refusal {
             Refusal::Input(error) | Refusal::NoHalfPlanes(error) => error.ways(),
             Refusal::Work(_) => vec![Way::raises(Limit::Work)],
             Refusal::Claim(error) => error.problem.limit().map(Way::raises).into_iter().collect(),
+            Refusal::Model(error) => error.limit().map(Way::raises).into_iter().collect(),
+            Refusal::Solution(error) => error.limit().map(Way::raises).into_iter().collect(),
+            Refusal::OfFile { why, .. } => why.ways(),
             Refusal::Value { problem, .. } => problem.limit().map(Way::raises).into_iter().collect(),
             Refusal::Outliers {
                 why: NoOutliers::Steps { .. } | NoOutliers::GrowthSteps { .. },
@@ -153,6 +182,15 @@ impl Refusal {
             Refusal::Misuse(misuse) => misuse.words(surface),
             Refusal::Input(error) | Refusal::NoHalfPlanes(error) => error.to_string(),
             Refusal::Claim(error) => error.to_string(),
+            Refusal::Model(error) => error.to_string(),
+            Refusal::Program(error) => error.to_string(),
+            Refusal::Solution(error) => error.to_string(),
+            Refusal::OfFile { file, why } => format!("{file}: {}", why.sentence(surface)),
+            Refusal::ColumnsOfTheorem { file, count } => format!(
+                "{} is about linear programs in two columns, and {file} has {}: there is no theorem about its answer",
+                surface.key("proof"),
+                in_words(*count)
+            ),
             Refusal::Solver(error) => error.to_string(),
             Refusal::Work(error) => error.to_string(),
             Refusal::Reduction { ask } => {

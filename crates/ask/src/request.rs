@@ -11,6 +11,7 @@ use crate::check::Check;
 use crate::fit::Fit;
 use crate::fleet::Fleet;
 use crate::form::Form;
+use crate::judge::Judge;
 use crate::linearity::Linearity;
 use crate::misuse::Misuse;
 use crate::next::Next;
@@ -143,7 +144,9 @@ macro_rules! questions {
     };
 }
 
-questions!(Check, Fit, FitXErrors, Fleet, Linearity, Next, Outliers, Polygon, Predict, Range, Status, Window);
+questions!(
+    Check, Fit, FitXErrors, Fleet, Judge, Linearity, Next, Outliers, Polygon, Predict, Range, Status, Window,
+);
 
 impl Request {
     /// Reads a request as JSON says it.

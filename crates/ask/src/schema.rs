@@ -19,8 +19,8 @@ pub(crate) fn any_of(questions: &[Value], generator: &mut SchemaGenerator) -> Sc
     let mut schema = Common::json_schema(generator);
     schema.insert(
         "description".to_owned(),
-        "A question about readings, or about half-planes. `ask` names the question, which has keys of its own; the other keys say \
-         which readings, and how the answer is written."
+        "A question about readings, about half-planes or about a linear program. `ask` names the question, which has keys of its \
+         own; the other keys say which readings, and how the answer is written."
             .into(),
     );
     schema.insert("anyOf".to_owned(), questions.into());

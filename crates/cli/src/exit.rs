@@ -1,12 +1,12 @@
 //! The end of the program.
 
+use std::borrow::Borrow;
 use std::fmt::Display;
 
 use boundfit_ask::{Refusal, Surface};
 use boundfit_exact::{Foreign, Limit};
 use boundfit_formats::{InputError, InputErrorKind, Setting, Way};
-use boundfit_judge::SolutionError;
-use boundfit_lp::ModelError;
+use boundfit_lp::{ExchangeFormat, ModelError, ModelErrorKind};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -30,51 +30,8 @@ impl From<Exit> for ExitCode {
 /// The end of a command: its exit status, or the reason why there is none.
 pub(crate) type CommandResult = Result<Exit, Failure>;
 
-/// A refusal, with the settings that would avoid it.
-pub(crate) trait Refused: Display {
-    fn ways(&self) -> Vec<Way>;
-
-    /// Returns the command for such a file, if another one reads it.
-    fn elsewhere(&self) -> Option<&'static str> {
-        None
-    }
-}
-
-impl Refused for InputError {
-    fn ways(&self) -> Vec<Way> {
-        InputError::ways(self)
-    }
-
-    fn elsewhere(&self) -> Option<&'static str> {
-        let is_no_table = matches!(self.kind, InputErrorKind::NoDelimiter { .. });
-        is_no_table.then(|| command_for(self.file.raw()))?
-    }
-}
-
-impl<T: Refused> Refused for &T {
-    fn ways(&self) -> Vec<Way> {
-        (*self).ways()
-    }
-
-    fn elsewhere(&self) -> Option<&'static str> {
-        (*self).elsewhere()
-    }
-}
-
-impl Refused for ModelError {
-    fn ways(&self) -> Vec<Way> {
-        raised(self.limit())
-    }
-}
-
-impl Refused for SolutionError {
-    fn ways(&self) -> Vec<Way> {
-        raised(self.limit())
-    }
-}
-
 /// Returns the command that reads files with the ending of this name, with what it reads.
-pub(crate) fn command_for(name: &str) -> Option<&'static str> {
+fn command_for(name: &str) -> Option<&'static str> {
     match name.rsplit_once('.')?.1.to_ascii_lowercase().as_str() {
         "mps" | "lp" => Some("'boundfit judge' solves the linear program in such a file"),
         "ine" | "ext" => Some("'boundfit polygon' reads the half-planes or generators in such a file"),
@@ -82,8 +39,19 @@ pub(crate) fn command_for(name: &str) -> Option<&'static str> {
     }
 }
 
-fn raised(limit: Option<Limit>) -> Vec<Way> {
-    limit.map(Way::raises).into_iter().collect()
+/// Returns the command for a file that is no table, if another one reads it.
+fn instead_of_table(error: &InputError) -> Option<&'static str> {
+    matches!(error.kind, InputErrorKind::NoDelimiter { .. }).then(|| command_for(error.file.raw()))?
+}
+
+/// Returns the command for a file that is no linear program and does not claim to be one.
+fn instead_of_program(file: &str, error: &ModelError) -> Option<&'static str> {
+    /// Most files without a name of their own are tables.
+    const READS_TABLES: &str =
+        "'boundfit fit' fits the readings of a table; MPS and LP are the formats of linear programs";
+    let is_table = matches!(error.kind, ModelErrorKind::UnknownSection);
+    let command = command_for(file).or(is_table.then_some(READS_TABLES));
+    command.filter(|_| ExchangeFormat::of_name(file).is_none())
 }
 
 /// A way out as this program has it: `--decimal comma reads 1,5`.
@@ -167,9 +135,10 @@ impl Failure {
         Failure::Data(problem.to_string())
     }
 
-    /// Reports a refusal, with this program's remedy.
-    pub(crate) fn refused(problem: impl Refused) -> Self {
-        if let Some(command) = problem.elsewhere() {
+    /// Reports a refusal of a file, with this program's remedy.
+    pub(crate) fn refused(problem: impl Borrow<InputError>) -> Self {
+        let problem = problem.borrow();
+        if let Some(command) = instead_of_table(problem) {
             return Failure::Data(format!("{problem}; {command}"));
         }
         let ways: Vec<String> = problem.ways().iter().map(words).collect();
@@ -177,19 +146,16 @@ impl Failure {
         Failure::Data(format!("{problem}{ways}"))
     }
 
-    /// Reports a refusal of a file.
-    pub(crate) fn refused_of(file: Foreign<&str>, problem: impl Refused) -> Self {
-        match Failure::refused(problem) {
-            Failure::Data(message) => Failure::Data(format!("{file}: {message}")),
-            usage => usage,
-        }
-    }
-
     /// Returns the reason why a question about a file has no answer.
     pub(crate) fn of(refusal: &Refusal, file: Foreign<&str>) -> Self {
         let words = refusal.words(&Options);
+        if let Refusal::Model(error) = refusal
+            && let Some(command) = instead_of_program(file.raw(), error)
+        {
+            return Failure::Data(format!("{file}: no linear program; {command}"));
+        }
         match refusal {
-            Refusal::Input(error) if error.elsewhere().is_some() => Failure::refused(error),
+            Refusal::Input(error) => Failure::refused(error),
             refusal if refusal.names_file() => Failure::Data(words),
             refusal if refusal.is_misuse() => Failure::Usage(words),
             _ => Failure::Data(format!("{file}: {words}")),

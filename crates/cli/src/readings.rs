@@ -36,8 +36,9 @@ impl<'a> Words<'a> {
     /// numbers are read in both it and the options. That it cannot be opened is said after what is wrong with the options.
     pub(crate) fn open_for(&self, subject: Subject) -> Result<Data<'a>, Failure> {
         let source = input::open(self.path).map_err(Failure::refused);
-        // Half-planes are read as written, whatever the file.
-        let is_stored = subject != Subject::HalfPlanes && source.as_ref().is_ok_and(Source::is_stored);
+        // Half-planes and linear programs are read as written, whatever the file.
+        let has_readings = matches!(subject, Subject::BoundedReadings | Subject::Readings);
+        let is_stored = has_readings && source.as_ref().is_ok_and(Source::is_stored);
         let resolved = || {
             let (words, reading) = (&self.readings, self.readings.table.reading(is_stored)?);
             let mut asked = words.resolve_for(subject, reading)?;

@@ -15,8 +15,6 @@ pub(crate) mod times {
 
     /// Rows on a common denominator, written with all their digits.
     pub(crate) const CONVERT: u64 = 2;
-    /// A model with judged solutions.
-    pub(crate) const JUDGE: u64 = 2;
     /// A figure; all of them are six.
     pub(crate) const PLOT: u64 = 8;
 }
@@ -61,13 +59,4 @@ pub(crate) fn refuse_long(
 
 fn refused(file: Foreign<&str>, checked: Result<(), TooMuchWork>) -> Result<(), Failure> {
     checked.map_err(|problem| Failure::data(format_args!("{file}: {problem}; {}", raises(Limit::Work))))
-}
-
-/// Refuses a text that has more, or longer, numbers with exponents than can be computed with.
-pub(crate) fn refuse_long_text(
-    file: Foreign<&str>,
-    text: &str,
-    limits: &LimitArguments,
-) -> Result<(), Failure> {
-    refuse_long(file, &Work::of_text(text, limits.number().exponent), times::FIT, limits)
 }

@@ -1,6 +1,6 @@
 // What `run` of boundfit.mjs takes; made by `cargo xtask generate`.
 
-/** A question about readings, or about half-planes. `ask` names the question, which has keys of its own; the other keys say which readings, and how the answer is written. */
+/** A question about readings, about half-planes or about a linear program. `ask` names the question, which has keys of its own; the other keys say which readings, and how the answer is written. */
 export type Request = {
   /** The column of x, or those of two regressors. */
   x?: Regressors;
@@ -117,6 +117,15 @@ export type Request = {
   /** The column whose equal texts make a group. */
   by: string;
 } | {
+  /** The exact answer to a linear program with at most two free variables, in MPS or in the LP format of CPLEX, and the findings about solutions of it. */
+  ask: "judge";
+  /** The solutions to judge: files of HiGHS, GLPK, CBC, CLP, SCIP, CPLEX (XML), Gurobi or MIPLIB, or JSON. */
+  solution?: ClaimFile[];
+  /** The error that an answer may have on either side, relative to its size; 1e-6 by default. */
+  tolerance?: Given;
+  /** `false` takes numbers in texts for exact; otherwise they are as precise as printed. */
+  digits_as_printed?: boolean;
+} | {
   /** Independent, terminal, zero-based and least-squares linearity of readings y, or of those in two columns, up and down. The bounds on the errors have no say in it. */
   ask: "linearity";
   /** The column of readings while x was rising. */
@@ -188,9 +197,9 @@ export type Request = {
   step?: number;
 });
 
-/** A file of claims. */
+/** A file of claims, or of a solution. */
 export interface ClaimFile {
-  /** The name, which may say which program a solution answers: `theta1-min`, `theta1-max`, `theta2-min` or `theta2-max`. */
+  /** The name, which tells `check` the program that a solution answers: `theta1-min`, `theta1-max`, `theta2-min` or `theta2-max`. */
   file: string;
   /** The content. */
   text: string;

@@ -94,15 +94,15 @@ impl<'a> Words<'a> {
 
 /// Returns the library's answer.
 fn library(words: &Words<'_>, request: &Value, form: Form) -> Result<Answer, Refusal> {
-    let path = format!("fixtures/{}", words.file);
-    let source = Source::open(root().join(&path).to_str().unwrap()).unwrap();
+    let source = Source::open(root().join("fixtures").join(words.file).to_str().unwrap()).unwrap();
     let is_stored = source.is_stored();
-    let (own, name) = (Request::parse(&request.to_string())?, &request["ask"]);
-    let asked = match name == "polygon" {
-        true => own.resolve(&Readings::default(), Reading::Decimal)?,
-        false => words.asked(name == "fit-x-errors", is_stored),
+    let own = Request::parse(&request.to_string())?;
+    let asked = match request["ask"].as_str() {
+        Some("judge" | "polygon") => own.resolve(&Readings::default(), Reading::Decimal)?,
+        name => words.asked(name == Some("fit-x-errors"), is_stored),
     };
-    let origin = Origin { file: Some(Foreign::of(&path)), reading: asked.options.table.reading, is_stored };
+    let origin =
+        Origin { file: Some(Foreign::of(words.file)), reading: asked.options.table.reading, is_stored };
     own.answer(&asked, source, form, Some(origin), &Style::default())
 }
 
@@ -122,8 +122,10 @@ fn program(words: &Words<'_>, command: &str, form: Form) -> Option<String> {
         Form::Proof => format!("--proof {proof}"),
         form => format!("--format {}", form.name()),
     };
-    let run =
-        boundfit(&root(), &format!("{name} fixtures/{} {} {own} {format}", words.file, asked.join(" ")));
+    let run = boundfit(
+        &root().join("fixtures"),
+        &format!("{name} {} {} {own} {format}", words.file, asked.join(" ")),
+    );
     assert!((0..=4).contains(&run.status), "{run:?}");
     let text = if form == Form::Proof { fs::read_to_string(proof).unwrap_or_default() } else { run.stdout };
     matches!(run.status, 0 | 3 | 4).then_some(text)

@@ -99,7 +99,7 @@ impl Readings {
     }
 
     /// Does as [`Readings::resolve`], for a question with this subject. Where bounds on the errors have no say, they may be left out, and y
-    /// too. Half-planes have columns of their own.
+    /// too. Half-planes have columns of their own, and a linear program has none.
     ///
     /// # Errors
     /// Errors are those of [`Readings::resolve`].
@@ -109,10 +109,20 @@ impl Readings {
         let own = Words { readings: self, reading, limits: &table.limits, has_bounds };
         let (question, x_errors) = match subject {
             Subject::HalfPlanes => (self.half_planes()?, None),
+            Subject::LinearProgram => (self.no_readings()?, None),
             Subject::BoundedReadings | Subject::Readings => (own.question()?, own.x_errors()?),
         };
         let options = ScanOptions { table, ..ScanOptions::default() };
         Ok(Asked { x_errors, options, ..Asked::new(question) })
+    }
+
+    /// Refuses every word about readings and their table but limits.
+    fn no_readings(&self) -> Result<Question, Refusal> {
+        let table = TableWords { limits: self.table.limits.clone(), ..TableWords::default() };
+        match *self == (Readings { table, ..Readings::default() }) {
+            true => Ok(Question::line(ColumnSelector::name_or_number("1"), None)),
+            false => Err(Refusal::Misuse(Misuse::ReadingsOfProgram)),
+        }
     }
 
     /// The half-planes a1·θ1 + a2·θ2 ≤ b of a table, as readings b of which the upper bound alone is known.

@@ -185,6 +185,61 @@ fn half_planes_have_columns_of_their_own_and_no_word_about_readings() {
 }
 
 #[test]
+fn a_linear_program_is_read_as_its_format_says() {
+    let answer = |keys: &str, form: Form, name: &str, text: &str| {
+        let answer = || {
+            let json = format!(r#"{{"ask": "judge"{keys}}}"#);
+            let (request, Common { readings, .. }) = Request::with_readings(&json)?;
+            request.refuse_vain(form, &Style::default())?;
+            let asked = request.resolve(&readings, readings.table.reading(false)?)?;
+            let source = Source::of_bytes(name, text.as_bytes().to_vec());
+            request.answer(&asked, source, form, None, &Style::default())
+        };
+        answer().map_err(|refusal: Refusal| refusal.words(&Keys))
+    };
+    let lp = "max\n x + y\nst\n r: x + 3 y <= 4\nbounds\n x <= 1\nend\n";
+    let solution =
+        r#", "solution": [{"file": "a.json", "text": "{\"status\": \"optimal\", \"objective\": 3}"}]"#;
+    let exact = answer("", Form::Text, "program", lp).unwrap();
+    assert!(exact.text.contains("\nOptimal: obj = 2, at one point\n"), "{}", exact.text);
+    assert_eq!(exact.written, crate::Written::default());
+    assert!(answer(solution, Form::Sarif, "program", lp).unwrap().written.is_refuted);
+    assert!(
+        !answer(&format!(r#"{solution}, "tolerance": 9"#), Form::Junit, "a.lp", lp)
+            .unwrap()
+            .written
+            .is_refuted
+    );
+    // Whoever asks about solutions is not told of the empty set once more.
+    let none = lp.replace("x <= 1", "2 <= x <= 1");
+    assert!(answer("", Form::Json, "a.LP.gz", &none).unwrap().written.is_empty);
+    assert!(!answer(solution, Form::Json, "a.LP.gz", &none).unwrap().written.is_empty);
+    for (keys, form, text, words) in [
+        ("", Form::Sarif, lp, "sarif and junit write findings about solutions: give <solution>"),
+        (
+            r#", "eps": "1""#,
+            Form::Text,
+            lp,
+            "a linear program is read as MPS or LP format say: beside it only <limits>",
+        ),
+        (r#", "decimal": "comma""#, Form::Text, lp, "a linear program is read as"),
+        (r#", "tolerance": "-1""#, Form::Text, lp, "<tolerance> -1: expected a number that is at least 0"),
+        (r#", "solution": [{"file": "a.json", "text": "[]"}]"#, Form::Text, lp, "a.json: "),
+        (
+            r#", "limits": {"rows": 1}"#,
+            Form::Text,
+            "NAME\nROWS\n N c\n L r\n",
+            "line 4, column 4: \"r\": there are more than 1 rows",
+        ),
+        ("", Form::Text, "min\nx + y + z\nend\n", "3 columns are not fixed"),
+        ("", Form::Text, "a,b\n1,2\n", "line 1, column 1: \"a,b\": this begins no section of MPS"),
+    ] {
+        let refused = answer(keys, form, "program", text).unwrap_err();
+        assert!(refused.starts_with(words), "{keys}: {refused}");
+    }
+}
+
+#[test]
 fn linearity_refuses_what_only_fits_are_asked_under() {
     for (keys, words) in [
         (r#", "where": ["theta1 >= 0"]"#, "<where> is about the set of all lines that agree"),

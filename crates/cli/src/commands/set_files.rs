@@ -7,7 +7,7 @@ use super::pictures::picture_format;
 use super::proof_file;
 use crate::exit::Failure;
 use crate::options::PictureArguments;
-use crate::output::{self, Guard, files_apart};
+use crate::output::{Guard, files_apart};
 
 /// A picture of a set, and a theorem about it.
 #[derive(Clone, Copy)]
@@ -39,19 +39,5 @@ impl SetFiles<'_> {
     pub(super) fn check(&self, guard: &Guard) -> Result<(), Failure> {
         guard.check(self.plot)?;
         guard.check(self.proof)
-    }
-
-    /// Writes the report and what is beside it, all or nothing.
-    pub(super) fn write(
-        &self,
-        (report, output): (&str, Option<&str>),
-        picture: Option<&[u8]>,
-        theorem: Option<&str>,
-        guard: &mut Guard,
-    ) -> Result<(), Failure> {
-        let picture = picture.map(|picture| (picture, self.plot));
-        let theorem = theorem.map(|text| (text.as_bytes(), self.proof));
-        let parts: Vec<_> = theorem.into_iter().chain(picture).chain([(report.as_bytes(), output)]).collect();
-        output::write_together(&parts, guard)
     }
 }

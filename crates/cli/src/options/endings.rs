@@ -2,8 +2,6 @@
 
 use std::path::Path;
 
-use boundfit_ask::Form;
-
 use crate::exit::Failure;
 
 /// A format of answers that a file's name may tell.
@@ -35,9 +33,9 @@ pub(crate) use formats;
 /// States that formats are forms of the same names.
 macro_rules! forms {
     ($format:ident: $($name:ident),+) => {
-        impl From<$format> for Form {
+        impl From<$format> for boundfit_ask::Form {
             fn from(format: $format) -> Self {
-                match format { $($format::$name => Form::$name),+ }
+                match format { $($format::$name => boundfit_ask::Form::$name),+ }
             }
         }
     };
@@ -50,6 +48,8 @@ formats! {
         Json: "json";
     }
 }
+
+pub(crate) use forms;
 
 forms!(Format: Text, Json);
 

@@ -12,7 +12,9 @@ mod tolerance;
 mod values;
 mod x_errors;
 
-pub(crate) use endings::{Format, NamedFormat, ReportFormat, TableFormat, ending, formats, told_by_name};
+pub(crate) use endings::{
+    Format, NamedFormat, ReportFormat, TableFormat, ending, formats, forms, told_by_name,
+};
 pub(crate) use limits::LimitArguments;
 pub(crate) use look::{LookArguments, PictureArguments, refuse_without_picture};
 pub(crate) use notes::{BAD_DATA, BAD_USAGE, Notes};
