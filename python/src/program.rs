@@ -3,11 +3,11 @@
 use boundfit::ask::{Readings, Request};
 use boundfit::engine::exact::Foreign;
 use boundfit::engine::lp::Printed;
+use boundfit::files::Source;
 use boundfit::judge::{
     Answer, Bounds, Given, Ground, Model, ModelColumn, ModelRow, ObjectiveSense, Solution, SolverStatus,
     Tolerances,
 };
-use boundfit::files::Source;
 use boundfit::report::{Origin, Style};
 use boundfit::{Rational, Reading};
 use pyo3::prelude::*;
