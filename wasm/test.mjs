@@ -375,7 +375,7 @@ test("options that are wrong are refused by name", () => {
   refused({ ...whole, rows: "2..1" }, /^rows: "2..1": expected rows from 1 such as 14..36/);
   refused({ ...whole, without: [[1, null]] }, 'without: "1..": no row is left');
   refused({ ...whole, missing: "drop" }, 'missing: "drop": expected one of "refuse", "skip"');
-  refused({ ...whole, format: "pdf" }, 'format: "pdf": expected one of "text", "latex", "markdown", "json", "csv", "wkt", "vertices", "m", "ine", "ext", "proof"');
+  refused({ ...whole, format: "pdf" }, 'format: "pdf": expected one of "text", "latex", "markdown", "json", "csv", "wkt", "vertices", "m", "ine", "ext", "sarif", "junit", "proof"');
   refused({ ...whole, ask: "rnge" }, /^ask: "rnge": expected one of /);
   refused({ ...whole, ask: "range", most: 1 }, /^request: unknown field `most`/);
   refused({ ...whole, ask: "range", by: "y" }, 'by: "y": expected x or row');
