@@ -114,7 +114,8 @@ def judge_file(
     document = json.loads(_boundfit.judge_file(os.fsdecode(path), json.dumps(request), "json"))
     vertices = (document["face"] or {"vertices": []})["vertices"]
     points = [tuple(map(value, vertex)) for vertex in vertices]
-    findings = [Finding(own["aspect"], own["verdict"], number(own["error"])) for judged in document["solutions"] for own in judged["findings"]]
+    found = (own for judged in document.get("solutions", []) for own in judged["findings"])
+    findings = [Finding(own["aspect"], own["verdict"], number(own["error"])) for own in found]
     return JudgedProgram(document["status"], number(document["objective"]), points, findings)
 
 
