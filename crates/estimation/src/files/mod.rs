@@ -3,6 +3,7 @@
 mod agreement;
 mod columns;
 mod counted;
+mod counts;
 mod first_look;
 mod fixed;
 mod fleet;

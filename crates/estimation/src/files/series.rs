@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use boundfit_exact::{Column, Rational, Unit};
 
-use super::fleet::{Counts, Integers};
+use super::counts::{Counts, Integers};
 
 /// The number of numbers in a segment. One number that needs more room makes its segment longer, not the whole
 /// column, and a column grows without being moved.

@@ -7,9 +7,9 @@ use boundfit_exact::{Endpoint, Integer, Interval, Rational, Scaled, Unit, Wide, 
 use boundfit_geometry::RegionKind;
 
 use super::chains::{Chains, Coordinate, Corner, Ends, Quotient, Site};
-use super::counts::{Counts, Integers};
 use crate::bound_name::BoundName;
 use crate::bounds::{central_of, guaranteed_error};
+use crate::files::counts::{Counts, Integers};
 use crate::grid::Grid;
 use crate::group_fit::{GroupAnswer, GroupFit, GroupLine, Terms};
 use crate::least_squares::LeastSquares;

@@ -5,7 +5,6 @@
 //! a large group are not kept (`streams.rs`).
 
 mod chains;
-mod counts;
 mod groups;
 mod keys;
 mod lane;
@@ -33,7 +32,6 @@ use crate::measurements::{Measurements, Readings};
 use crate::reduction::{DecidingMinimax, Reach, Reduction};
 use crate::summary::{Keep, LineSummary, SharedSieve, Thresholds};
 use crate::ties::Ties;
-pub(super) use counts::{Counts, Integers};
 use groups::Groups;
 use keys::Keys;
 use store::{Digest, Store};

@@ -2,7 +2,8 @@
 
 use boundfit_exact::Rational;
 
-use super::{Counts, Fleet, lane};
+use super::{Fleet, lane};
+use crate::files::counts::Counts;
 use crate::group_fit::{GroupAnswer, GroupFit, GroupLine};
 use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::summary::Keep;

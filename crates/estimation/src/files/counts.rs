@@ -5,13 +5,13 @@ use std::borrow::Cow;
 use crate::moments::{bits, widest};
 
 /// Numbers as integers on a power of ten.
-pub(in crate::files) struct Counts<'a> {
-    pub(in crate::files) counts: Integers<'a>,
-    pub(in crate::files) exponent: i32,
+pub(super) struct Counts<'a> {
+    pub(super) counts: Integers<'a>,
+    pub(super) exponent: i32,
 }
 
 /// Integers of the processor, most often those of a column.
-pub(in crate::files) enum Integers<'a> {
+pub(super) enum Integers<'a> {
     Short(Cow<'a, [i64]>),
     Long(Cow<'a, [i128]>),
 }
@@ -32,7 +32,7 @@ impl Integers<'_> {
         }
     }
 
-    pub(in crate::files) fn iter(&self) -> impl ExactSizeIterator<Item = i128> + Clone {
+    pub(super) fn iter(&self) -> impl ExactSizeIterator<Item = i128> + Clone {
         (0..self.len()).map(|index| self.get(index))
     }
 
