@@ -99,7 +99,7 @@ def models():
     yield Work("a bound for each row", ("bounds", million, "csv"), each, ("s", 0.08))
     yield Work("a bound for each row, 17 digits", ("bounds-of-doubles", million, "csv"), each, ("s", 0.15))
     yield Work("an interval for each row", ("bounds", million, "csv"), ends, ("s", 0.1))
-    yield Work("an interval for each row, 17 digits", ("bounds-of-doubles", million, "csv"), ends, ("s", 0.2))
+    yield Work("an interval for each row, 17 digits", ("intervals-of-doubles", million, "csv"), ends, ("s", 0.2))
     for rows, name, aim in ((1_000, "10³", 0.02), (100_000, "10⁵", 0.1), (million, "10⁶", 0.5)):
         yield Work(f"errors of x too, {name} rows", ("short", rows, "csv"), line("--x-eps", "0.01"), ("s", aim))
 

@@ -95,6 +95,12 @@ def bounds_of_doubles(n, random):
     return {"x": x, "y": line(x, 0.4, random), "eps": eps}
 
 
+def intervals_of_doubles(n, random):
+    x, eps = random.normal(size=n), random.uniform(0.4, 0.6, n)
+    y = line(x, 0.4, random)
+    return {"x": x, "lower": y - eps, "upper": y + eps}
+
+
 def fleet(n, random):
     """`n` sensors of 23 rows."""
     import numpy
@@ -163,6 +169,7 @@ KINDS = {
     "regressors-of-doubles": (regressors_of_doubles, {}),
     "bounds": (bounds, {}),
     "bounds-of-doubles": (bounds_of_doubles, {}),
+    "intervals-of-doubles": (intervals_of_doubles, {}),
     "two-groups": (groups(2), {}),
     "many-groups": (groups(100_000), {}),
     "wrong": (wrong, {}),
