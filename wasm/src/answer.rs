@@ -9,7 +9,7 @@ use boundfit::files::{InputErrorKind, Measurements, Question, Source, TableOptio
 use boundfit::lesson::{check_work, lesson_json};
 use boundfit::report::{Origin, Style};
 
-use crate::options::Options;
+use crate::options::{Options, no_other};
 use crate::refusal::Refusal;
 
 /// An answer of the program, or what is wrong.
@@ -29,7 +29,7 @@ pub(crate) fn run(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
     let answer = match &request {
         _ if cfg!(feature = "questions") => request.answer(&asked, source, form, Some(origin), &style),
         Request::Fit(fit) => ask::ask(fit, &asked, source, form, Some(origin), &style),
-        other => return Err(format!("{}: the module of a page answers fit alone", other.name()).into()),
+        other => return Err(no_other(other.name()).into()),
     };
     Ok(answer.map_err(refused)?.text)
 }

@@ -1,7 +1,8 @@
 //! The question, as JSON: the readings and the question in the words of every surface, and the options of the answer.
 
 use boundfit::ask::{
-    self, AnswerWords, Common, Digits, Form, OfRows, Readings, Request, RowWords, TableWords, named, take_key,
+    self, AnswerWords, Ask, Common, Digits, Fit, Form, OfRows, Readings, Request, RowWords, TableWords,
+    named, question_of, take_key,
 };
 use boundfit::engine::exact::Foreign;
 use boundfit::engine::formats::{RowNumbers, nearest};
@@ -90,6 +91,19 @@ fn hint(problem: &str, known: &str) -> String {
     own.next().map_or_else(String::new, |key| nearest_of(key, own.chain(known.split(", "))))
 }
 
+/// The fit that these keys ask for. A page's module answers nothing else.
+fn fit_alone(mut keys: Map<String, Value>) -> Result<Request, ask::Refusal> {
+    match keys.remove("ask") {
+        Some(Value::String(name)) if name != Fit::NAME => Err(no_other(&name)),
+        _ => question_of(keys).map(Request::Fit),
+    }
+}
+
+/// Refuses a question other than the fit in a page.
+pub(crate) fn no_other(name: &str) -> ask::Refusal {
+    ask::Refusal::Request(format!("{name}: the module of a page answers fit alone"))
+}
+
 /// The nearest of these keys as a question, if one is near.
 fn nearest_of<'a>(key: &str, keys: impl Iterator<Item = &'a str>) -> String {
     let keys: Vec<Foreign> = keys.map(Foreign::from).collect();
@@ -127,7 +141,9 @@ impl Options {
             let name = if has_x_errors { "fit-x-errors" } else { "fit" };
             keys.insert("ask".to_owned(), name.into());
         }
-        let request = Request::of_keys(keys).map_err(|refusal| match refusal {
+        // Unreachable code is left out of the module, and eleven other questions are a fiftieth of the page's.
+        let read = if cfg!(feature = "questions") { Request::of_keys } else { fit_alone };
+        let request = read(keys).map_err(|refusal| match refusal {
             // It knows the keys of the question alone.
             ask::Refusal::Request(problem) if problem.starts_with("request: unknown field") => {
                 let known = known_keys();

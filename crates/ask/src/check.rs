@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use boundfit_check::{
-    self as engine, Answer, AskedDirections, CheckOptions, ClaimLimits, ClaimText, Claims, parse_claim_pui,
-    read_claims, source_names,
+    self as engine, Answer, AskedDirections, CheckOptions, ClaimFileError, ClaimLimits, ClaimText, Claims,
+    parse_claim_pui, read_claims, source_names,
 };
 use boundfit_estimation::{Keep, Measurements, Problem, fit};
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
@@ -88,7 +88,10 @@ impl Check {
             ClaimLimits { number: table.limits, nesting: table.sizes.nesting, work: table.sizes.work };
         let texts =
             self.claim.iter().map(|own| ClaimText { file: Foreign::from(&own.file), text: own.text.clone() });
-        read_claims(&texts.collect::<Vec<_>>(), &limits).map_err(Refusal::Claim)
+        read_claims(&texts.collect::<Vec<_>>(), &limits).map_err(|ClaimFileError { file, problem }| {
+            let why = Refusal::Claim { limit: problem.limit(), problem: problem.to_string() };
+            Refusal::OfFile { file, why: Box::new(why) }
+        })
     }
 
     /// All options but the answers in files.
@@ -162,7 +165,8 @@ impl Ask for Check {
     }
 
     fn answer(&self, asked: &Checkable) -> Result<engine::Check, Refusal> {
-        engine::check(&asked.problem, asked.reading, &asked.options).map_err(Refusal::Solver)
+        engine::check(&asked.problem, asked.reading, &asked.options)
+            .map_err(|no_solver| Refusal::Request(no_solver.to_string()))
     }
 
     fn write(
@@ -175,10 +179,7 @@ impl Ask for Check {
         let measurements = &problem.measurements;
         let text = match paper.form {
             Form::Json => check_json(answer, measurements, origin.file, *reading, style),
-            Form::Text => {
-                let file = origin.file.unwrap_or(Foreign::of("standard input"));
-                check_document(answer, measurements, file, *reading, style).to_text()
-            }
+            Form::Text => check_document(answer, measurements, origin.name(), *reading, style).to_text(),
             form => return Err(Self::no_form(form)),
         };
         paper.put(text)?;

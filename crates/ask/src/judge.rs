@@ -4,12 +4,13 @@ use boundfit_estimation::Measurements;
 use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{Source, TableOptions, WholeFile};
 use boundfit_judge::{
-    Answer, Findings, Ground, JudgedSolution, Plane, Solution, SolutionError, Tolerances, read_solution,
+    Answer, Findings, Ground, JudgedSolution, Plane, Solution, SolutionError, SolveError, Tolerances,
+    read_solution,
 };
-use boundfit_lp::{ExchangeFormat, Model, ModelError, ModelLimits, model_text, read_model};
+use boundfit_lp::{ExchangeFormat, Model, ModelError, ModelErrorKind, ModelLimits, model_text, read_model};
 use boundfit_questions::times;
 use boundfit_report::{
-    JudgeJson, Style, h_representation, judge_document, judge_json, kernel_program, solutions_document,
+    JudgeJson, h_representation, judge_document, judge_json, kernel_program, solutions_document,
     solutions_json, solutions_junit, solutions_sarif, v_representation,
 };
 use serde::Deserialize;
@@ -66,7 +67,11 @@ impl Solvable {
 
 /// The model in a file, in the format that its name or its first word tells.
 fn model_of(file: &WholeFile, table: &TableOptions) -> Result<Model, Refusal> {
-    let refused = |error: ModelError| Refusal::Model(Box::new(error));
+    let refused = |error: ModelError| Refusal::Model {
+        problem: error.to_string(),
+        limit: error.limit(),
+        is_other: matches!(error.kind, ModelErrorKind::UnknownSection),
+    };
     let text = model_text(&file.content).map_err(refused)?;
     check_text(text, table)?;
     let sizes = &table.sizes;
@@ -81,6 +86,10 @@ fn model_of(file: &WholeFile, table: &TableOptions) -> Result<Model, Refusal> {
     read_model(text, format, &limits).map_err(refused)
 }
 
+fn no_answer(error: SolveError) -> Refusal {
+    Refusal::Readings(error.to_string())
+}
+
 /// Refuses a text with more, or longer, numbers with exponents than can be computed with.
 fn check_text(text: &str, table: &TableOptions) -> Result<(), Refusal> {
     Ok(Work::of_text(text, table.limits.exponent).check(times::FIT, table.sizes.work)?)
@@ -89,7 +98,8 @@ fn check_text(text: &str, table: &TableOptions) -> Result<(), Refusal> {
 impl Judge {
     fn solutions(&self, model: &Model, table: &TableOptions) -> Result<Vec<(Foreign, Solution)>, Refusal> {
         let solution = |text: &str| {
-            let refused = |error: SolutionError| Refusal::Solution(Box::new(error));
+            let refused =
+                |error: SolutionError| Refusal::Claim { problem: error.to_string(), limit: error.limit() };
             check_text(text, table)?;
             Solution::new(&read_solution(text, &table.limits).map_err(refused)?, model).map_err(refused)
         };
@@ -132,7 +142,7 @@ impl Ask for Judge {
             return Err(Refusal::ColumnsOfTheorem { file: file.name, count: model.columns.len() });
         }
         model.work().check(TIMES, asked.most_work())?;
-        let plane = Plane::new(&model).map_err(Refusal::Program)?;
+        let plane = Plane::new(&model).map_err(no_answer)?;
         let solutions = self.solutions(&model, table)?;
         Ok(Solvable { model, plane, sha256: file.sha256, solutions, tolerances })
     }
@@ -143,7 +153,7 @@ impl Ask for Judge {
 
     fn answer(&self, program: &Solvable) -> Result<Solved, Refusal> {
         let Solvable { model, plane, solutions, tolerances, .. } = program;
-        let answer = Answer::in_plane(model, plane).map_err(Refusal::Program)?;
+        let answer = Answer::in_plane(model, plane).map_err(no_answer)?;
         if solutions.is_empty() {
             return Ok(Solved { answer, solutions: Vec::new() });
         }
@@ -174,8 +184,7 @@ impl Ask for Judge {
             Form::Ine => h_representation(plane.polyhedron()),
             Form::Ext => v_representation(plane.polyhedron()),
             _ => Self::report(paper, || {
-                let name = origin.file.unwrap_or(Foreign::of("standard input"));
-                let mut document = judge_document(model, plane, answer, name, style);
+                let mut document = judge_document(model, plane, answer, origin.name(), style);
                 document.append(solutions_document(model, solutions));
                 document
             })?,
@@ -204,10 +213,5 @@ impl Ask for Judge {
             true => Err(Refusal::Misuse(Misuse::FindingsOfNothing)),
             false => Ok(()),
         }
-    }
-
-    fn refuse_vain_style(&self, _: Form, _: &Style) -> Result<(), Misuse> {
-        // Every form of this answer has always taken one.
-        Ok(())
     }
 }

@@ -94,7 +94,7 @@ pub use readings::{
     limits_of_files, named, range_of_limit, resolve_limits, take_key,
 };
 pub use refusal::{Refusal, ValueProblem};
-pub use request::{Request, ask};
+pub use request::{Request, ask, question_of};
 pub use status::{Judgeable, Judgement, Status};
 pub use surface::Surface;
 pub use tables::{Files, Held, Tables};

@@ -1,7 +1,6 @@
 //! The set of half-planes, or of generators.
 
 use boundfit_estimation::Measurements;
-use boundfit_exact::Foreign;
 use boundfit_formats::{HalfPlaneFile, InputErrorKind, Source, TableNotes, TableOptions, read_half_planes};
 use boundfit_geometry::Polyhedron;
 use boundfit_report::{
@@ -86,10 +85,7 @@ impl Ask for Polygon {
             Form::M => region_script(answer, &active),
             Form::Ine => h_representation(answer),
             Form::Ext => v_representation(answer),
-            _ => {
-                let name = origin.file.unwrap_or(Foreign::of("standard input"));
-                Self::report(paper, || polygon_document(file, answer, name, style))?
-            }
+            _ => Self::report(paper, || polygon_document(file, answer, origin.name(), style))?,
         };
         paper.put_set(text, answer.is_empty())
     }

@@ -2,12 +2,9 @@
 
 use std::io;
 
-use boundfit_check::{ClaimFileError, SourceError};
 use boundfit_exact::english::{counted, in_words};
 use boundfit_exact::{Foreign, Limit, TooMuchWork};
 use boundfit_formats::{InputError, Way};
-use boundfit_judge::{SolutionError, SolveError};
-use boundfit_lp::ModelError;
 use boundfit_questions::{NoFurtherError, NoOutliers};
 
 use crate::form::Form;
@@ -52,20 +49,29 @@ pub enum Refusal {
     },
     /// The errors of x are none.
     XErrors(String),
-    /// The readings are none that the question can be asked about: why.
+    /// The readings, or the linear program, are none that the question can be asked about: why.
     Readings(String),
     /// Nothing is known of the error of a reading, of which it is asked where it comes from: why.
     FurtherError(NoFurtherError),
     /// Nothing bounds the error of the next reading, which the question is about: why.
     NextError(String),
-    /// A file of claims cannot be used.
-    Claim(ClaimFileError),
-    /// The text is no linear program.
-    Model(Box<ModelError>),
-    /// The linear program has no answer here.
-    Program(SolveError),
-    /// The text is no solution of the linear program.
-    Solution(Box<SolutionError>),
+    /// The text is no linear program: why, in words for the same reason as a claim.
+    Model {
+        /// The problem.
+        problem: String,
+        /// The limit that it passes, if that is the problem.
+        limit: Option<Limit>,
+        /// `true` if the text does not even begin as one: most such texts are tables.
+        is_other: bool,
+    },
+    /// A text beside the data is no claim or solution: why. These are words, so that a build without claims need not have the sentences of
+    /// their errors.
+    Claim {
+        /// The problem.
+        problem: String,
+        /// The limit that it passes, if that is the problem.
+        limit: Option<Limit>,
+    },
     /// A file beside the data is at fault.
     OfFile {
         /// The file.
@@ -80,8 +86,6 @@ pub enum Refusal {
         /// The number of columns in it.
         count: usize,
     },
-    /// The build has no solver of this name.
-    Solver(SourceError),
     /// Outliers are not found.
     Outliers {
         /// The reason.
@@ -119,7 +123,6 @@ impl Refusal {
             | Refusal::Form { .. }
             | Refusal::FurtherError(_)
             | Refusal::NextError(_)
-            | Refusal::Solver(_)
             | Refusal::ColumnsOfTheorem { .. }
             | Refusal::NoProof(_) => true,
             _ => false,
@@ -128,10 +131,7 @@ impl Refusal {
 
     /// Returns whether the sentence names the file that is at fault.
     pub fn names_file(&self) -> bool {
-        matches!(
-            self,
-            Refusal::Input(_) | Refusal::NoHalfPlanes(_) | Refusal::Claim(_) | Refusal::OfFile { .. }
-        )
+        matches!(self, Refusal::Input(_) | Refusal::NoHalfPlanes(_) | Refusal::OfFile { .. })
     }
 
     /// Returns what can be set so that the request is not refused.
@@ -139,9 +139,9 @@ impl Refusal {
         match self {
             Refusal::Input(error) | Refusal::NoHalfPlanes(error) => error.ways(),
             Refusal::Work(_) => vec![Way::raises(Limit::Work)],
-            Refusal::Claim(error) => error.problem.limit().map(Way::raises).into_iter().collect(),
-            Refusal::Model(error) => error.limit().map(Way::raises).into_iter().collect(),
-            Refusal::Solution(error) => error.limit().map(Way::raises).into_iter().collect(),
+            Refusal::Claim { limit, .. } | Refusal::Model { limit, .. } => {
+                limit.map(Way::raises).into_iter().collect()
+            }
             Refusal::OfFile { why, .. } => why.ways(),
             Refusal::Value { problem, .. } => problem.limit().map(Way::raises).into_iter().collect(),
             Refusal::Outliers {
@@ -168,6 +168,8 @@ impl Refusal {
     pub fn sentence(&self, surface: &dyn Surface) -> String {
         match self {
             Refusal::Request(problem)
+            | Refusal::Claim { problem, .. }
+            | Refusal::Model { problem, .. }
             | Refusal::XErrors(problem)
             | Refusal::Wkt(problem)
             | Refusal::Readings(problem) => problem.clone(),
@@ -181,17 +183,12 @@ impl Refusal {
             }
             Refusal::Misuse(misuse) => misuse.words(surface),
             Refusal::Input(error) | Refusal::NoHalfPlanes(error) => error.to_string(),
-            Refusal::Claim(error) => error.to_string(),
-            Refusal::Model(error) => error.to_string(),
-            Refusal::Program(error) => error.to_string(),
-            Refusal::Solution(error) => error.to_string(),
             Refusal::OfFile { file, why } => format!("{file}: {}", why.sentence(surface)),
             Refusal::ColumnsOfTheorem { file, count } => format!(
                 "{} is about linear programs in two columns, and {file} has {}: there is no theorem about its answer",
                 surface.key("proof"),
                 in_words(*count)
             ),
-            Refusal::Solver(error) => error.to_string(),
             Refusal::Work(error) => error.to_string(),
             Refusal::Reduction { ask } => {
                 let subject = match *ask {

@@ -118,7 +118,7 @@ macro_rules! questions {
             /// The question of this name, with these keys.
             fn of_name(name: &str, keys: Map<String, Value>) -> Result<Self, Refusal> {
                 match name {
-                    $($question::NAME => of_object(keys).map(Request::$question),)*
+                    $($question::NAME => question_of(keys).map(Request::$question),)*
                     _ => {
                         let names = Request::NAMES.iter().map(|name| (*name).to_owned()).collect();
                         Err(Refusal::Value { key: "ask", text: name.to_owned(), problem: ValueProblem::OneOf(names) })
@@ -191,8 +191,11 @@ fn object(json: &str) -> Result<Map<String, Value>, Refusal> {
     serde_json::from_str(json).map_err(no_request)
 }
 
-/// Reads a question, and names the key that is of another type: the one that alone is refused in the same words.
-fn of_object<Q: Ask + DeserializeOwned>(keys: Map<String, Value>) -> Result<Q, Refusal> {
+/// Reads one kind of question from its keys, as [`Request::of_keys`] does of every kind.
+///
+/// # Errors
+/// With the key that is missing, not known, or of another type: the one that alone is refused in the same words.
+pub fn question_of<Q: Ask + DeserializeOwned>(keys: Map<String, Value>) -> Result<Q, Refusal> {
     const MISSING: &str = "missing field `";
     let keys = Value::Object(keys);
     let error = match Q::deserialize(&keys) {

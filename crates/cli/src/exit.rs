@@ -6,7 +6,7 @@ use std::fmt::Display;
 use boundfit_ask::{Refusal, Surface};
 use boundfit_exact::{Foreign, Limit};
 use boundfit_formats::{InputError, InputErrorKind, Setting, Way};
-use boundfit_lp::{ExchangeFormat, ModelError, ModelErrorKind};
+use boundfit_lp::ExchangeFormat;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -45,11 +45,10 @@ fn instead_of_table(error: &InputError) -> Option<&'static str> {
 }
 
 /// Returns the command for a file that is no linear program and does not claim to be one.
-fn instead_of_program(file: &str, error: &ModelError) -> Option<&'static str> {
+fn instead_of_program(file: &str, is_table: bool) -> Option<&'static str> {
     /// Most files without a name of their own are tables.
     const READS_TABLES: &str =
         "'boundfit fit' fits the readings of a table; MPS and LP are the formats of linear programs";
-    let is_table = matches!(error.kind, ModelErrorKind::UnknownSection);
     let command = command_for(file).or(is_table.then_some(READS_TABLES));
     command.filter(|_| ExchangeFormat::of_name(file).is_none())
 }
@@ -149,8 +148,8 @@ impl Failure {
     /// Returns the reason why a question about a file has no answer.
     pub(crate) fn of(refusal: &Refusal, file: Foreign<&str>) -> Self {
         let words = refusal.words(&Options);
-        if let Refusal::Model(error) = refusal
-            && let Some(command) = instead_of_program(file.raw(), error)
+        if let Refusal::Model { is_other, .. } = refusal
+            && let Some(command) = instead_of_program(file.raw(), *is_other)
         {
             return Failure::Data(format!("{file}: no linear program; {command}"));
         }

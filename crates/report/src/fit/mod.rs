@@ -16,7 +16,7 @@ use boundfit_estimation::{
     ParameterBound, ParameterInterval, Problem, Ties,
 };
 use boundfit_exact::english::counted;
-use boundfit_exact::{Foreign, Interval, Rational, Reading};
+use boundfit_exact::{Foreign, Interval, Rational};
 
 use crate::advice::bounding_reading;
 use crate::document::{Block, Document, Facts, Operator, Symbol, THETA, Table, Text};
@@ -206,7 +206,7 @@ impl<'a> Report<'a> {
     }
 
     /// The facts about model, bounds and data.
-    fn facts(&self, &Origin { file, reading, is_stored }: &Origin) -> Vec<(Text, Text)> {
+    fn facts(&self, origin: &Origin) -> Vec<(Text, Text)> {
         let measurements = &self.problem.measurements;
         let bounded = bounded_error(measurements);
         let in_names = |law: &Law| {
@@ -244,11 +244,6 @@ impl<'a> Report<'a> {
         };
         let missing = rows_left_out(measurements.rows_missing());
         let missing = missing.map_or_else(String::new, |words| format!(", {words}"));
-        let reading = match reading {
-            _ if is_stored => "binary64: the numbers of the file exactly as stored",
-            Reading::Decimal => "decimal: numbers exactly as written",
-            Reading::Binary64 => "binary64: the double nearest to each number, exactly",
-        };
         let multiple = measurements.multiple_of_least();
         let label = match measurements.error_bound() {
             ErrorBound::Interval { .. } => "bounds",
@@ -258,13 +253,8 @@ impl<'a> Report<'a> {
             .into_iter()
             .chain(multiple.map(|multiple| ("assumes", assumption(multiple, self.style))))
             .chain([
-                (
-                    "data",
-                    Text::new()
-                        .given(file.unwrap_or(Foreign::of("standard input")))
-                        .words(format!(", {rows}{missing}")),
-                ),
-                ("reading", reading.into()),
+                ("data", Text::new().given(origin.name()).words(format!(", {rows}{missing}"))),
+                ("reading", origin.words_of_reading().into()),
             ]);
         let table = table_words(measurements).map(|words| ("table".into(), words));
         let conditions = (1..).zip(&self.problem.conditions).map(|(number, condition)| {

@@ -6,7 +6,7 @@ mod json;
 mod proof;
 
 use boundfit_exact::english::{MOST, counted, list, list_of};
-use boundfit_exact::{Foreign, Rational, Reading, Rounding, fewest_digits};
+use boundfit_exact::{Foreign, Rational, Rounding, fewest_digits};
 use boundfit_geometry::Tally;
 use boundfit_questions::{
     Characteristic, Difference, Linearity, LinearityInput, LinearityLine, LinearityOptions, NoLine,
@@ -85,7 +85,7 @@ struct Report<'a> {
 }
 
 impl Report<'_> {
-    fn facts(&self, &Origin { file, reading, is_stored }: &Origin) -> Vec<(Text, Text)> {
+    fn facts(&self, origin: &Origin) -> Vec<(Text, Text)> {
         let LinearityInput { x, rows, rows_total, rows_missing, selection, .. } = self.input;
         let missing = match rows_missing {
             0 => String::new(),
@@ -95,17 +95,11 @@ impl Report<'_> {
             true => counted(*rows_total, "row", "rows"),
             false => format!("{selection}: {rows} of {rows_total}"),
         };
-        let file = file.unwrap_or(Foreign::of("standard input"));
-        let reading = match reading {
-            _ if is_stored => "binary64: the numbers of the file exactly as stored",
-            Reading::Decimal => "decimal: numbers exactly as written",
-            Reading::Binary64 => "binary64: the double nearest to each number, exactly",
-        };
         let facts = [
-            ("data", Text::new().given(file).words(format!(", {used}{missing}"))),
+            ("data", Text::new().given(origin.name()).words(format!(", {used}{missing}"))),
             ("x", Text::new().given(x)),
             ("y", self.response()),
-            ("reading", reading.into()),
+            ("reading", origin.words_of_reading().into()),
             ("full scale", self.full_scale()),
         ];
         let facts = facts.into_iter().map(|(label, text)| (label.into(), text));

@@ -29,7 +29,7 @@ pub(super) struct Store {
 }
 
 impl Store {
-    /// Nothing yet of so many columns.
+    /// A store for a number of columns, without rows.
     pub(super) fn new(columns: usize) -> Self {
         Store { columns: vec![Series::default(); columns], ..Store::default() }
     }
