@@ -273,11 +273,11 @@ impl Model {
 
     /// The row that was read in machine words; `None` where a number or a sum does not fit.
     pub(crate) fn word_row(&self) -> Option<WordRow> {
-        let [phi1, phi2] = self.phi.each_ref().map(|form| self.word_sum(form));
-        let [lower, upper] = match &self.bounds {
+        let [phi1, phi2] = &self.phi;
+        let (lower, upper) = match &self.bounds {
             Bounds::Around { y, above, below } => {
                 let y = self.word_sum(y)?;
-                [Some(y.checked_sub(self.word_sum(below)?)?), Some(y.checked_add(self.word_sum(above)?)?)]
+                (Some(y.checked_sub(self.word_sum(below)?)?), Some(y.checked_add(self.word_sum(above)?)?))
             }
             Bounds::Between { lower, upper } => {
                 let denominator = self.denominator.to_i64()?;
@@ -285,10 +285,10 @@ impl Model {
                     None => Some(None),
                     Some(index) => self.words.get(*index)?.checked_mul(denominator).map(Some),
                 };
-                [bound(lower)?, bound(upper)?]
+                (bound(lower)?, bound(upper)?)
             }
         };
-        Some(WordRow { phi: [phi1?, phi2?], lower, upper })
+        Some(WordRow { phi: [self.word_sum(phi1)?, self.word_sum(phi2)?], lower, upper })
     }
 
     /// A sum in machine words; `None` where something does not fit.

@@ -1,6 +1,6 @@
 //! The checks, in the order of `docs/proof.md`.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::io::{self, Read};
 
 use boundfit_exact::Foreign;
@@ -10,12 +10,9 @@ use crate::cells::Model;
 use crate::claims::{bits_of_points, check_statements, named_rows};
 use crate::failure::{DataLimits, Failure};
 use crate::found::SetFound;
-use crate::half_planes::HalfPlanes;
-use crate::plane::HalfPlane;
 use crate::proof::{Body, Proof};
 use crate::statements::Claim;
 use crate::theorem::Agreed;
-use crate::whole_set::longest;
 
 /// The statement of a true proof, and the question that it answers.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -44,9 +41,9 @@ pub enum Found {
 }
 
 impl Proof {
-    /// Checks every statement against the data, which are read twice unless half-planes alone prove all of them: `open` gives
-    /// them from the start. Exact. One row is in memory at a time; nothing depends on what was read before the hash is known to
-    /// be right.
+    /// Checks every statement against the data: `open` gives them from the start. Exact. They are read once if half-planes alone
+    /// prove all statements, or if the vertices of a bounded set leave a few thousand half-planes in doubt; otherwise twice. One row
+    /// is in memory at a time; nothing depends on what was read before the hash is known to be right.
     ///
     /// # Errors
     /// The first statement that is false, or why the data cannot be checked.
@@ -59,30 +56,8 @@ impl Proof {
         let (data, about) = (&self.data, self.data.about.clone());
         match &self.body {
             Body::Whole(set) => {
-                let wanted = set.names();
-                let mut half_planes = BTreeMap::new();
-                let mut count = about.conditions_by_name().count();
-                let longest = longest(&set.vertices);
-                let take = |name, half_plane: &dyn Fn() -> HalfPlane| {
-                    if wanted.contains(&name) {
-                        half_planes.insert(name, half_plane());
-                    }
-                    Ok(())
-                };
-                let wanted_rows: BTreeSet<u64> = wanted.iter().filter_map(|name| name.row()).collect();
-                let mut wanted_rows = wanted_rows.into_iter().peekable();
-                let is_unwanted = |row, model: &Model| {
-                    count += model.sides().into_iter().filter(|is_there| *is_there).count();
-                    // Rows come in ascending order.
-                    while wanted_rows.next_if(|wanted| *wanted < row).is_some() {}
-                    wanted_rows.peek() != Some(&row)
-                };
-                let look = data.look(open()?, limits, |about, rows| {
-                    about.for_each_half_plane(rows, limits, longest, is_unwanted, take)
-                })?;
-                let (rows_total, names) = look.first()?;
-                let found = Found::Set(set.check(data, &HalfPlanes(half_planes), open, limits)?);
-                Ok(Statement { about, rows_total, names, half_planes: count, found })
+                let (Agreed { rows_total, names, half_planes }, found) = set.verify(data, open, limits)?;
+                Ok(Statement { about, rows_total, names, half_planes, found: Found::Set(found) })
             }
             Body::Statements(statements) => {
                 let wanted = named_rows(statements);

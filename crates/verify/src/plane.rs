@@ -56,6 +56,13 @@ impl HalfPlane {
         Some(([number(&self.a[0])?, number(&self.a[1])?], number(&self.b)?))
     }
 
+    /// The memory that it takes, about.
+    pub(crate) fn bits(&self) -> u64 {
+        const WITHOUT_DIGITS: u64 = 512;
+        let HalfPlane { a: [a1, a2], b, times } = self;
+        WITHOUT_DIGITS + [a1, a2, b, times].map(Integer::bits).iter().sum::<u64>()
+    }
+
     /// Compares a·θ with b at a point: not greater where the point is in the half-plane.
     pub(crate) fn compare_at(&self, point: &Point) -> Ordering {
         // Almost every half-plane of many.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use boundfit_exact::Integer;
 
-use crate::cells::WordRow;
+use crate::cells::{Model, WordRow};
 use crate::falsehood::Falsehood;
 use crate::found::Extent;
 use crate::half_planes::HalfPlanes;
@@ -37,18 +37,54 @@ pub(crate) struct Support {
 pub(crate) struct Clearance {
     /// The vertices from below: each coordinate is at least this many units of 2^-shift, and less than one more.
     corners: Vec<[i64; 2]>,
+    /// A box around them: the least and the most of each coordinate in these units.
+    around: [[i128; 2]; 2],
     shift: u32,
 }
 
 impl Clearance {
+    /// The clearance of the set with these vertices, which holds if that is bounded. `None` of so many that a search for the one
+    /// that matters takes less time.
+    pub(crate) fn of(vertices: &[Vector]) -> Option<Self> {
+        const MOST: usize = 64;
+        if vertices.len() > MOST {
+            return None;
+        }
+        let points: Vec<Point> = vertices.iter().map(Point::new).collect();
+        let shift = points.iter().map(Point::room).min()??;
+        let corners: Vec<[i64; 2]> = points.iter().map(|point| point.units(shift)).collect::<Option<_>>()?;
+        let side = |of: fn(&[i64; 2]) -> i64| {
+            let (least, most) = (corners.iter().map(of).min()?, corners.iter().map(of).max()?);
+            Some([i128::from(least), i128::from(most) + 1])
+        };
+        let around = [side(|[x, _]| *x)?, side(|[_, y]| *y)?];
+        Some(Clearance { corners, around, shift })
+    }
+
+    /// Returns whether the set is clear of the row that was read, for sure.
+    pub(crate) fn is_clear_of(&self, model: &Model) -> bool {
+        model.word_row().is_some_and(|row| self.is_clear(&row))
+    }
+
     /// Returns whether φ·θ is strictly between the row's bounds for each θ of the set, for sure. Then both half-planes contain the
     /// set, and touch it nowhere. Exact in this sense.
     ///
-    /// On a bounded set φ·θ is largest and smallest at vertices. With v = (u + f)/2^shift and f in [0, 1)², φ·v·2^shift is
-    /// φ·u + φ·f, and |φ·f| is not above |φ1| + |φ2|: the margin.
-    pub(crate) fn is_clear(&self, row: &WordRow) -> bool {
-        let [phi1, phi2] = row.phi.map(i128::from);
+    /// On a bounded set φ·θ is largest and smallest at vertices, and between its ends on the box around them. With
+    /// v = (u + f)/2^shift and f in [0, 1)², φ·v·2^shift is φ·u + φ·f, and |φ·f| is not above |φ1| + |φ2|: the margin.
+    fn is_clear(&self, row: &WordRow) -> bool {
+        let scaled = |bound: i64| i128::from(bound) << self.shift;
+        let (lower, upper) = (row.lower.map(scaled), row.upper.map(scaled));
+        let is_within = |least: i128, most: i128| {
+            upper.is_none_or(|upper| most < upper) && lower.is_none_or(|lower| least > lower)
+        };
         // |φ| is at most 2^63 and |u| at most 2^61: nothing here reaches 2^126.
+        let [phi1, phi2] = row.phi.map(i128::from);
+        let [[left, right], [bottom, top]] = self.around;
+        let [(least1, most1), (least2, most2)] =
+            [(phi1 * left, phi1 * right), (phi2 * bottom, phi2 * top)].map(|(a, b)| (a.min(b), a.max(b)));
+        if is_within(least1 + least2, most1 + most2) {
+            return true;
+        }
         let along = |[x, y]: &[i64; 2]| phi1 * i128::from(*x) + phi2 * i128::from(*y);
         let (mut least, mut most) = (i128::MAX >> 1, i128::MIN >> 1);
         for corner in &self.corners {
@@ -56,25 +92,11 @@ impl Clearance {
             (least, most) = (least.min(along), most.max(along));
         }
         let margin = phi1.abs() + phi2.abs();
-        let scaled = |bound: i64| i128::from(bound) << self.shift;
-        row.upper.is_none_or(|upper| most + margin < scaled(upper))
-            && row.lower.is_none_or(|lower| least - margin > scaled(lower))
+        is_within(least - margin, most + margin)
     }
 }
 
 impl<'a> Sides<'a> {
-    /// The vertices for a filter; `None` of a set that is not bounded, or has so many that a search for the one that matters
-    /// takes less time.
-    pub(crate) fn clearance(&self) -> Option<Clearance> {
-        const MOST: usize = 64;
-        if self.extent() != Extent::Bounded || self.vertices.len() > MOST {
-            return None;
-        }
-        let shift = self.vertices.iter().map(Point::room).min()??;
-        let corners = self.vertices.iter().map(|vertex| vertex.units(shift)).collect::<Option<_>>()?;
-        Some(Clearance { corners, shift })
-    }
-
     /// Takes sides by their names and checks that they are in order, meet, and name every vertex.
     pub(crate) fn of(
         vertices: &[Vector],
@@ -230,7 +252,7 @@ mod tests {
             let half_planes = HalfPlanes(half_planes);
             let sides: Vec<_> = (1..=4).map(|own| (Named::A(Name::Where(own)), Some(own - 1))).collect();
             let sides = Sides::of(&vertices, &sides, &half_planes).unwrap();
-            let clearance = sides.clearance().unwrap();
+            let clearance = Clearance::of(&vertices).unwrap();
             for _ in 0..20 {
                 let phi = [word(&mut state) % size, word(&mut state) % size];
                 // On the grid of the box, so that bounds can touch it.

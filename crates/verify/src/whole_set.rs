@@ -1,6 +1,6 @@
 //! One set and its bounds, in the order of `docs/proof.md`, sections 3 to 6.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
 
 use boundfit_exact::Rational;
@@ -14,12 +14,38 @@ use crate::half_planes::{End, HalfPlanes, Multiples, end, multiples, names, vect
 use crate::name::{Name, Named};
 use crate::plane::{HalfPlane, Point, Vector, dot};
 use crate::shape::{NotAProof, Shape, needed};
-use crate::sides::Sides;
+use crate::sides::{Clearance, Sides};
+use crate::theorem::Agreed;
+
+/// The half-planes that may touch or cut the set as far as its vertices tell, which are not known to be true yet.
+struct Doubtful {
+    /// None where they are too many to keep, or the vertices tell nothing.
+    half_planes: Option<Vec<(Name, HalfPlane)>>,
+    /// The memory that they take.
+    bits: u64,
+}
+
+impl Doubtful {
+    fn new(vertices_tell: bool) -> Self {
+        Doubtful { half_planes: vertices_tell.then(Vec::new), bits: 0 }
+    }
+
+    fn add(&mut self, name: Name, half_plane: &dyn Fn() -> HalfPlane) {
+        /// Half a mebibyte: eight thousand half-planes of short numbers.
+        const MOST_BITS: u64 = 1 << 22;
+        if let Some(kept) = &mut self.half_planes {
+            let half_plane = half_plane();
+            self.bits += half_plane.bits();
+            kept.push((name, half_plane));
+        }
+        self.half_planes.take_if(|_| self.bits > MOST_BITS);
+    }
+}
 
 /// The statement of version 1.
 #[derive(Debug, Clone)]
 pub(crate) struct WholeSet {
-    pub(crate) vertices: Vec<Vector>,
+    vertices: Vec<Vector>,
     /// Pairs of a vertex, an index from 0, and a half-plane that touches it; in order, and none twice.
     active: Vec<(u64, Named)>,
     /// Pairs of a half-plane and the vertex where the next side begins; none where a gap comes instead.
@@ -44,24 +70,63 @@ impl WholeSet {
         })
     }
 
+    /// Checks all of it against the data, which `open` gives from the start.
+    pub(crate) fn verify<R: Read>(
+        &self,
+        data: &Data,
+        mut open: impl FnMut() -> Result<R, Failure>,
+        limits: &DataLimits,
+    ) -> Result<(Agreed, SetFound), Failure> {
+        let wanted = self.names();
+        let mut named = BTreeMap::new();
+        let mut half_planes = data.about.conditions_by_name().count();
+        let clearance = Clearance::of(&self.vertices);
+        let mut doubtful = Doubtful::new(clearance.is_some());
+        let take = |name, half_plane: &dyn Fn() -> HalfPlane| {
+            if wanted.contains(&name) {
+                named.insert(name, half_plane());
+            }
+            doubtful.add(name, half_plane);
+            Ok(())
+        };
+        let wanted_rows: BTreeSet<u64> = wanted.iter().filter_map(|name| name.row()).collect();
+        let mut wanted_rows = wanted_rows.into_iter().peekable();
+        let passes_over = |row, model: &Model| {
+            half_planes += model.sides().into_iter().filter(|is_there| *is_there).count();
+            // Rows come in ascending order.
+            while wanted_rows.next_if(|wanted| *wanted < row).is_some() {}
+            wanted_rows.peek() != Some(&row)
+                && clearance.as_ref().is_none_or(|clearance| clearance.is_clear_of(model))
+        };
+        let longest = longest(&self.vertices);
+        let look = data.look(open()?, limits, |about, rows| {
+            about.for_each_half_plane(rows, limits, longest, passes_over, take)
+        })?;
+        let (rows_total, names) = look.first()?;
+        let found = self.check(data, &HalfPlanes(named), doubtful, open, limits)?;
+        Ok((Agreed { rows_total, names, half_planes }, found))
+    }
+
     /// The half-planes that sides and multipliers name, which are few.
-    pub(crate) fn names(&self) -> BTreeSet<Name> {
+    fn names(&self) -> BTreeSet<Name> {
         let sides = self.sides.iter().map(|(name, _)| name);
         let multiples = self.bounds.iter().flat_map(|(multiples, ..)| multiples).chain(&self.farkas);
         names(sides.chain(multiples.map(|(name, _)| name)))
     }
 
-    /// Checks all of it against the half-planes that it names and, unless the set is empty, against all data.
-    pub(crate) fn check<R: Read>(
+    /// Checks all of it against the half-planes that it names and, unless the set is empty, against all others: those in
+    /// doubt, or all of the data.
+    fn check<R: Read>(
         &self,
         data: &Data,
         half_planes: &HalfPlanes,
+        doubtful: Doubtful,
         open: impl FnOnce() -> Result<R, Failure>,
         limits: &DataLimits,
     ) -> Result<SetFound, Failure> {
         let (extent, bounds) = if self.farkas.is_empty() {
             let sides = Sides::of(&self.vertices, &self.sides, half_planes)?;
-            self.check_every_half_plane(data, &sides, open()?, limits)?;
+            self.check_every_half_plane(data, &sides, doubtful, open, limits)?;
             let bounds = self.check_bounds(&sides, half_planes)?;
             (sides.extent(), Some(bounds))
         } else {
@@ -88,11 +153,12 @@ impl WholeSet {
         &self,
         data: &Data,
         sides: &Sides<'_>,
-        reader: R,
+        doubtful: Doubtful,
+        open: impl FnOnce() -> Result<R, Failure>,
         limits: &DataLimits,
     ) -> Result<(), Failure> {
         let mut is_found = vec![false; self.active.len()];
-        let take = |name, half_plane: &dyn Fn() -> HalfPlane| {
+        let mut take = |name, half_plane: &dyn Fn() -> HalfPlane| {
             let support = sides.support(&half_plane()).filter(|support| support.against_b.is_le());
             let support = support.ok_or(Falsehood::CutsOff(name))?;
             if support.against_b.is_lt() {
@@ -107,16 +173,21 @@ impl WholeSet {
             }
             Ok(())
         };
-        let longest = longest(&self.vertices);
-        let clearance = sides.clearance();
-        let is_clear = |_, model: &Model| {
-            let clearance = clearance.as_ref().zip(model.word_row());
-            clearance.is_some_and(|(clearance, row)| clearance.is_clear(&row))
-        };
-        let look = data.look(reader, limits, |about, rows| {
-            about.for_each_half_plane(rows, limits, longest, is_clear, take)
-        })?;
-        look.again()?;
+        let is_bounded = sides.extent() == Extent::Bounded;
+        if let Some(half_planes) = doubtful.half_planes.filter(|_| is_bounded) {
+            for (name, half_plane) in half_planes {
+                take(name, &|| half_plane.clone())?;
+            }
+        } else {
+            let longest = longest(&self.vertices);
+            let clearance = Clearance::of(&self.vertices).filter(|_| is_bounded);
+            let is_clear =
+                |_, model: &Model| clearance.as_ref().is_some_and(|clearance| clearance.is_clear_of(model));
+            let look = data.look(open()?, limits, |about, rows| {
+                about.for_each_half_plane(rows, limits, longest, is_clear, take)
+            })?;
+            look.again()?;
+        }
         match self.active.iter().zip(is_found).find(|(_, is_found)| !is_found) {
             None => Ok(()),
             Some((listed, _)) => Err(not_touching(listed).into()),
@@ -168,6 +239,6 @@ fn check_bound(
 }
 
 /// Returns how many bits the longest of these points has.
-pub(crate) fn longest(points: &[Vector]) -> u64 {
+fn longest(points: &[Vector]) -> u64 {
     points.iter().map(|[x, y]| x.bits() + y.bits()).max().unwrap_or_default()
 }

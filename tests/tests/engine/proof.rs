@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
 use boundfit_estimation::fit;
-use boundfit_exact::DecimalMark;
+use boundfit_exact::{DecimalMark, Limits};
 use boundfit_formats::{AskedDialect, Header, RowRange, TableOptions};
 use boundfit_tests::generate::{one_in, seeded, share};
 use boundfit_tests::program::root;
@@ -101,6 +101,34 @@ fn every_change_that_makes_a_proof_false_is_refused() {
         "{refused} changes refused, {in_other_words} in other words, still true by field: {still_true:?}"
     );
     assert!(refused >= share(5000) && still_true.values().sum::<usize>() * 25 < refused);
+}
+
+/// Half-planes that touch the set, or cut it, are kept while they are few. Otherwise the data are read again, with the same verdicts.
+#[test]
+fn data_are_read_again_only_where_many_half_planes_touch() {
+    let verified = |proof: &Value, data: &[u8]| {
+        let proof = Proof::read(proof.to_string().as_bytes(), &Limits::default()).unwrap();
+        let mut reads = 0;
+        let open = || {
+            reads += 1;
+            Ok(data)
+        };
+        let verified = proof.verify(open, &DataLimits::default());
+        (verified.is_ok(), reads)
+    };
+    for (count, reads) in [(10, 1), (2_000, 1), (2_100, 2), (4_000, 2)] {
+        let [data, cut] = ["2,1\n", "2,9\n"].map(|last| {
+            let rows = "1,1\n2,1\n".repeat(count);
+            format!("x,y\n{rows}1,1\n{last}").into_bytes()
+        });
+        let mut proof = value(&Question::line("ties", &data, ["x", "y"], "1").proof());
+        assert_eq!(verified(&proof, &data), (true, reads), "{count}");
+        let untold = proof["active"].as_array_mut().unwrap().pop().unwrap();
+        assert_eq!(verified(&proof, &data), (false, reads), "{count}: without {untold}");
+        proof["active"].as_array_mut().unwrap().push(untold);
+        proof["sha256"] = sha256(&cut).into();
+        assert_eq!(verified(&proof, &cut), (false, reads), "{count}: cut off");
+    }
 }
 
 /// Returns whether all lines have the same number of commas.
