@@ -6,6 +6,8 @@
 //! certainly above the one chord and below the other is strictly between the hulls. (The idea is that of Akl and
 //! Toussaint 1978.)
 
+use std::collections::BTreeMap;
+
 use super::cells::{Around, Cell, Index, MOST_CELLS, moved};
 use super::coordinate::Coordinate;
 use super::sample::{BLUR, Sample, Sampled};
@@ -89,12 +91,31 @@ fn places_by<C: Coordinate>(x: &[C], y: &[C], listing: Listing, plan: Option<&Pl
     places
 }
 
+/// The place where the rows of a place are counted.
+pub(super) enum Counted {
+    Nowhere,
+    Alone,
+    /// The first place of these, by number.
+    Among(usize),
+}
+
 /// The places of some rows, ascending by position: rows at a place that was seen not long ago are counted there.
 pub(super) fn tied<C: Coordinate>(
     x: &[C],
     y: &[C],
     positions: impl Iterator<Item = usize>,
+    listing: Listing,
+) -> Vec<Place<C>> {
+    tied_by(x, y, positions, listing, |_, _| Counted::Alone)
+}
+
+/// [`tied`], with a function that tells where the rows of a place are counted.
+pub(super) fn tied_by<C: Coordinate>(
+    x: &[C],
+    y: &[C],
+    positions: impl Iterator<Item = usize>,
     Listing { row, most }: Listing,
+    counted: impl Fn(C, C) -> Counted,
 ) -> Vec<Place<C>> {
     /// The most places that are remembered, as 2 to this power: few enough for a first-level cache.
     const MOST_BITS: u32 = 10;
@@ -104,18 +125,32 @@ pub(super) fn tied<C: Coordinate>(
     const FEW: usize = 64;
     // Twice as many as there are rows, where these are few.
     let bits = (usize::BITS + 1 - x.len().leading_zeros()).min(MOST_BITS);
-    let mut recent = vec![usize::MAX; 1 << bits];
+    let mut recent: Vec<Option<(C, C, Option<usize>)>> = vec![None; 1 << bits];
     let mut places: Vec<Place<C>> = Vec::with_capacity(x.len().min(FEW));
+    let mut among = BTreeMap::new();
     for position in positions {
         let (x, y) = (x[position], y[position]);
         let mixed = x.bits().wrapping_mul(FACTORS[0]) ^ y.bits().wrapping_mul(FACTORS[1]);
         let slot = &mut recent[(mixed.wrapping_mul(FACTORS[0]) >> (u64::BITS - bits)) as usize];
-        match places.get_mut(*slot) {
-            Some(place) if place.x == x && place.y == y => place.rows.push(|| row(position), most),
+        let place = match slot {
+            Some((known_x, known_y, place)) if *known_x == x && *known_y == y => *place,
             _ => {
-                *slot = places.len();
-                places.push(Place { x, y, rows: Tally::one(row(position)) });
+                let next = places.len();
+                let place = match counted(x, y) {
+                    Counted::Nowhere => None,
+                    Counted::Alone => Some(next),
+                    Counted::Among(number) => Some(*among.entry(number).or_insert(next)),
+                };
+                *slot = Some((x, y, place));
+                if place == Some(next) {
+                    places.push(Place { x, y, rows: Tally::one(row(position)) });
+                    continue;
+                }
+                place
             }
+        };
+        if let Some(place) = place {
+            places[place].rows.push(|| row(position), most);
         }
     }
     places

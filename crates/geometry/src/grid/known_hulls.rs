@@ -3,11 +3,10 @@
 
 use boundfit_exact::Sign;
 
-use super::filter::{Listing, Place, tied};
+use super::filter::{Counted, Listing, Place, tied_by};
 use super::point::are_narrow;
 use super::{GridPoint, doubled_area, touching};
 use crate::hull::{Hull, HullSide};
-use crate::tally::Tally;
 
 /// Corners of both hulls, from left to right.
 pub(super) struct KnownHulls([Vec<GridPoint>; 2]);
@@ -46,29 +45,16 @@ impl KnownHulls {
         positions: Vec<usize>,
         listing: Listing,
     ) -> Vec<Place<i64>> {
-        let KnownHulls(hulls) = self;
-        let mut edges = hulls.each_ref().map(|hull| vec![None::<Place<i64>>; hull.len()]);
-        let mut left = positions;
-        left.retain(|&position| {
-            let point = GridPoint::of_row(x[position], y[position], 0);
-            let seen = [false, true].map(|is_upper| self.seen(is_upper, &point));
-            let (side, edge) = match seen {
-                [Seen::Inside, Seen::Inside] => return false,
-                [Seen::Within(edge), _] => (0, edge),
-                [_, Seen::Within(edge)] => (1, edge),
-                _ => return true,
-            };
-            match &mut edges[side][edge] {
-                Some(place) => place.rows.push(|| (listing.row)(position), listing.most),
-                none => {
-                    *none = Some(Place { x: point.x, y: point.y, rows: Tally::one((listing.row)(position)) });
-                }
+        let counted = |x: i64, y: i64| {
+            let point = GridPoint::of_row(x, y, 0);
+            match [false, true].map(|is_upper| self.seen(is_upper, &point)) {
+                [Seen::Inside, Seen::Inside] => Counted::Nowhere,
+                [Seen::Within(edge), _] => Counted::Among(edge),
+                [_, Seen::Within(edge)] => Counted::Among(self.0[0].len() + edge),
+                _ => Counted::Alone,
             }
-            false
-        });
-        let mut places = tied(x, y, left.into_iter(), listing);
-        places.extend(edges.into_iter().flatten().flatten());
-        places
+        };
+        tied_by(x, y, positions.into_iter(), listing, counted)
     }
 
     fn seen(&self, is_upper: bool, point: &GridPoint) -> Seen {
