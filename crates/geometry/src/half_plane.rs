@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use boundfit_exact::{Fraction, Integer, Rational};
+use boundfit_exact::{Integer, Rational};
 
 use crate::point::Direction;
 
@@ -47,13 +47,6 @@ impl Inequality {
     /// `b - a·θ` at a point: negative where the inequality is violated, in the units of `b`.
     pub fn slack(&self, theta: &[Rational; 2]) -> Rational {
         &self.b - &self.a[0] * &theta[0] - &self.a[1] * &theta[1]
-    }
-
-    /// [`slack`](Self::slack) times `common` at the point `theta / common`. Not in lowest terms: where numbers are long, the
-    /// common divisors would cost more than comparing. Always there, as no denominator is 0.
-    pub(crate) fn slack_over(&self, theta: &[Integer; 2], common: &Integer) -> Option<Fraction> {
-        let ([a1, a2, b], own) = Rational::over_common_denominator([&self.a[0], &self.a[1], &self.b]);
-        Fraction::new(b * common - a1 * &theta[0] - a2 * &theta[1], own)
     }
 }
 

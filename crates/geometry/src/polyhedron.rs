@@ -274,8 +274,7 @@ impl Polyhedron {
     /// Returns whether a point satisfies every inequality, and with how much to spare. Exact. Cost: linear.
     pub fn membership(&self, theta: &[Rational; 2]) -> Membership {
         let (theta, common) = Rational::over_common_denominator([&theta[0], &theta[1]]);
-        let slacks =
-            (0..self.system.len()).map(|index| self.system.inequality(index).slack_over(&theta, &common));
+        let slacks = (0..self.system.len()).map(|index| self.system.slack_over(index, &theta, &common));
         let tightest = slacks.enumerate().reduce(|best, next| if next.1 < best.1 { next } else { best });
         let (tightest, slack) = tightest.unzip();
         let slack = slack.flatten().and_then(|slack| Rational::from(slack).checked_div(&common.into()));

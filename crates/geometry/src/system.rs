@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::OnceLock;
 
-use boundfit_exact::Work;
+use boundfit_exact::{Fraction, Integer, Rational, Work};
 
 use crate::half_plane::{Constraint, HalfPlane, Inequality};
 
@@ -103,6 +103,33 @@ impl System {
         match (index.checked_sub(self.lines), &self.constraints[index]) {
             (None, Constraint::HalfPlane(half_plane)) => Cow::Owned(Inequality::of_line(half_plane)),
             (place, _) => Cow::Borrowed(&self.given[place.unwrap_or_default()]),
+        }
+    }
+
+    /// `b - a·θ` of one of the inequalities times `common`, at the point `theta / common`. Not in lowest terms: where numbers are
+    /// long, the common divisors would cost more than comparing. Always there, as no denominator is 0.
+    ///
+    /// # Panics
+    /// When the index is out of range.
+    pub(crate) fn slack_over(
+        &self,
+        index: usize,
+        theta: &[Integer; 2],
+        common: &Integer,
+    ) -> Option<Fraction> {
+        let over = |[a1, a2, b]: &[Integer; 3], own: Integer| {
+            Fraction::new(b * common - a1 * &theta[0] - a2 * &theta[1], own)
+        };
+        match (index.checked_sub(self.lines), &self.constraints[index]) {
+            (None, Constraint::HalfPlane(line)) => {
+                let triple = line.triple();
+                over(&triple, triple[1].abs())
+            }
+            (place, _) => {
+                let Inequality { a: [a1, a2], b } = &self.given[place.unwrap_or_default()];
+                let (triple, own) = Rational::over_common_denominator([a1, a2, b]);
+                over(&triple, own)
+            }
         }
     }
 
