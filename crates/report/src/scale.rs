@@ -63,7 +63,6 @@ fn fine_enough<'a>(
 /// These scales with as many more digits as it takes for different vertices to look different; these where that takes too
 /// many. Cost: for each number of digits that of showing the vertices up to the first neighbours that look alike.
 fn telling_apart<'a>(scales: [Scale<'a>; 2], vertices: &[Vertex]) -> [Scale<'a>; 2] {
-    let points: Vec<[Rational; 2]> = vertices.iter().map(|vertex| vertex.point().coordinates()).collect();
     let with_more = |more: usize| {
         scales.map(|scale| Scale {
             style: Style { digits: Some(scale.style.significant() + more), ..scale.style },
@@ -72,12 +71,12 @@ fn telling_apart<'a>(scales: [Scale<'a>; 2], vertices: &[Vertex]) -> [Scale<'a>;
     };
     let differ = |scales: &[Scale; 2]| {
         // One text for all vertices: a text of its own for each takes longer than its digits.
-        let (mut all, mut places) = (String::new(), Vec::with_capacity(points.len()));
+        let (mut all, mut places) = (String::new(), Vec::with_capacity(vertices.len()));
         let mut last = 0..0;
-        for [x, y] in &points {
+        for [x, y] in vertices.iter().map(|vertex| vertex.point().coordinates()) {
             let start = all.len();
             // Writing into a string never fails.
-            let _ = write!(all, "{} {}", scales[0].value(x), scales[1].value(y));
+            let _ = write!(all, "{} {}", scales[0].value(&x), scales[1].value(&y));
             if all[last] == all[start..] {
                 return false;
             }
