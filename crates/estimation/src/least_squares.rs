@@ -162,14 +162,11 @@ impl LeastSquares {
         let rows_of_adjugate = [(vv, -uv), (-uv, uu)];
         let units = &response_scale * &epsilon_scale;
         let part = |j: usize| {
-            // Most of what numerators and denominators have in common are powers of ten, which these two share.
-            let common = scales[j].gcd(&units);
-            let scale = scales[j].quotient(&common);
-            // The estimate and the ends of its interval have this denominator in common.
-            let denominator = &determinant * units.quotient(&common);
+            // Common divisors of parts cost less than those of products.
+            let unit = Rational::new(scales[j].clone(), units.clone())?;
+            let scaled = |numerator: Integer| Some(Rational::new(numerator, determinant.clone())? * &unit);
             let centre = &numerators[j] * &epsilon_scale;
             let radius = reach(grid, rows_of_adjugate[j])? * &epsilon * &response_scale;
-            let scaled = |numerator: Integer| Rational::new(numerator * &scale, denominator.clone());
             let ends = [scaled(&centre - &radius)?, scaled(&centre + &radius)?].map(Endpoint::Finite);
             let [lower, upper] = ends;
             Some((scaled(centre)?, Interval::new(lower, upper)?))

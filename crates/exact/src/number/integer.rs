@@ -256,8 +256,15 @@ impl Integer {
 
     #[inline(never)]
     fn long_gcd(&self, other: &Self) -> Self {
-        match (self.word(), other.word()) {
-            (Some(own), Some(other)) => Integer::from(gcd(own.unsigned_abs(), other.unsigned_abs())),
+        match (&self.0, &other.0) {
+            (Small(own), Small(other)) => {
+                Integer::from(gcd(own.get().unsigned_abs(), other.get().unsigned_abs()))
+            }
+            (Small(word), Big(big)) | (Big(big), Small(word)) if word.get() != 0 => {
+                // One division brings both down to words.
+                let word = word.get().unsigned_abs();
+                Integer::from(gcd((big.magnitude() % word).to_u128().unwrap_or_default(), word))
+            }
             _ => Integer::from_big(long_gcd(self.big().magnitude(), other.big().magnitude()).into()),
         }
     }
@@ -486,6 +493,19 @@ impl Integer {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn common_divisors_are_those_of_the_library() {
+        let edges = [0, 1, -6, 35 << 64, 3_i128.pow(70), i128::MIN, i128::MAX].map(Integer::from);
+        let products = edges.iter().flat_map(|own| edges.iter().map(move |other| own * other));
+        let all: Vec<Integer> = edges.iter().cloned().chain(products).collect();
+        for left in &all {
+            for right in &all {
+                let expected = Integer::from_big(left.big().gcd(&right.big()));
+                assert_eq!(left.gcd(right), expected, "{left} {right}");
+            }
+        }
+    }
 
     #[test]
     fn bits_of_powers_of_ten_are_those_of_the_powers() {
