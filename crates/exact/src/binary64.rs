@@ -1,8 +1,13 @@
 //! The one door between exact numbers and IEEE 754 binary64.
 
+mod decimals;
+
 use std::cmp::Ordering;
 
-use crate::{Fraction, Integer, Rational, Wide, plain_decimal};
+use crate::{Fraction, Integer, Rational, Wide};
+
+pub(crate) use decimals::short_double;
+pub use decimals::{nearest_double, nearest_long_double, plain_double};
 
 /// Binary exponent of the smallest positive binary64.
 pub(crate) const LEAST_EXPONENT: i64 = -1074;
@@ -111,30 +116,6 @@ fn floor((nearest, side): (f64, Ordering)) -> f64 {
 /// The least double that is not below the number to which this one is the nearest; never -0.0.
 fn ceil((nearest, side): (f64, Ordering)) -> f64 {
     if side.is_lt() { nearest.next_up() } else { nearest + 0.0 }
-}
-
-/// The binary64 nearest to `mantissa · 10^exponent`, when that takes one division or multiplication of numbers that
-/// binary64 has: up to 2^53 and 10^22. Correctly rounded (Clinger, *How to read floating point numbers accurately*,
-/// 1990, section 3).
-#[inline]
-pub fn nearest_double(mantissa: i64, exponent: i32) -> Option<f64> {
-    const POWERS: [f64; 23] = [
-        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17,
-        1e18, 1e19, 1e20, 1e21, 1e22,
-    ];
-    let power = *POWERS.get(exponent.unsigned_abs() as usize)?;
-    if mantissa.unsigned_abs() > 1 << SIGNIFICAND_BITS {
-        return None;
-    }
-    Some(if exponent < 0 { mantissa as f64 / power } else { mantissa as f64 * power })
-}
-
-/// The binary64 nearest to a text that [`plain_decimal`] reads; `None` for other texts and beyond the largest binary64.
-/// Correctly rounded.
-pub fn plain_double(text: &[u8]) -> Option<f64> {
-    let (mantissa, exponent) = plain_decimal(text)?;
-    let parsed = || std::str::from_utf8(text.trim_ascii()).ok()?.parse().ok();
-    nearest_double(mantissa, exponent).or_else(parsed).filter(|double: &f64| double.is_finite())
 }
 
 /// The nearest double of a quotient with a positive denominator, and how the double compares with the quotient.

@@ -81,7 +81,76 @@ fn one_operation_reads_up_to_2_to_the_53_and_10_to_the_22() {
         (1, 23, None),
         (1, -23, None),
     ] {
-        assert_eq!(nearest_double(mantissa, exponent), double, "{mantissa}e{exponent}");
+        assert_eq!(short_double(mantissa, exponent), double, "{mantissa}e{exponent}");
+    }
+}
+
+/// The standard library reads the same numbers.
+#[test]
+fn nearest_doubles_are_those_of_the_standard_library() {
+    let mut states = states(0x6a09_e667_f3bc_c909);
+    let mut told = 0;
+    let check = |mantissa: i64, exponent: i32| {
+        let text = format!("{mantissa}e{exponent}");
+        let double: f64 = text.parse().unwrap();
+        let nearest = nearest_double(mantissa, exponent);
+        assert!(nearest.is_none_or(|nearest| nearest == double), "{text}: {nearest:?}");
+        assert_eq!(plain_double(text.as_bytes()), Some(double).filter(|double| double.is_finite()), "{text}");
+        usize::from(nearest.is_some())
+    };
+    for exponent in -350..=350 {
+        for _ in 0..100 {
+            let word = (states() >> 1) as i64;
+            told += check(word >> (word % 12), exponent);
+            told += check(-(word >> (word % 60)), exponent);
+        }
+        for edge in [1, 1 << 53, (1 << 53) + 1, (1 << 54) + 2, 1 << 62, i64::MAX - 1, i64::MAX, i64::MIN] {
+            check(edge, exponent);
+        }
+        assert_eq!(check(0, exponent), usize::from(exponent.abs() <= 22), "{exponent}");
+    }
+    // 561 of 701 powers have their leading bits.
+    assert!(told > 2 * 561 * 99, "{told}");
+    // Odd numbers of 54 bits are half-way between doubles, and so are their quotients by powers of two.
+    let mut undecided = 0;
+    for _ in 0..2_000 {
+        let tie = ((1 << 53) + (states() >> 11) as i64) | 1;
+        for places in 0..=22 {
+            let power = 5_i64.checked_pow(places).unwrap();
+            let ties = [
+                tie.checked_mul(power).map(|tie| (tie, -(places as i32))),
+                Some(((tie / power) | 1, places as i32)),
+            ];
+            for (tie, exponent) in ties.into_iter().flatten() {
+                undecided += 5 - (-2..=2).map(|apart| check(tie + apart, exponent)).sum::<usize>();
+            }
+        }
+    }
+    assert!(undecided > 4_000, "{undecided}");
+}
+
+#[test]
+fn long_texts_are_read_as_the_nearest_doubles() {
+    for text in [
+        "0.12345678901234567890123456789",
+        "1.7976931348623157e308",
+        "1.7976931348623159e308",
+        "2.2250738585072011e-308",
+        "4.9406564584124654e-324",
+        "2.4703282292062327e-324",
+        "2.4703282292062328e-324",
+        "-9.223372036854775808",
+        "9007199254740993.0",
+        "9007199254740992.9999999999999999",
+        "0.50000000000000000",
+        "-0.0",
+        " 4503599627370496.5 ",
+        "6.8539596194e-289",
+        "8.41750e23",
+    ] {
+        let double: f64 = text.trim().parse().unwrap();
+        let plain = plain_double(text.as_bytes());
+        assert!(plain.is_none_or(|plain| plain == double), "{text}: {plain:?}");
     }
 }
 

@@ -207,7 +207,7 @@ impl Column {
             return;
         }
         if let Column::Wide(scaled) = self
-            && scaled.push_word(mantissa, exponent)
+            && scaled.push_word(mantissa.into(), exponent)
         {
             return;
         }
@@ -227,7 +227,13 @@ impl Column {
     }
 
     /// Adds `mantissa · 10^exponent` with a long mantissa.
+    #[inline]
     pub fn push_long_decimal(&mut self, mantissa: i128, exponent: i32) {
+        if let Column::Wide(scaled) = self
+            && scaled.push_word(mantissa, exponent)
+        {
+            return;
+        }
         match i64::try_from(mantissa) {
             Ok(mantissa) => self.push_decimal(mantissa, exponent),
             Err(_) => self.push_count(mantissa, Unit::TenTo(exponent)),
@@ -264,8 +270,15 @@ impl Column {
         let double = double + 0.0;
         match self {
             Column::Doubles(doubles) => doubles.push(double),
-            empty if empty.is_empty() => *empty = Column::Doubles(vec![double]),
-            _ => self.push(Rational::from_f64(double).unwrap_or_default()),
+            other => other.push_other_double(double),
+        }
+    }
+
+    #[cold]
+    fn push_other_double(&mut self, double: f64) {
+        match self.is_empty() {
+            true => *self = Column::Doubles(vec![double]),
+            false => self.push(Rational::from_f64(double).unwrap_or_default()),
         }
     }
 

@@ -2,7 +2,8 @@
 
 use super::long::scale;
 use super::{Column, Count, Scaled, Unit};
-use crate::{Rational, nearest_double};
+use crate::Rational;
+use crate::binary64::short_double;
 
 impl Column {
     /// Each number within 2^-50 of it, relatively; `None` where binary64 has no such numbers. Cost: a nanosecond or two per
@@ -31,7 +32,7 @@ impl Column {
                 let unit = scaled.unit();
                 let near = |&count: &i64| {
                     let decimal =
-                        if let Unit::TenTo(exponent) = unit { nearest_double(count, exponent) } else { None };
+                        if let Unit::TenTo(exponent) = unit { short_double(count, exponent) } else { None };
                     decimal.unwrap_or_else(|| unit.times(count.into()).near_f64())
                 };
                 scaled.counts().iter().map(near).collect()

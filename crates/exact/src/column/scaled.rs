@@ -208,16 +208,17 @@ impl<I: Count> Scaled<I> {
 
 impl Scaled<i128> {
     /// Adds `mantissa · 10^exponent` where that is so many units that are counted already; gives `false` when it may not be.
-    /// Cost: a product of two words.
+    /// Cost: a product of
+    /// words.
     #[inline]
-    pub(super) fn push_word(&mut self, mantissa: i64, exponent: i32) -> bool {
+    pub(super) fn push_word(&mut self, mantissa: i128, exponent: i32) -> bool {
         let Unit::TenTo(own) = self.unit else { return false };
         let finer = exponent.wrapping_sub(own) as usize;
-        if finer >= WORD_DIGITS || exponent < own {
+        if finer >= WORD_DIGITS || exponent < own || mantissa.unsigned_abs() >> u64::BITS != 0 {
             return false;
         }
-        // 63 bits and 60 are less than 126.
-        self.counts.push(i128::from(mantissa).wrapping_mul(i128::from(power_of_ten(finer))));
+        // 64 bits and 60 are less than 126.
+        self.counts.push(mantissa.wrapping_mul(i128::from(power_of_ten(finer))));
         true
     }
 }

@@ -4,24 +4,17 @@ use std::ops::Range;
 
 use boundfit_exact::{
     DecimalMark, LONG_DIGITS, PlainPrefix, Reading, exponent_prefix, long_prefix, nearest_double,
-    plain_prefix,
 };
 use memchr::{memchr, memchr_iter, memchr2, memchr3, memrchr};
 
 use super::batch::Batch;
 use super::layout::Layout;
+use super::mantissa::{Mantissa, Plain};
 use super::route::{Route, Step, What};
 use super::rows;
 use super::values::Mark;
 use crate::columns::{ColumnSelector, Role};
 use crate::error::InputError;
-
-/// `mantissa · 10^exponent` in a cell that ends there.
-pub(super) struct Plain {
-    pub(super) mantissa: i64,
-    pub(super) exponent: i32,
-    pub(super) end: usize,
-}
 
 /// A plain chunk on the way into a batch. Positions are offsets in the chunk.
 pub(super) struct Lane<'a> {
@@ -30,8 +23,8 @@ pub(super) struct Lane<'a> {
     numbers: &'a [u8],
     layout: &'a Layout<'a>,
     route: &'a Route,
-    /// `true` if numbers are read as they are written.
-    is_decimal: bool,
+    /// `true` if numbers are read as they are written, not as doubles.
+    pub(super) is_decimal: bool,
     /// `true` if there are quotes.
     pub(super) is_quoted: bool,
     /// `true` if the row looked at satisfies the conditions so far.
@@ -152,7 +145,7 @@ impl Lane<'_> {
     #[inline]
     fn presence(&mut self, at: usize, column: usize) -> Option<usize> {
         if self.is_decimal
-            && let Some(Plain { end, .. }) = self.plain_number(at)
+            && let Some(Plain { end, .. }) = self.plain_number::<i64>(at)
         {
             self.batch.columns.get_mut(column)?.push_decimal(1, 0);
             self.is_bounded = true;
@@ -163,25 +156,15 @@ impl Lane<'_> {
 
     /// The number in the cell that starts here; `None` where it takes more to read it, or there is none.
     #[inline(always)]
-    pub(super) fn plain_number(&self, at: usize) -> Option<Plain> {
-        self.number_by(plain_prefix, at)
-    }
-
-    /// [`Self::plain_number`], with what reads its digits.
-    #[inline(always)]
-    pub(super) fn number_by(
-        &self,
-        prefix: impl Fn(&[u8]) -> Option<PlainPrefix>,
-        at: usize,
-    ) -> Option<Plain> {
+    pub(super) fn plain_number<M: Mantissa>(&self, at: usize) -> Option<Plain<M>> {
         let quotes = self.opening_quotes(at);
-        let PlainPrefix { mantissa, fraction_digits, length } = prefix(self.numbers.get(at + quotes..)?)?;
+        let PlainPrefix { mantissa, fraction_digits, length } = M::prefix(self.numbers.get(at + quotes..)?)?;
         let end = at + quotes + length;
         if quotes == 0 && self.is_end_of_cell(end) {
             return Some(Plain { mantissa, exponent: -fraction_digits, end });
         }
         let (power, end) = self.end_of_number(end, quotes)?;
-        let exponent = if mantissa == 0 { 0 } else { power - fraction_digits };
+        let exponent = if mantissa == M::default() { 0 } else { power - fraction_digits };
         Some(Plain { mantissa, exponent, end })
     }
 

@@ -14,6 +14,7 @@ mod first_record;
 mod keys;
 mod lane;
 mod layout;
+mod mantissa;
 mod notes;
 mod others;
 mod parallel;

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use boundfit_exact::{DecimalMark, Reading};
+use boundfit_exact::DecimalMark;
 use memchr::{memchr, memchr_iter, memchr2};
 
 use super::lane::Lane;
@@ -16,7 +16,7 @@ use crate::error::{InputError, InputErrorKind};
 /// The ways through a row.
 pub(super) struct Ways {
     route: Route,
-    /// The way through rows of which only decimals are wanted.
+    /// The way through rows of which only numbers are wanted.
     straight: Option<Straight>,
 }
 
@@ -26,9 +26,8 @@ impl Ways {
         let route = Route::new(layout)?;
         let table = &layout.options.table;
         let wants_all = !table.selects_rows() && !layout.options.keep_text;
-        let straight = (wants_all && table.reading == Reading::Decimal)
-            .then(|| Straight::of(&route.steps, layout.places.len(), route.behind))
-            .flatten();
+        let straight =
+            wants_all.then(|| Straight::of(&route.steps, layout.places.len(), route.behind)).flatten();
         Some(Ways { route, straight })
     }
 }

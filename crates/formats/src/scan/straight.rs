@@ -1,11 +1,12 @@
-//! Rows of which nothing but decimals is wanted, and a key before one of them: as many as possible in one loop.
+//! Rows of which nothing but numbers is wanted, and a key before one of them: as many as possible in one loop.
 
 use std::ops::Range;
 
-use boundfit_exact::{Column, Scaled, any_prefix};
+use boundfit_exact::{Column, Scaled, nearest_double, nearest_long_double};
 
 use super::keys::RowKeys;
-use super::lane::{Lane, Plain};
+use super::lane::Lane;
+use super::mantissa::{Mantissa, Plain};
 use super::route::{Step, What};
 use super::row::unquoted_key;
 use crate::columns::decode;
@@ -50,7 +51,8 @@ struct Cell {
     /// The number of separators since the one before.
     separators: usize,
     column: usize,
-    non_negative: bool,
+    /// The least high word of a mantissa: 0 or any. One comparison does not branch on signs, which differ from cell to cell.
+    least: i64,
 }
 
 impl Straight {
@@ -61,7 +63,7 @@ impl Straight {
         for step in steps {
             match *step {
                 Step { separators: Some(separators), what: What::Number { column, non_negative } } => {
-                    cells.push(Cell { separators, column, non_negative });
+                    cells.push(Cell { separators, column, least: if non_negative { 0 } else { i64::MIN } });
                 }
                 Step { separators: Some(separators), what: What::Key } => {
                     key = Some(Key { separators, before: cells.len() });
@@ -132,36 +134,57 @@ impl<const N: usize> Way<N> {
         keys: Option<&mut RowKeys>,
     ) -> Option<(usize, usize)> {
         let mut columns = columns.get_disjoint_mut(self.cells.map(|cell| cell.column)).ok()?;
+        if !lane.is_decimal {
+            let mut push = |doubles: [Option<f64>; N]| {
+                let are_near = doubles.iter().all(Option::is_some);
+                if are_near {
+                    let doubles = columns.iter_mut().zip(doubles.into_iter().flatten());
+                    doubles.for_each(|(column, double)| column.push_double(double));
+                }
+                are_near
+            };
+            // A long line most likely has long numbers.
+            return Some(if lane.next_line(start) - start > 12 * N {
+                let push = |row: [_; N]| {
+                    push(row.map(|(mantissa, exponent)| nearest_long_double(mantissa, exponent)))
+                };
+                self.rows::<i128, KEYED>(lane, start, keys, push)
+            } else {
+                let push =
+                    |row: [_; N]| push(row.map(|(mantissa, exponent)| nearest_double(mantissa, exponent)));
+                self.rows::<i64, KEYED>(lane, start, keys, push)
+            });
+        }
         if columns.iter().all(|column| matches!(column, Column::Narrow(_))) {
             let columns = columns.into_iter().map(Column::as_narrow_mut);
             let columns: Vec<&mut Scaled<i64>> = columns.collect::<Option<_>>()?;
             let mut columns: [_; N] = columns.try_into().ok()?;
             return Some(
-                self.rows::<KEYED, false>(lane, start, keys, |row| Scaled::push_row(&mut columns, row)),
+                self.rows::<i64, KEYED>(lane, start, keys, |row| Scaled::push_row(&mut columns, row)),
             );
         }
-        let push = |row: [(i64, i32); N]| {
+        let push = |row: [(i128, i32); N]| {
             let numbers = columns.iter_mut().zip(row);
-            numbers.for_each(|(column, (mantissa, exponent))| column.push_decimal(mantissa, exponent));
+            numbers.for_each(|(column, (mantissa, exponent))| column.push_long_decimal(mantissa, exponent));
             true
         };
         // Long columns most likely have long numbers.
-        Some(self.rows::<KEYED, true>(lane, start, keys, push))
+        Some(self.rows::<i128, KEYED>(lane, start, keys, push))
     }
 
     /// Adds rows as long as `push` takes their numbers.
     #[inline(always)]
-    fn rows<const KEYED: bool, const LONG: bool>(
+    fn rows<M: Mantissa, const KEYED: bool>(
         &self,
         lane: &Lane,
         start: usize,
         mut keys: Option<&mut RowKeys>,
-        mut push: impl FnMut([(i64, i32); N]) -> bool,
+        mut push: impl FnMut([(M, i32); N]) -> bool,
     ) -> (usize, usize) {
         let (mut rows, mut at, mut key) = (0, start, None);
         // The last two keys: two groups may take turns.
         let mut recent: [Option<KnownKey>; 2] = [None, None];
-        while let Some((numbers, next)) = self.row::<KEYED, LONG>(lane, at, &recent, &mut key) {
+        while let Some((numbers, next)) = self.row::<M, KEYED>(lane, at, &recent, &mut key) {
             let new_key = match &key {
                 Some((cell, None)) if KEYED => match lane.chunk.get(cell.clone()).map(decode) {
                     Some(Ok(text)) => Some(unquoted_key(text)),
@@ -191,18 +214,18 @@ impl<const N: usize> Way<N> {
     /// The numbers of the row that starts here, as mantissas and exponents, and the start of the next line. Its key is a recent one if
     /// it has the same text.
     #[inline(always)]
-    fn row<const KEYED: bool, const LONG: bool>(
+    fn row<M: Mantissa, const KEYED: bool>(
         &self,
         lane: &Lane,
         start: usize,
         recent: &[Option<KnownKey>],
         key: &mut Option<(Range<usize>, Option<u32>)>,
-    ) -> Option<([(i64, i32); N], usize)> {
+    ) -> Option<([(M, i32); N], usize)> {
         // A line that starts with white space may be blank.
         if lane.chunk.get(start).is_none_or(|&first| first <= b' ') {
             return None;
         }
-        let mut numbers = [(0, 0); N];
+        let mut numbers = [(M::default(), 0); N];
         let (mut at, mut index) = (start, 0);
         for (cell, number) in self.cells.iter().zip(&mut numbers) {
             if KEYED && let Some(own) = self.key.filter(|own| own.before == index) {
@@ -224,9 +247,8 @@ impl<const N: usize> Way<N> {
             for _ in 0..cell.separators {
                 at = lane.after_separator(at)?;
             }
-            let plain = if LONG { lane.number_by(any_prefix, at) } else { lane.plain_number(at) };
-            let Plain { mantissa, exponent, end } = plain?;
-            if cell.non_negative && mantissa < 0 {
+            let Plain { mantissa, exponent, end } = lane.plain_number::<M>(at)?;
+            if mantissa.high_word() < cell.least {
                 return None;
             }
             *number = (mantissa, exponent);

@@ -66,6 +66,6 @@ pub fn found(scanned: Scanned, batches: &[Batch]) -> Found {
     }
 }
 
-fn source(bytes: &[u8]) -> Source {
+pub fn source(bytes: &[u8]) -> Source {
     Source::new(NAME, Cursor::new(bytes.to_vec()))
 }

@@ -1,9 +1,12 @@
 //! Plain decimals are read as the full parser reads them.
 
 use boundfit_exact::{Limits, Rational, Reading, Unit, plain_decimal, plain_double, plain_prefix};
+use boundfit_formats::{ColumnSelector, ScanOptions, TableOptions};
 use boundfit_tests::generate::seeded;
 use rand::RngExt;
 use rand::seq::IndexedRandom;
+
+use super::both::{batches, source};
 
 #[test]
 fn plain_decimals_are_what_they_spell() {
@@ -56,4 +59,40 @@ fn plain_decimals_are_what_they_spell() {
         }
     }
     assert!(plain > 30_000 && other > 10_000, "{plain} were plain, {other} not");
+}
+
+/// Many rows are read at once, in either reading; the full parser reads each cell alone.
+#[test]
+fn long_cells_of_a_table_are_what_they_spell() {
+    let mut rng = seeded(0x10e6);
+    let mut cell = || {
+        let x: f64 = rng.random_range(-4.0..4.0);
+        let places = rng.random_range(0..24);
+        match rng.random_range(0..8) {
+            0 => format!("{x}"),
+            1 => format!("{x:.places$}"),
+            2 => format!("{x:.places$e}"),
+            3 => format!("{:e}", x * 10_f64.powi(rng.random_range(-300..300))),
+            4 => format!("{}", rng.random::<i64>() >> rng.random_range(0..60)),
+            // Half-way between doubles.
+            5 => format!("-{}.5", (1_u64 << 52) + rng.random_range(0..1 << 52)),
+            6 => format!("0.{:0places$}{}", 0, rng.random::<u64>()),
+            _ => format!("{:019}E+{places}", rng.random::<u64>()),
+        }
+    };
+    let rows: Vec<[String; 2]> = (0..4000).map(|_| [cell(), cell()]).collect();
+    let lines: Vec<String> = rows.iter().map(|row| row.join(",")).collect();
+    let text = format!("x,y\n{}\n", lines.join("\n"));
+    let columns = ["x", "y"].map(ColumnSelector::name_or_number);
+    for reading in [Reading::Decimal, Reading::Binary64] {
+        let table = TableOptions { reading, ..TableOptions::default() };
+        let options = ScanOptions { table, chunk_bytes: 1 << 12, ..ScanOptions::default() };
+        let (_, batches) = batches(source(text.as_bytes()), &columns, &options).unwrap();
+        let found: Vec<_> = batches.iter().flat_map(|batch| batch.table_rows()).collect();
+        assert_eq!(found.len(), rows.len());
+        for (found, cells) in found.iter().zip(&rows) {
+            let expected = cells.each_ref().map(|cell| reading.read(cell, &Limits::default()).unwrap());
+            assert_eq!(found.numbers, expected, "{reading:?} {cells:?}");
+        }
+    }
 }
