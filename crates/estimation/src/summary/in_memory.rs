@@ -133,3 +133,40 @@ fn check(meaning: &Meaning, columns: &[Column]) -> Result<(), ColumnsError> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use boundfit_exact::Rational;
+
+    use super::*;
+
+    /// Ties, rows of equal x, and parts that have other numbers than integers.
+    #[test]
+    fn integers_among_doubles_are_numbers_like_others() {
+        let of = |columns: &[Column]| {
+            let model = Model::Line { x: "x".into() };
+            let bound = ErrorBound::Uniform(Rational::from(4));
+            let keep = Keep { most_rows: 100, ..Keep::default() };
+            let read = Measurements::of_columns(model, "y".into(), bound, columns, keep).unwrap();
+            let fit = crate::Problem::new(read).fit();
+            (fit.least_squares.ok(), fit.pui, fit.central, fit.minimax)
+        };
+        let mut state = 1_u64;
+        let mut word = |below: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            ((state >> 33) % below) as f64
+        };
+        for other in [None, Some(0), Some(ROWS_PER_PART + 7)] {
+            let x: Vec<f64> = (0..2 * ROWS_PER_PART + 99).map(|_| word(60)).collect();
+            let mut y: Vec<f64> = x.iter().map(|x| 3.0 * x + word(7) - 3.0).collect();
+            if let Some(row) = other {
+                y[row] += 0.5;
+            }
+            let doubles = [x, y].map(|numbers| Column::of_doubles(&numbers).unwrap());
+            let fractions = doubles
+                .each_ref()
+                .map(|column| Column::Fractions((0..column.len()).map(|row| column.get(row)).collect()));
+            assert_eq!(of(&doubles), of(&fractions), "{other:?}");
+        }
+    }
+}

@@ -80,6 +80,9 @@ impl LineSummary {
         row: &dyn Fn(usize) -> usize,
         sieve: &SharedSieve,
     ) -> Self {
+        // Ties of integers are found in less time than those of doubles.
+        let integers = y.integers().and_then(|y| Some((x.integers()?, y)));
+        let [x, y] = integers.as_ref().map_or([x, y], |(x, y)| [x, y]);
         let support = match epsilon {
             None => BTreeMap::from([(None, sieve.support(x, y, row))]),
             Some(epsilon) => {

@@ -295,6 +295,19 @@ impl Column {
         }
     }
 
+    /// Returns the counts of a column of doubles that are all integers of up to 53 bits. Exact. Cost: linear, and nothing where the first
+    /// one is no such integer.
+    pub fn integers(&self) -> Option<Self> {
+        let Column::Doubles(doubles) = self else { return None };
+        let count = |&double: &f64| double as i64;
+        let is_integer =
+            |double: &f64| count(double) as f64 == *double && count(double).unsigned_abs() >> 53 == 0;
+        doubles
+            .iter()
+            .all(is_integer)
+            .then(|| Column::Narrow(Scaled::of_counts(doubles.iter().map(count).collect(), Unit::TenTo(0))))
+    }
+
     /// Adds some of the numbers of another column.
     ///
     /// # Panics

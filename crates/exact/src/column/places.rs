@@ -73,6 +73,19 @@ mod tests {
     }
 
     #[test]
+    fn doubles_that_are_integers_have_counts() {
+        let largest = ((1_i64 << 53) - 1) as f64;
+        let integers = |doubles: &[f64]| Column::of_doubles(doubles).unwrap().integers();
+        let counts = [0, -7, (1 << 53) - 1, 1 - (1 << 53)].into_iter();
+        let expected = Column::of_counts(counts, Unit::TenTo(0));
+        assert_eq!(integers(&[-0.0, -7.0, largest, -largest]), Some(expected));
+        for other in [0.5, -1e-300, largest + 1.0, -1e300] {
+            assert_eq!(integers(&[1.0, other]), None, "{other}");
+        }
+        assert_eq!(Column::of_counts([1].into_iter(), Unit::TenTo(0)).integers(), None);
+    }
+
+    #[test]
     fn offsets_are_counted_from_any_base() {
         let largest = (1 << 62) - 1;
         for base in [0, -7, largest, largest - 5, -largest, -largest - 1, i64::MAX, i64::MIN] {

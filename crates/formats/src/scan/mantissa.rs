@@ -28,7 +28,7 @@ impl Mantissa for i64 {
     }
 }
 
-/// They are read sooner than others where they have 16 digits or more.
+/// Mantissas of 16 digits or more are read sooner.
 impl Mantissa for i128 {
     fn prefix(text: &[u8]) -> Option<PlainPrefix<i128>> {
         long_plain_prefix(text)
