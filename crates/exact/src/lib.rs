@@ -54,7 +54,10 @@ mod work;
 mod written;
 
 pub use binary64::{nearest_double, nearest_long_double, plain_double, significand_and_exponent};
-pub use column::{Column, Count, Long, LongProducts, LongTotal, Scaled, Scattered, Unit, compare_words};
+pub use column::{
+    Column, Count, Long, LongProducts, LongTotal, NarrowCount, NarrowUnit, Scaled, Scattered, Unit,
+    compare_words,
+};
 pub use decimal::{Decimal, PlacedDecimal, PlusMinus, Rounding, WideQuotient};
 pub use decimal_sum::DecimalSum;
 pub use double_sum::DoubleSum;
@@ -69,8 +72,8 @@ pub use notation::{DecimalMark, MISSING_WORDS, Notation, Thousands, is_missing, 
 pub use number::{Fraction, Integer, Rational, Sign, TooWide};
 pub use parse::{Limits, ParseNumberError, ParseNumberErrorKind, Reading, characters_before};
 pub use plain::{
-    PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, exponent_prefix, long_plain_prefix, plain_decimal,
-    plain_prefix,
+    Others, PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, ShortPrefix, exponent_prefix, long_plain_prefix,
+    plain_decimal, plain_prefix, short_prefix,
 };
 pub use shortest::{Shortest, shortest_decimal, shortest_decimal_of_f32};
 pub use sum::Sum;

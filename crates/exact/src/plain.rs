@@ -40,34 +40,132 @@ pub struct PlainPrefix<M = i64> {
 /// the mantissa fits. `None` when there are none, and for most texts with more. Exact. Cost: a few nanoseconds.
 #[inline(always)]
 pub fn plain_prefix(text: &[u8]) -> Option<PlainPrefix> {
-    text.first_chunk().and_then(short_prefix).or_else(|| other_prefix(text))
+    let short = text.first_chunk().and_then(|text| short_prefix(text, others_of(text)));
+    short.map(PlainPrefix::from).or_else(|| other_prefix(text))
 }
 
-/// [`plain_prefix`] of up to seven digits on either side of the point; `None` for all others. Most numbers are such ones, and to
-/// know that none of them leaves these bytes halves the instructions.
+/// A number of up to seven digits on either side of the point: `whole + fraction · 10^-fraction_digits`, negative or not.
+#[derive(Debug, Clone, Copy)]
+pub struct ShortPrefix {
+    /// `true` behind a minus sign.
+    pub(crate) negative: bool,
+    /// The digits before the point.
+    pub(crate) whole: u64,
+    /// The digits after the point.
+    pub(crate) fraction: u64,
+    /// The number of digits after the point.
+    pub(crate) fraction_digits: usize,
+    /// The number of bytes that were read: up to the first that is no digit.
+    pub length: usize,
+}
+
+impl From<ShortPrefix> for PlainPrefix {
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing, reason = "at most seven digits")]
+    fn from(short: ShortPrefix) -> Self {
+        let ShortPrefix { negative, whole, fraction, fraction_digits, length } = short;
+        let magnitude = whole.wrapping_mul(powers_of_ten::OF_U64[fraction_digits]).wrapping_add(fraction);
+        let mantissa = signed(magnitude, negative);
+        PlainPrefix { mantissa, fraction_digits: fraction_digits as i32, length }
+    }
+}
+
+/// A magnitude of less than 64 bits with its sign, without a branch.
+#[inline(always)]
+pub(crate) fn signed(magnitude: u64, negative: bool) -> i64 {
+    let flip = i64::from(negative).wrapping_neg();
+    (magnitude as i64 ^ flip).wrapping_sub(flip)
+}
+
+/// [`plain_prefix`] of up to seven digits on either side of the point; `None` for all others, and for a few of these. `others` has
+/// the bits of [`Others::behind`]. Most numbers are such ones. To know that none of them leaves these bytes halves the instructions.
 #[inline(always)]
 #[allow(clippy::indexing_slicing, reason = "at most seven digits, which the compiler sees")]
-fn short_prefix(text: &[u8; 32]) -> Option<PlainPrefix> {
+pub fn short_prefix(text: &[u8; 32], others: u64) -> Option<ShortPrefix> {
+    let word = |at: usize| Some(u64::from_le_bytes(*text.get(at..)?.first_chunk()?));
     let negative = text[0] == b'-';
-    // Both are at hand before the sign is known.
-    let words = [text.first_chunk()?, text[1..].first_chunk()?].map(|bytes| u64::from_le_bytes(*bytes));
-    let (whole, whole_digits, next) = short_digits(if negative { words[1] } else { words[0] })?;
-    let mut length = usize::from(negative).wrapping_add(whole_digits);
-    let (mut magnitude, mut fraction_digits) = (whole, 0);
-    if next == b'.' {
-        let start = length.wrapping_add(1);
-        let fraction;
-        (fraction, fraction_digits, _) =
-            short_digits(u64::from_le_bytes(*text.get(start..)?.first_chunk()?))?;
-        magnitude = whole.wrapping_mul(powers_of_ten::OF_U64[fraction_digits]).wrapping_add(fraction);
-        length = start.wrapping_add(fraction_digits);
-    }
-    if whole_digits + fraction_digits == 0 {
+    let start = usize::from(negative);
+    let others = others >> start;
+    let whole_digits = others.trailing_zeros() as usize;
+    if whole_digits > SHORT_DIGITS {
         return None;
     }
-    let magnitude = magnitude as i64;
-    let mantissa = if negative { magnitude.wrapping_neg() } else { magnitude };
-    Some(PlainPrefix { mantissa, fraction_digits: fraction_digits as i32, length })
+    let point = start + whole_digits;
+    let whole = first_digits(word(start)?, whole_digits);
+    if text[point] != b'.' {
+        let short = ShortPrefix { negative, whole, fraction: 0, fraction_digits: 0, length: point };
+        return (whole_digits > 0).then_some(short);
+    }
+    let fraction_digits = (others >> 1 >> whole_digits).trailing_zeros() as usize;
+    if fraction_digits > SHORT_DIGITS || whole_digits + fraction_digits == 0 {
+        return None;
+    }
+    let fraction = first_digits(word(point + 1)?, fraction_digits);
+    Some(ShortPrefix { negative, whole, fraction, fraction_digits, length: point + 1 + fraction_digits })
+}
+
+/// The bytes of a text that are no digits, a part of the text at a time. They say where numbers end before anyone reads a digit:
+/// finding the end of each number by its digits, and from there the next number, takes longer.
+#[derive(Debug, Default)]
+pub struct Others {
+    /// The place of the part in the text.
+    start: usize,
+    /// A bit for each byte, 1 where it is no digit.
+    bits: Vec<u8>,
+}
+
+impl Others {
+    /// Bytes that are looked at together.
+    const PART: usize = 4096;
+
+    /// Returns the bits of the bytes from a place on, the first one lowest, of 57 bytes at least; behind the end of the text they
+    /// are 1. It is always asked about the same text.
+    #[inline(always)]
+    pub fn behind(&mut self, text: &[u8], at: usize) -> u64 {
+        let place = at.wrapping_sub(self.start);
+        match self.bits.get(place / 8..).and_then(<[u8]>::first_chunk) {
+            Some(bits) => u64::from_le_bytes(*bits) >> (place % 8),
+            None => self.look(text, at),
+        }
+    }
+
+    /// Looks at the part from a place on.
+    #[inline(never)]
+    fn look(&mut self, text: &[u8], at: usize) -> u64 {
+        let rest = text.get(at..).unwrap_or_default();
+        let (words, _) = rest.get(..Self::PART).unwrap_or(rest).as_chunks();
+        self.start = at;
+        self.bits.clear();
+        self.bits.extend(words.iter().map(|word| bits_of_others(u64::from_le_bytes(*word)) as u8));
+        match self.bits.first_chunk() {
+            Some(bits) => u64::from_le_bytes(*bits),
+            None => u64::MAX,
+        }
+    }
+}
+
+/// The most digits on either side of the point of a short number.
+const SHORT_DIGITS: usize = 7;
+
+/// The number that up to seven digits at the start of eight bytes spell.
+#[inline(always)]
+fn first_digits(bytes: u64, digits: usize) -> u64 {
+    // They move to the high end, with zeros below: in two steps, as there may be none.
+    value_of_digits(((bytes ^ DIGIT_ZEROS) << (8 * (SHORT_DIGITS - digits))) << 8)
+}
+
+/// Eight bits, one for each of eight bytes that is no digit, the first one lowest.
+#[inline(always)]
+fn bits_of_others(bytes: u64) -> u64 {
+    // The product moves the lowest bit of each byte to a place of its own in the highest byte.
+    (digits_and_others(bytes).1 >> 7).wrapping_mul(0x0102_0408_1020_4080) >> 56
+}
+
+/// The bits of sixteen bytes, as [`Others::behind`] has them.
+#[inline(always)]
+fn others_of(text: &[u8; 32]) -> u64 {
+    let [low, high] = [next_eight_bytes(text, 0), next_eight_bytes(text, 8)].map(bits_of_others);
+    low | high << 8
 }
 
 /// The number that the digits at the start of eight bytes spell, how many these are, and the first other byte, if there is one.
@@ -83,12 +181,15 @@ fn short_digits(bytes: u64) -> Option<(u64, usize, u8)> {
     Some((value_of_digits(digits), (last / 8) as usize, (bytes >> (last - 7)) as u8))
 }
 
+/// Eight times the digit 0.
+const DIGIT_ZEROS: u64 = 0x3030_3030_3030_3030;
+
 /// Eight bytes in which digits have become their values, and a word with the high bit of every other byte.
 #[inline(always)]
 fn digits_and_others(bytes: u64) -> (u64, u64) {
     const LOW_BITS: u64 = 0x7f7f_7f7f_7f7f_7f7f;
     // Digits become 0 to 9; every other byte becomes 10 or more.
-    let values = bytes ^ 0x3030_3030_3030_3030;
+    let values = bytes ^ DIGIT_ZEROS;
     // 118 more sets the high bit of what is 10 to 127, and carries into no other byte; from 128 on it is set already.
     (values, ((values & LOW_BITS).wrapping_add(0x7676_7676_7676_7676) | values) & !LOW_BITS)
 }

@@ -16,7 +16,7 @@ use crate::Rational;
 use long::long_number;
 
 pub use long::{Long, LongProducts, LongTotal, compare_words};
-pub use scaled::{Count, Scaled};
+pub use scaled::{Count, NarrowCount, NarrowUnit, Scaled};
 pub use scattered::Scattered;
 pub use unit::Unit;
 
@@ -202,8 +202,9 @@ impl Column {
     #[inline]
     pub fn push_decimal(&mut self, mantissa: i64, exponent: i32) {
         if let Column::Narrow(scaled) = self
-            && Scaled::push_row(&mut [scaled], [(mantissa, exponent)])
+            && let Some(count) = scaled.narrow_unit().count(mantissa, exponent)
         {
+            scaled.push_narrow(count);
             return;
         }
         if let Column::Wide(scaled) = self

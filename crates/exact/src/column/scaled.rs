@@ -3,6 +3,7 @@
 use super::unit::Unit;
 use crate::Rational;
 use crate::long_decimal::{WORD_DIGITS, power_of_ten};
+use crate::plain::{ShortPrefix, signed};
 use crate::powers_of_ten;
 
 /// Integers on a common unit: number `i` is `counts[i]` units. Their size is limited by [`Count`].
@@ -224,34 +225,22 @@ impl Scaled<i128> {
 }
 
 impl Scaled<i64> {
-    /// Returns how many units `count · 10^exponent` is, where the unit is that power of ten or a lower one and the integer is not too
-    /// large.
+    /// Returns what counts decimals in the unit of the column.
     #[inline(always)]
-    fn on_unit(&self, count: i64, exponent: i32) -> Option<i64> {
-        let Unit::TenTo(own) = self.unit else { return None };
-        // A finer unit wraps to what is no index.
-        count.times(*powers_of_ten::OF_I64.get(exponent.wrapping_sub(own) as u32 as usize)?)
+    pub fn narrow_unit(&self) -> NarrowUnit {
+        NarrowUnit::new(self.unit)
     }
 
-    /// Adds a number `mantissa · 10^exponent` to each of some columns; none, and gives `false`, unless all of them are
-    /// integers of this size in units that the columns have already. Cost: some instructions for each.
+    /// Adds a count of its [`NarrowUnit`]. Cost: some instructions.
     #[inline(always)]
-    pub fn push_row<const N: usize>(columns: &mut [&mut Self; N], numbers: [(i64, i32); N]) -> bool {
-        let mut counts = [0; N];
-        for ((count, column), (mantissa, exponent)) in counts.iter_mut().zip(&*columns).zip(numbers) {
-            match column.on_unit(mantissa, exponent) {
-                Some(on_unit) => *count = on_unit,
-                None => return false,
-            }
-        }
-        columns.iter_mut().zip(counts).for_each(|(column, count)| column.counts.push(count));
-        true
+    pub fn push_narrow(&mut self, count: NarrowCount) {
+        self.counts.push(count.get());
     }
 
     /// Adds `mantissa · 10^exponent` `times` times. Returns `false` and adds nothing if it has no count on this unit.
     pub(super) fn push_repeated(&mut self, mantissa: i64, exponent: i32, times: usize) -> bool {
-        let Some(count) = self.on_unit(mantissa, exponent) else { return false };
-        self.counts.extend(std::iter::repeat_n(count, times));
+        let Some(count) = self.narrow_unit().count(mantissa, exponent) else { return false };
+        self.counts.extend(std::iter::repeat_n(count.get(), times));
         true
     }
 
@@ -263,10 +252,66 @@ impl Scaled<i64> {
     }
 }
 
+/// Ten to this power times a number of seven digits has less than 62 bits, even with as many digits below.
+const MOST_PLACES: i32 = 11;
+
+/// The unit of a narrow column, which counts decimals.
+#[derive(Debug, Clone, Copy)]
+pub struct NarrowUnit {
+    /// `None` for a unit that is no power of ten.
+    exponent: Option<i32>,
+    /// The number of decimal places, if there are at most [`MOST_PLACES`]; a huge number otherwise.
+    places: usize,
+}
+
+/// A count of a [`NarrowUnit`].
+#[derive(Debug, Clone, Copy, Default)]
+pub struct NarrowCount(i64);
+
+impl NarrowCount {
+    /// Returns the count.
+    #[inline(always)]
+    pub fn get(self) -> i64 {
+        self.0
+    }
+}
+
+impl NarrowUnit {
+    #[inline(always)]
+    pub(super) fn new(unit: Unit) -> Self {
+        let exponent = if let Unit::TenTo(exponent) = unit { Some(exponent) } else { None };
+        let places = exponent.filter(|exponent| (-MOST_PLACES..=0).contains(exponent));
+        NarrowUnit {
+            exponent,
+            places: places.map_or(usize::MAX, |exponent| exponent.unsigned_abs() as usize),
+        }
+    }
+
+    /// Returns how many units `mantissa · 10^exponent` is, where the unit is that power of ten or a lower one and the integer is not
+    /// too large. Exact.
+    #[inline(always)]
+    pub fn count(&self, mantissa: i64, exponent: i32) -> Option<NarrowCount> {
+        // A finer unit wraps to what is no index.
+        let finer = exponent.wrapping_sub(self.exponent?) as u32 as usize;
+        mantissa.times(*powers_of_ten::OF_I64.get(finer)?).map(NarrowCount)
+    }
+
+    /// Returns how many units a number is, if it has no more places than the unit, and the unit has few. Exact. Cost: two products,
+    /// without a look at their size.
+    #[inline(always)]
+    pub fn count_short(&self, short: ShortPrefix) -> Option<NarrowCount> {
+        // More places than the unit has, and the huge number, wrap to what is no index.
+        let finer = powers_of_ten::OF_U64.get(self.places.wrapping_sub(short.fraction_digits))?;
+        let unit = powers_of_ten::OF_U64.get(self.places)?;
+        let magnitude = short.whole.wrapping_mul(*unit).wrapping_add(short.fraction.wrapping_mul(*finer));
+        Some(NarrowCount(signed(magnitude, short.negative)))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Limits, Reading};
+    use crate::{Limits, Others, PlainPrefix, Reading, plain_prefix, short_prefix};
 
     fn narrow(numbers: &[(i64, i64)]) -> Option<Scaled<i64>> {
         let numbers: Vec<Rational> = numbers.iter().map(|&(n, d)| Rational::ratio(n, d)).collect();
@@ -314,6 +359,26 @@ mod tests {
         assert!(column.append([7, i128::from(i64::MAX)], Unit::TenTo(0)).is_none());
         assert_eq!(column.counts(), [1, 1 << 61]);
         assert!(Scaled::<i64>::new([1 << 62], Unit::TenTo(0)).is_none());
+    }
+
+    #[test]
+    fn short_numbers_are_counted_like_all() {
+        let texts = ["0", "-0.0", "9999999.9999999", "-9999999", "0.0000001", "12.5", "-.25", "3."];
+        let units = (-14..3).map(Unit::TenTo).chain([Unit::Any, Unit::OneOver(3)]);
+        let mut counted = 0;
+        for unit in units.map(NarrowUnit::new) {
+            for text in texts {
+                let padded: [u8; 32] = format!("{text:,<32}").into_bytes().try_into().unwrap();
+                let short = short_prefix(&padded, Others::default().behind(&padded.repeat(8), 0)).unwrap();
+                let PlainPrefix { mantissa, fraction_digits, .. } = plain_prefix(text.as_bytes()).unwrap();
+                let expected = unit.count(mantissa, -fraction_digits).map(NarrowCount::get);
+                let own = unit.count_short(short).map(NarrowCount::get);
+                assert!(own == expected || own.is_none(), "{unit:?} {text}: {own:?}, {expected:?}");
+                counted += usize::from(own.is_some());
+            }
+        }
+        // By all numbers in units with 7 to 11 places, by those with fewer places in others.
+        assert_eq!(counted, 5 * 8 + 5 * 6 + 5 + 3);
     }
 
     #[test]

@@ -125,6 +125,24 @@ fn nineteen_digits_are_read_as_a_prefix_where_they_fit() {
     }
 }
 
+/// Wherever a part of the text ends.
+#[test]
+fn numbers_in_a_text_are_those_that_stand_alone() {
+    let numbers =
+        ["-12.5", "1234567.7654321", "0.12345678", "-", "7", "-.25", "12345678", "3.", "1e5", "-0.0"];
+    let mut text = (numbers.join(",") + ",").repeat(200);
+    text.push_str(&",".repeat(100));
+    let (text, mut others, mut shorts) = (text.as_bytes(), Others::default(), 0);
+    for at in (0..text.len() - 32).filter(|&at| at == 0 || text[at - 1] == b',') {
+        let short = short_prefix(text[at..].first_chunk().unwrap(), others.behind(text, at));
+        if let Some(short) = short {
+            assert_eq!(other_prefix(&text[at..]), Some(short.into()), "{at} {short:?}");
+            shorts += 1;
+        }
+    }
+    assert_eq!(shorts, 7 * 200);
+}
+
 #[test]
 fn exponents_end_at_the_first_byte_that_is_no_digit() {
     for (text, expected) in [

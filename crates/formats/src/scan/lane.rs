@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use boundfit_exact::{
-    DecimalMark, LONG_DIGITS, PlainPrefix, Reading, exponent_prefix, long_prefix, nearest_double,
+    DecimalMark, LONG_DIGITS, NarrowCount, NarrowUnit, Others, PlainPrefix, Reading, exponent_prefix,
+    long_prefix, nearest_double, short_prefix,
 };
 use memchr::{memchr, memchr_iter, memchr2, memchr3, memrchr};
 
@@ -32,6 +33,8 @@ pub(super) struct Lane<'a> {
     /// `true` if it has a number in one of the columns that may lack one, if there are such columns.
     is_bounded: bool,
     pub(super) batch: Batch,
+    /// What is no digit in `numbers`.
+    pub(super) others: Others,
 }
 
 impl<'a> Lane<'a> {
@@ -48,6 +51,7 @@ impl<'a> Lane<'a> {
             is_satisfied: true,
             is_bounded: true,
             batch: layout.batch(),
+            others: Others::default(),
         }
     }
 }
@@ -152,6 +156,28 @@ impl Lane<'_> {
             return Some(end);
         }
         self.long_number(at, column)
+    }
+
+    /// Returns how many units the number in the cell that starts here is, and the end of the cell; `None` where it takes more to
+    /// read it, or there is none. Quotes take more.
+    #[inline(always)]
+    pub(super) fn short_count(
+        &self,
+        at: usize,
+        unit: &NarrowUnit,
+        others: &mut Others,
+    ) -> Option<(NarrowCount, usize)> {
+        let text = self.numbers.get(at..)?.first_chunk()?;
+        let short = short_prefix(text, others.behind(self.numbers, at))?;
+        let end = at + short.length;
+        self.is_end_of_cell(end).then_some((unit.count_short(short)?, end))
+    }
+
+    /// [`Self::short_count`] of other numbers, too; slower.
+    #[inline(never)]
+    pub(super) fn count(&self, at: usize, unit: &NarrowUnit) -> Option<(NarrowCount, usize)> {
+        let Plain { mantissa, exponent, end } = self.plain_number(at)?;
+        Some((unit.count(mantissa, exponent)?, end))
     }
 
     /// The number in the cell that starts here; `None` where it takes more to read it, or there is none.

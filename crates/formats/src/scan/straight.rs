@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use boundfit_exact::{Column, Scaled, nearest_double, nearest_long_double};
+use boundfit_exact::{Column, NarrowCount, NarrowUnit, Others, Scaled, nearest_double, nearest_long_double};
 
 use super::keys::RowKeys;
 use super::lane::Lane;
@@ -42,6 +42,9 @@ struct Key {
     before: usize,
 }
 
+/// The numbers of a chunk that may turn out not to be short before none is taken for short any more.
+const MOST_MISSES: usize = 1000;
+
 /// The cell of a key, and the position of its text among the keys.
 type KnownKey = (Range<usize>, u32);
 
@@ -51,7 +54,7 @@ struct Cell {
     /// The number of separators since the one before.
     separators: usize,
     column: usize,
-    /// The least high word of a mantissa: 0 or any. One comparison does not branch on signs, which differ from cell to cell.
+    /// The least number that it may have, any or 0: one comparison does not branch on signs, which differ from cell to cell.
     least: i64,
 }
 
@@ -63,7 +66,8 @@ impl Straight {
         for step in steps {
             match *step {
                 Step { separators: Some(separators), what: What::Number { column, non_negative } } => {
-                    cells.push(Cell { separators, column, least: if non_negative { 0 } else { i64::MIN } });
+                    let least = if non_negative { 0 } else { i64::MIN };
+                    cells.push(Cell { separators, column, least });
                 }
                 Step { separators: Some(separators), what: What::Key } => {
                     key = Some(Key { separators, before: cells.len() });
@@ -91,13 +95,15 @@ impl Straight {
     pub(super) fn read(&self, lane: &mut Lane, at: usize) -> Option<(usize, usize)> {
         let mut columns = std::mem::take(&mut lane.batch.columns);
         let mut keys = lane.batch.keys.take();
+        let mut others = std::mem::take(&mut lane.others);
         let read = match &self.to {
-            To::One(way) => way.read(lane, at, &mut columns, keys.as_mut()),
-            To::Two(way) => way.read(lane, at, &mut columns, keys.as_mut()),
-            To::Three(way) => way.read(lane, at, &mut columns, keys.as_mut()),
-            To::Four(way) => way.read(lane, at, &mut columns, keys.as_mut()),
+            To::One(way) => way.read(lane, at, &mut columns, keys.as_mut(), &mut others),
+            To::Two(way) => way.read(lane, at, &mut columns, keys.as_mut(), &mut others),
+            To::Three(way) => way.read(lane, at, &mut columns, keys.as_mut(), &mut others),
+            To::Four(way) => way.read(lane, at, &mut columns, keys.as_mut(), &mut others),
         };
         lane.batch.keys = keys;
+        lane.others = others;
         if let Some((rows, _)) = read {
             let is_presence = |(column, _): &(usize, &mut Column)| self.presences.contains(column);
             for (_, presence) in columns.iter_mut().enumerate().filter(is_presence) {
@@ -117,74 +123,99 @@ impl<const N: usize> Way<N> {
         start: usize,
         columns: &mut [Column],
         keys: Option<&mut RowKeys>,
+        others: &mut Others,
     ) -> Option<(usize, usize)> {
         // The loop without a key must not pay for one.
         match self.key {
             Some(_) if keys.is_none() || lane.is_quoted => None,
-            Some(_) => self.read_rows::<true>(lane, start, columns, keys),
-            None => self.read_rows::<false>(lane, start, columns, None),
+            Some(_) => self.read_rows::<true>(lane, start, columns, keys, others),
+            None => self.read_rows::<false>(lane, start, columns, None, others),
         }
     }
 
+    #[allow(clippy::indexing_slicing, reason = "there are as many units as cells")]
     fn read_rows<const KEYED: bool>(
         &self,
         lane: &Lane,
         start: usize,
         columns: &mut [Column],
         keys: Option<&mut RowKeys>,
+        others: &mut Others,
     ) -> Option<(usize, usize)> {
         let mut columns = columns.get_disjoint_mut(self.cells.map(|cell| cell.column)).ok()?;
         if !lane.is_decimal {
-            let mut push = |doubles: [Option<f64>; N]| {
-                let are_near = doubles.iter().all(Option::is_some);
-                if are_near {
-                    let doubles = columns.iter_mut().zip(doubles.into_iter().flatten());
-                    doubles.for_each(|(column, double)| column.push_double(double));
-                }
-                are_near
+            let push = |row: [f64; N]| {
+                columns.iter_mut().zip(row).for_each(|(column, double)| column.push_double(double));
             };
             // A long line most likely has long numbers.
             return Some(if lane.next_line(start) - start > 12 * N {
-                let push = |row: [_; N]| {
-                    push(row.map(|(mantissa, exponent)| nearest_long_double(mantissa, exponent)))
+                let read = |index, at| {
+                    let ((mantissa, exponent), end) = self.number::<i128>(lane, index, at)?;
+                    Some((nearest_long_double(mantissa, exponent)?, end))
                 };
-                self.rows::<i128, KEYED>(lane, start, keys, push)
+                self.rows::<KEYED, _>(lane, start, keys, read, push)
             } else {
-                let push =
-                    |row: [_; N]| push(row.map(|(mantissa, exponent)| nearest_double(mantissa, exponent)));
-                self.rows::<i64, KEYED>(lane, start, keys, push)
+                let read = |index, at| {
+                    let ((mantissa, exponent), end) = self.number::<i64>(lane, index, at)?;
+                    Some((nearest_double(mantissa, exponent)?, end))
+                };
+                self.rows::<KEYED, _>(lane, start, keys, read, push)
             });
         }
         if columns.iter().all(|column| matches!(column, Column::Narrow(_))) {
             let columns = columns.into_iter().map(Column::as_narrow_mut);
             let columns: Vec<&mut Scaled<i64>> = columns.collect::<Option<_>>()?;
             let mut columns: [_; N] = columns.try_into().ok()?;
-            return Some(
-                self.rows::<i64, KEYED>(lane, start, keys, |row| Scaled::push_row(&mut columns, row)),
-            );
+            let units: [NarrowUnit; N] = std::array::from_fn(|index| columns[index].narrow_unit());
+            let mut misses = if lane.is_quoted { MOST_MISSES } else { 0 };
+            let read = |index: usize, at| {
+                let unit = &units[index];
+                let is_likely = misses < MOST_MISSES;
+                let short = if is_likely { lane.short_count(at, unit, others) } else { None };
+                let (count, end) = match short {
+                    Some(short) => short,
+                    None => {
+                        misses += 1;
+                        lane.count(at, unit)?
+                    }
+                };
+                (count.get() >= self.cells[index].least).then_some((count, end))
+            };
+            let push = |row: [NarrowCount; N]| {
+                columns.iter_mut().zip(row).for_each(|(column, count)| column.push_narrow(count));
+            };
+            return Some(self.rows::<KEYED, _>(lane, start, keys, read, push));
         }
         let push = |row: [(i128, i32); N]| {
             let numbers = columns.iter_mut().zip(row);
             numbers.for_each(|(column, (mantissa, exponent))| column.push_long_decimal(mantissa, exponent));
-            true
         };
         // Long columns most likely have long numbers.
-        Some(self.rows::<i128, KEYED>(lane, start, keys, push))
+        Some(self.rows::<KEYED, _>(lane, start, keys, |index, at| self.number::<i128>(lane, index, at), push))
     }
 
-    /// Adds rows as long as `push` takes their numbers.
+    /// The number in the cell that starts here, as its mantissa and exponent, and the end of the cell.
     #[inline(always)]
-    fn rows<M: Mantissa, const KEYED: bool>(
+    #[allow(clippy::indexing_slicing, reason = "as many numbers as cells")]
+    fn number<M: Mantissa>(&self, lane: &Lane, index: usize, at: usize) -> Option<((M, i32), usize)> {
+        let Plain { mantissa, exponent, end } = lane.plain_number(at)?;
+        (mantissa.high_word() >= self.cells[index].least).then_some(((mantissa, exponent), end))
+    }
+
+    /// Adds rows as long as `read` gives each number and the end of its cell, from the index of the number and the start of the cell.
+    #[inline(always)]
+    fn rows<const KEYED: bool, T: Copy + Default>(
         &self,
         lane: &Lane,
         start: usize,
         mut keys: Option<&mut RowKeys>,
-        mut push: impl FnMut([(M, i32); N]) -> bool,
+        mut read: impl FnMut(usize, usize) -> Option<(T, usize)>,
+        mut push: impl FnMut([T; N]),
     ) -> (usize, usize) {
         let (mut rows, mut at, mut key) = (0, start, None);
         // The last two keys: two groups may take turns.
         let mut recent: [Option<KnownKey>; 2] = [None, None];
-        while let Some((numbers, next)) = self.row::<M, KEYED>(lane, at, &recent, &mut key) {
+        while let Some((numbers, next)) = self.row::<KEYED, T>(lane, at, &recent, &mut key, &mut read) {
             let new_key = match &key {
                 Some((cell, None)) if KEYED => match lane.chunk.get(cell.clone()).map(decode) {
                     Some(Ok(text)) => Some(unquoted_key(text)),
@@ -192,9 +223,7 @@ impl<const N: usize> Way<N> {
                 },
                 _ => None,
             };
-            if !push(numbers) {
-                break;
-            }
+            push(numbers);
             if KEYED && let (Some(keys), Some((cell, known))) = (&mut keys, key.take()) {
                 let text = known.unwrap_or_else(|| keys.push(new_key.unwrap_or_default()));
                 if known.is_some() {
@@ -211,23 +240,28 @@ impl<const N: usize> Way<N> {
         (rows, at)
     }
 
-    /// The numbers of the row that starts here, as mantissas and exponents, and the start of the next line. Its key is a recent one if
-    /// it has the same text.
+    /// The numbers of the row that starts here, and the start of the next line. Its key is a recent one if it has the same text.
     #[inline(always)]
-    fn row<M: Mantissa, const KEYED: bool>(
+    #[allow(
+        clippy::indexing_slicing,
+        clippy::needless_range_loop,
+        reason = "as many numbers as cells; iterators take more instructions"
+    )]
+    fn row<const KEYED: bool, T: Copy + Default>(
         &self,
         lane: &Lane,
         start: usize,
         recent: &[Option<KnownKey>],
         key: &mut Option<(Range<usize>, Option<u32>)>,
-    ) -> Option<([(M, i32); N], usize)> {
+        read: &mut impl FnMut(usize, usize) -> Option<(T, usize)>,
+    ) -> Option<([T; N], usize)> {
         // A line that starts with white space may be blank.
         if lane.chunk.get(start).is_none_or(|&first| first <= b' ') {
             return None;
         }
-        let mut numbers = [(M::default(), 0); N];
-        let (mut at, mut index) = (start, 0);
-        for (cell, number) in self.cells.iter().zip(&mut numbers) {
+        let mut numbers = [T::default(); N];
+        let mut at = start;
+        for index in 0..N {
             if KEYED && let Some(own) = self.key.filter(|own| own.before == index) {
                 for _ in 0..own.separators {
                     at = lane.after_separator(at)?;
@@ -241,18 +275,10 @@ impl<const N: usize> Way<N> {
                     }
                 };
             }
-            if KEYED {
-                index += 1;
-            }
-            for _ in 0..cell.separators {
+            for _ in 0..self.cells[index].separators {
                 at = lane.after_separator(at)?;
             }
-            let Plain { mantissa, exponent, end } = lane.plain_number::<M>(at)?;
-            if mantissa.high_word() < cell.least {
-                return None;
-            }
-            *number = (mantissa, exponent);
-            at = end;
+            (numbers[index], at) = read(index, at)?;
         }
         Some((numbers, lane.end_of_row(at, self.behind)?))
     }
