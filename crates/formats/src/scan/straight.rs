@@ -198,7 +198,7 @@ impl<const N: usize> Way<N> {
     #[inline(always)]
     #[allow(clippy::indexing_slicing, reason = "as many numbers as cells")]
     fn number<M: Mantissa>(&self, lane: &Lane, index: usize, at: usize) -> Option<((M, i32), usize)> {
-        let Plain { mantissa, exponent, end } = lane.plain_number(at)?;
+        let Plain { mantissa, exponent, end } = lane.plain_number::<M>(at)?;
         (mantissa.high_word() >= self.cells[index].least).then_some(((mantissa, exponent), end))
     }
 
