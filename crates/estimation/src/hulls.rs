@@ -4,19 +4,15 @@
 //! So the smallest ε is half of the largest vertical distance between the upper and the lower hull of (x, y). It is
 //! found between a vertex of one hull and an edge of the other, and those three readings prove it.
 
-use std::cmp::Ordering;
-
-use boundfit_exact::{Fraction, Integer, Rational, Scaled, Sign, multiples};
-use boundfit_geometry::grid::{
-    GridPoint, doubled_area, touching, touching_of_columns, touching_places_of_columns,
-};
-use boundfit_geometry::predicates::{by_theta1, lexicographic, orientation};
-use boundfit_geometry::{Hull, HullSide, Point, Site, Tally, Tied, touching_as_one, touching_each};
+use boundfit_exact::{Rational, Scaled, multiples};
+use boundfit_geometry::grid::{GridPoint, touching, touching_of_columns, touching_places_of_columns};
+use boundfit_geometry::{Hull, HullSide, Tally, touching_as_one, touching_each};
 
 use crate::deciding::OnGrid;
 use crate::grid::Grid;
 use crate::measurement::Measurement;
 use crate::measurements::Measurements;
+use crate::places::{ExactPlace, Place, WidePlace};
 use crate::ties::TiedReading;
 
 /// The number of readings from which on readings inside are discarded before the others are sorted.
@@ -99,11 +95,14 @@ impl Extremes {
     /// Finds the extremes of numbers of any size. Numbers of few digits, as 1.25e300, are machine integers on a unit of their
     /// own.
     pub(crate) fn in_general(rows: &[Measurement]) -> Self {
+        if let Some(places) = WidePlace::sorted(rows) {
+            return Extremes::of_touching(touching_as_one(places, WidePlace::orientation, usize::MAX));
+        }
         let x = multiples(rows.iter().map(|row| &row.regressor[0]));
         if let Some((x, y)) = x.zip(multiples(rows.iter().map(|row| row.y_and_epsilon().0))) {
             return Extremes::of_columns(&x, &y);
         }
-        Extremes::of_touching(touching_as_one(exact_places(rows), ExactPlace::orientation, usize::MAX))
+        Extremes::of_touching(touching_as_one(ExactPlace::sorted(rows), ExactPlace::orientation, usize::MAX))
     }
 
     /// Returns the extremes of the readings that touch a hull as one, sorted by x, then by y.
@@ -139,17 +138,6 @@ impl Measurements {
     }
 }
 
-/// Readings as points of any size, sorted by x, then by y.
-fn exact_places(rows: &[Measurement]) -> Vec<ExactPlace> {
-    let at = |(position, row): (usize, &Measurement)| {
-        let point = Point::new(&row.regressor[0], row.y_and_epsilon().0);
-        ExactPlace { point, tied: Tally::one(position as u64) }
-    };
-    let mut points: Vec<ExactPlace> = rows.iter().enumerate().map(at).collect();
-    points.sort_by(|p, q| lexicographic(&p.point, &q.point).then_with(|| p.tied.cmp(&q.tied)));
-    points
-}
-
 /// Returns the readings of a line on either hull of (x, y): the readings of [`Extremes::touching`], or each place
 /// within an edge. Lists at most so many numbers of the readings that each stands for. Exact. Cost: O(N log N).
 pub(crate) fn touching_a_hull(
@@ -168,9 +156,11 @@ pub(crate) fn touching_a_hull(
             Extremes::of_touching(touching_places_of_columns(x.counts(), y.counts(), &row, usize::MAX))
         }
         None if edges_as_one => Extremes::in_general(&rows),
-        None => {
-            Extremes::of_touching(touching_each(exact_places(&rows), ExactPlace::orientation, usize::MAX))
-        }
+        None => Extremes::of_touching(touching_each(
+            ExactPlace::sorted(&rows),
+            ExactPlace::orientation,
+            usize::MAX,
+        )),
     };
     let with_all = |Touching { tied, .. }: Touching| {
         let tallies = || tied.rows().map(|position| &tallies[position as usize]);
@@ -179,82 +169,6 @@ pub(crate) fn touching_a_hull(
         TiedReading { reading, rows: Tally::merged(tallies().cloned(), most) }
     };
     extremes.touching.into_iter().map(with_all).collect()
-}
-
-/// A reading of a line as a point of the plane of x and y.
-trait Place: Tied {
-    /// Returns the position of the first reading here.
-    fn position(&self) -> usize {
-        // Positions in a list that is in memory.
-        self.rows().first() as usize
-    }
-
-    fn by_x(&self, other: &Self) -> Ordering;
-    /// Returns the side of the line through two points, in that order, on which a third point lies.
-    fn orientation(&self, second: &Self, third: &Self) -> Sign;
-    /// Returns the vertical distance, not negative, from the point to the line through two others, or to their one
-    /// point if they are the same. The unit is any that is the same for all points.
-    fn distance(&self, edge: [&Self; 2]) -> Fraction;
-}
-
-/// Coordinates of a grid are below 2⁶², so that areas are exact.
-impl Place for GridPoint {
-    fn by_x(&self, other: &Self) -> Ordering {
-        self.x.cmp(&other.x)
-    }
-
-    fn orientation(&self, second: &Self, third: &Self) -> Sign {
-        doubled_area(self, second, third).cmp(&0).into()
-    }
-
-    fn distance(&self, [left, right]: [&Self; 2]) -> Fraction {
-        let area = doubled_area(left, right, self).unsigned_abs();
-        let over_width = Fraction::new(Integer::from(area), Integer::from(right.x - left.x));
-        over_width.unwrap_or_else(|| Integer::from(self.y.abs_diff(left.y)).into())
-    }
-}
-
-/// A reading with numbers of any size.
-struct ExactPlace {
-    point: Point,
-    tied: Tally,
-}
-
-impl Site for ExactPlace {
-    fn is_above_or_below(&self, other: &Self) -> bool {
-        self.by_x(other).is_eq()
-    }
-
-    fn coincides(&self, other: &Self) -> bool {
-        self.point == other.point
-    }
-}
-
-impl Tied for ExactPlace {
-    fn rows(&self) -> &Tally {
-        &self.tied
-    }
-
-    fn with_rows(self, tied: Tally) -> Self {
-        ExactPlace { tied, ..self }
-    }
-}
-
-impl Place for ExactPlace {
-    fn by_x(&self, other: &Self) -> Ordering {
-        by_theta1(&self.point, &other.point)
-    }
-
-    fn orientation(&self, second: &Self, third: &Self) -> Sign {
-        orientation(&self.point, &second.point, &third.point)
-    }
-
-    fn distance(&self, [left, right]: [&Self; 2]) -> Fraction {
-        let [[x, y], [left_x, left_y], [right_x, right_y]] =
-            [self, left, right].map(|place| place.point.coordinates());
-        let slope = (right_y - &left_y).checked_div(&(right_x - &left_x)).unwrap_or_default();
-        Fraction::from(&(y - left_y - slope * (x - left_x)).abs())
-    }
 }
 
 /// Returns the widest gap between the hulls, whose corners are sorted by x. Among equal gaps it takes the first
@@ -330,5 +244,40 @@ impl Gap {
             [slope, offset]
         });
         HullMinimum { epsilon, proof, theta }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Few values on a fine unit, so that many readings are equal, above each other or on one line.
+    #[test]
+    fn wide_integers_have_the_extremes_of_fractions() {
+        let mut seed = 3_u64;
+        let mut draw = |below: u64| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 33) % below
+        };
+        for round in 0..2_000 {
+            let far = i128::from(i64::MAX) << (round % 62);
+            let mut number = || {
+                let [steps, rest] = [draw(4), if round % 3 == 0 { draw(3) } else { 0 }].map(i128::from);
+                Rational::scientific((steps - 2) * far + rest, -19)
+            };
+            let reading =
+                |row| Measurement::around(row, [number(), Rational::one()], number(), Rational::one());
+            let rows: Vec<Measurement> = (1..2 + round % 14).map(reading).collect();
+            let wide = WidePlace::sorted(&rows).unwrap();
+            assert_eq!(
+                Extremes::of_touching(touching_as_one(wide, WidePlace::orientation, usize::MAX)),
+                Extremes::of_touching(touching_as_one(
+                    ExactPlace::sorted(&rows),
+                    ExactPlace::orientation,
+                    usize::MAX
+                )),
+                "{round}"
+            );
+        }
     }
 }

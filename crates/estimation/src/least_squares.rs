@@ -2,11 +2,13 @@
 
 use std::borrow::Cow;
 
-use boundfit_exact::{Endpoint, Integer, Interval, Rational, Scaled, Sum, Unit};
+use boundfit_exact::{
+    Count, Endpoint, Integer, Interval, Rational, Scaled, Sum, Unit, WideProducts, WideSum,
+};
 use boundfit_geometry::Direction;
 
 use crate::grid::Grid;
-use crate::meaning::ErrorBound;
+use crate::meaning::{ErrorBound, Model};
 use crate::measurement::{Bounds, Measurement};
 use crate::measurements::Measurements;
 use crate::moments::{SUM_BITS, Solution, Sums, bits, widest};
@@ -46,6 +48,7 @@ impl LeastSquares {
             Some(reduction) => LeastSquares::of_reduction(reduction, measurements.error_bound()),
             None => grid
                 .and_then(|grid| LeastSquares::on_grid(grid, measurements.error_bound()))
+                .or_else(|| LeastSquares::on_wide_grid(measurements))
                 .unwrap_or_else(|| LeastSquares::of_rows(measurements.kept())),
         }
     }
@@ -141,32 +144,97 @@ impl LeastSquares {
         let second = grid.phi2.as_ref();
         let moments =
             Sums::of_integers(grid.phi1.counts(), second.map(Scaled::counts), grid.response.counts())?;
-        let Solution { numerators, determinant } = moments.map(Integer::from).solution();
-        if determinant.is_zero() {
-            return Some(Err(NoLeastSquares::Singular));
-        }
         // With φ = Φ/s and y = Y/t, an estimate in the units of the grid is θ·t/s.
-        let per_one = |column: Option<&Scaled<i64>>| {
-            let count = column.map_or(Some(1), |column| Unit::TenTo(0).counted_in(column.unit()));
-            count.map(Integer::from)
-        };
-        let scales = [per_one(Some(&grid.phi1))?, per_one(second)?];
-        let response_scale = per_one(Some(&grid.response))?;
+        let per_one = |column: Option<&Scaled<i64>>| column.map_or(Some(Integer::one()), per_one);
         let (epsilon, epsilon_scale) = match error_bound {
             ErrorBound::Uniform(epsilon) => (epsilon.numerator(), epsilon.denominator()),
             ErrorBound::Column(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
                 (Integer::one(), per_one(grid.epsilon.as_ref())?)
             }
         };
+        let units = Units {
+            regressors: [per_one(Some(&grid.phi1))?, per_one(second)?],
+            response: per_one(Some(&grid.response))?,
+            epsilon,
+            epsilon_scale,
+        };
         let Sums { uu, uv, vv, .. } = moments;
-        let rows_of_adjugate = [(vv, -uv), (-uv, uu)];
-        let units = &response_scale * &epsilon_scale;
+        units.estimate(&moments.map(Integer::from).solution(), || {
+            Some([reach(grid, (vv, -uv))?, reach(grid, (-uv, uu))?])
+        })
+    }
+
+    /// Computes as [`LeastSquares::on_grid`] from a line's integers of 128 bits; `None` when these do not reach, or readings have bounds
+    /// of their own.
+    fn on_wide_grid(measurements: &Measurements) -> Option<Result<Self, NoLeastSquares>> {
+        let (Model::Line { .. }, ErrorBound::Uniform(epsilon), true) =
+            (measurements.model(), measurements.error_bound(), measurements.is_around_y())
+        else {
+            return None;
+        };
+        let rows = measurements.kept();
+        let x = Scaled::<i128>::of_numbers(rows.iter().map(|row| &row.regressor[0]))?;
+        let y = Scaled::<i128>::of_numbers(rows.iter().map(|row| row.y_and_epsilon().0))?;
+        let units = Units {
+            regressors: [per_one(&x)?, Integer::one()],
+            response: per_one(&y)?,
+            epsilon: epsilon.numerator(),
+            epsilon_scale: epsilon.denominator(),
+        };
+        let (x, y) = (x.counts(), y.counts());
+        let sum = |numbers: &[i128]| {
+            let mut sum = WideSum::default();
+            numbers.iter().for_each(|&number| sum.add(number));
+            sum.total()
+        };
+        let products = |numbers: &[i128]| {
+            let mut sum = WideProducts::default();
+            x.iter().zip(numbers).for_each(|(&x, &number)| sum.add(x, number));
+            sum.total()
+        };
+        let moments = Sums::new(rows.len(), [products(x), sum(x), rows.len().into(), products(y), sum(y)]);
+        let reach = |p: &Integer, q: &Integer| {
+            let (mut signed_x, mut signs) = (WideSum::default(), 0_i128);
+            for &x in x {
+                let sign = if (p * &Integer::from(x) + q).is_negative() { -1 } else { 1 };
+                signed_x.add(sign * x);
+                signs += sign;
+            }
+            p * signed_x.total() + q * Integer::from(signs)
+        };
+        let Sums { uu, uv, vv, .. } = &moments;
+        let opposite = -uv;
+        units.estimate(&moments.solution(), || Some([reach(vv, &opposite), reach(&opposite, uu)]))
+    }
+}
+
+/// The numbers that integers are multiples of: one over each of these.
+struct Units {
+    regressors: [Integer; 2],
+    response: Integer,
+    /// The bound on the errors on the unit `1 / epsilon_scale`.
+    epsilon: Integer,
+    epsilon_scale: Integer,
+}
+
+impl Units {
+    /// Returns the estimate from its solution in these units and Σ |A_jk|·ε_k times the determinant, with every fraction reduced once.
+    fn estimate(
+        &self,
+        Solution { numerators, determinant }: &Solution<Integer>,
+        reaches: impl FnOnce() -> Option<[Integer; 2]>,
+    ) -> Option<Result<LeastSquares, NoLeastSquares>> {
+        if determinant.is_zero() {
+            return Some(Err(NoLeastSquares::Singular));
+        }
+        let reaches = reaches()?;
+        let units = &self.response * &self.epsilon_scale;
         let part = |j: usize| {
             // Common divisors of parts cost less than those of products.
-            let unit = Rational::new(scales[j].clone(), units.clone())?;
+            let unit = Rational::new(self.regressors[j].clone(), units.clone())?;
             let scaled = |numerator: Integer| Some(Rational::new(numerator, determinant.clone())? * &unit);
-            let centre = &numerators[j] * &epsilon_scale;
-            let radius = reach(grid, rows_of_adjugate[j])? * &epsilon * &response_scale;
+            let centre = &numerators[j] * &self.epsilon_scale;
+            let radius = &reaches[j] * &self.epsilon * &self.response;
             let ends = [scaled(&centre - &radius)?, scaled(&centre + &radius)?].map(Endpoint::Finite);
             let [lower, upper] = ends;
             Some((scaled(centre)?, Interval::new(lower, upper)?))
@@ -174,6 +242,11 @@ impl LeastSquares {
         let ((theta1, eui1), (theta2, eui2)) = (part(0)?, part(1)?);
         Some(Ok(LeastSquares { theta: [theta1, theta2], eui: Ok([eui1, eui2]) }))
     }
+}
+
+/// Returns how many units of a column are 1.
+fn per_one<I: Count>(column: &Scaled<I>) -> Option<Integer> {
+    Unit::TenTo(0).counted_in(column.unit()).map(Integer::from)
 }
 
 /// Σ |p·u + q·v|·w over readings (u, v) with these half widths w.
@@ -215,4 +288,34 @@ fn reach(grid: &Grid, (p, q): (i128, i128)) -> Option<Integer> {
         sums[1] = sums[1].wrapping_add(product(signed.into(), v));
     }
     Some(Integer::from(p) * Integer::from(sums[0]) + Integer::from(q) * Integer::from(sums[1]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Few values on a fine unit, also a single x, and sums of more than 256 bits.
+    #[test]
+    fn wide_integers_have_the_estimate_of_fractions() {
+        let mut seed = 5_u64;
+        let mut draw = |below: u64| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 33) % below
+        };
+        for round in 0..1_000 {
+            let far = i128::from(i64::MAX) << (round % 62);
+            let mut number = |exponent: i32| {
+                let [steps, rest] = [4, 1 + round % 7].map(|below| i128::from(draw(below)));
+                Rational::scientific((steps - 2) * far + rest, exponent)
+            };
+            let epsilon = number(-30).abs();
+            let row =
+                |row| Measurement::around(row, [number(-19), Rational::one()], number(-21), epsilon.clone());
+            let rows: Vec<Measurement> = (1..2 + round as usize % 9).map(row).collect();
+            let (x, bound) = (Model::Line { x: "x".into() }, ErrorBound::Uniform(epsilon.clone()));
+            let readings = Measurements::new(x, "y".into(), bound, rows);
+            let wide = LeastSquares::on_wide_grid(&readings).unwrap();
+            assert_eq!(wide, LeastSquares::of_rows(readings.kept()), "{round}");
+        }
+    }
 }

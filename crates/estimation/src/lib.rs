@@ -61,6 +61,7 @@ mod mending;
 mod minimax;
 mod moments;
 mod one_parameter;
+mod places;
 mod problem;
 mod products;
 mod reduction;
