@@ -38,6 +38,16 @@ def test_the_least_bound_of_readings_as_stored_leaves_a_set() -> None:
         assert not BoundedErrorRegressor(eps=least).fit(x.reshape(-1, 1), y).fit_.is_empty
 
 
+@pytest.mark.parametrize("rows", [64, 65, 2_001, 10_000])
+def test_readings_in_memory_have_an_eui_without_asking(rows: int) -> None:
+    random = numpy.random.default_rng(rows)
+    x = random.normal(size=rows)
+    y = 2 * x + random.uniform(-1, 1, rows)
+    asked, saved = boundfit.fit(x, y, 1), boundfit.fit(x, y, 1, eui=False)
+    assert asked.eui is not None and saved.eui == asked.eui
+    assert saved.to_json() == asked.to_json()
+
+
 @pytest.mark.parametrize("third", [THIRD, "1/3"])
 def test_exact_types_are_exact_under_either_reading(third: Any) -> None:
     for reading in ("decimal", "binary64"):

@@ -2,7 +2,7 @@
 
 use boundfit_exact::Column;
 use boundfit_formats::{
-    InputError, ReductionError, Reductions, RowNumbers, ScanOptions, Scanned, Source, TableNotes,
+    Batch, InputError, ReductionError, Reductions, RowNumbers, ScanOptions, Scanned, Source, TableNotes,
 };
 
 use super::columns::Columns;
@@ -83,8 +83,10 @@ impl Measurements {
             Readings::All(rows)
         } else if meaning.is_open() {
             let mut all = all;
-            in_columns = InColumns::new(std::mem::take(&mut all.batches));
-            readings_of_line(&look, all, &mut meaning, &scanned)?
+            let batches = std::mem::take(&mut all.batches);
+            let readings = readings_of_line(&look, all, &batches, &mut meaning, &scanned)?;
+            in_columns = InColumns::new(batches);
+            readings
         } else {
             readings_under_fixed_bounds(&look, all, &meaning, conditions, &scanned)?
         };
@@ -148,10 +150,12 @@ fn readings_of_reductions(
     Ok(Readings::Supporting { rows: rows.into(), ties, reduction })
 }
 
-/// The readings that support a hull, of more readings of a line under a uniform error bound than are kept.
+/// The readings that support a hull, of more readings of a line under a uniform error bound than become numbers. `batches` has all
+/// readings or none.
 fn readings_of_line(
     look: &FirstLook,
     all: Collected,
+    batches: &[Batch],
     meaning: &mut Meaning,
     scanned: &Scanned,
 ) -> Result<Readings, InputError> {
@@ -171,7 +175,7 @@ fn readings_of_line(
         count: all.rows,
         totals: &totals,
     };
-    let reach = reach_of_line(looks, form, &sums, look.keep.eui)?;
+    let reach = reach_of_line(looks, batches, form, &sums, look.keep.eui)?;
     let (minimax, has_widths) = (DecidingMinimax::Kept, true);
     let reduction = Reduction { count: all.rows, sums: Ok(sums), reach, minimax, has_widths };
     Ok(Readings::Supporting { rows, ties, reduction })
@@ -240,15 +244,18 @@ fn add_tightest(
 /// Returns how far least squares of a line may move under a uniform bound of 1: a second look at x.
 fn reach_of_line(
     looks: Looks,
+    batches: &[Batch],
     form: &LineForm,
     sums: &Sums,
     is_asked: bool,
 ) -> Result<Result<Reach, NoEui>, InputError> {
-    if !is_asked {
+    let thresholds = Thresholds::of_form(form, sums);
+    let in_memory = batches.iter().map(|batch| thresholds.of_column(&batch.columns[0]));
+    let in_memory = in_memory.reduce(|total, part| total.merged(&part));
+    if in_memory.is_none() && !is_asked {
         return Ok(Err(NoEui::NotAsked));
     }
-    let thresholds = Thresholds::of_form(form, sums);
-    let spread = match looks.kept.spread(&thresholds) {
+    let spread = match in_memory.or_else(|| looks.kept.spread(&thresholds)) {
         Some(spread) => spread,
         None if looks.file.is_none() => return Ok(Err(NoEui::TooManyOnce)),
         None => {
