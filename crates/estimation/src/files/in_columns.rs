@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use boundfit_exact::Rational;
-use boundfit_formats::{Batch, TableRow};
+use boundfit_formats::Batch;
 
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
@@ -28,10 +28,7 @@ impl InColumns {
 
     /// The readings one after the other. Exact. Cost: linear; memory for one.
     pub(crate) fn each<'a>(&'a self, meaning: &'a Meaning) -> impl Iterator<Item = Measurement> + 'a {
-        self.0.iter().flat_map(move |batch| {
-            let at = move |position| meaning.of_columns(&batch.columns, position, batch.rows.get(position));
-            (0..batch.rows.len()).map(at)
-        })
+        self.0.iter().flat_map(move |batch| of_batch(batch, meaning))
     }
 
     /// The reading at a position. Exact. Cost: that of a look at each batch.
@@ -79,6 +76,12 @@ fn near_f64(reading: &Measurement) -> [f64; 2] {
 
 /// The readings in some batches. Exact. Cost: linear.
 pub(super) fn readings_of(batches: &[Batch], meaning: &Meaning) -> Vec<Measurement> {
-    let reading = |row: TableRow| meaning.measurement(row.row, row.numbers.into_iter());
-    batches.iter().flat_map(Batch::table_rows).map(reading).collect()
+    let mut readings = Vec::with_capacity(batches.iter().map(|batch| batch.rows.len()).sum());
+    batches.iter().for_each(|batch| readings.extend(of_batch(batch, meaning)));
+    readings
+}
+
+fn of_batch<'a>(batch: &'a Batch, meaning: &'a Meaning) -> impl Iterator<Item = Measurement> + 'a {
+    let rows = batch.rows.ranges().flat_map(|[first, last]| first..=last).enumerate();
+    rows.map(move |(position, row)| meaning.of_columns(&batch.columns, position, row))
 }
