@@ -162,6 +162,10 @@ impl Cells<ColumnPlace> for MemoryTable {
         }
     }
 
+    fn has_equal(&self, place: &ColumnPlace, one: usize, other: usize) -> bool {
+        matches!(self.cells(place), Some(MemoryNumbers::Integers(own)) if own.get(one) == own.get(other))
+    }
+
     fn column(
         &self,
         place: &ColumnPlace,

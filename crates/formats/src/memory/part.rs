@@ -31,6 +31,11 @@ pub(crate) trait Cells<C>: Sync {
         self.text(column, index, reading).into()
     }
 
+    /// Returns whether two cells are equal, if that is known sooner than their texts.
+    fn has_equal(&self, _column: &C, _one: usize, _other: usize) -> bool {
+        false
+    }
+
     /// Reads the values that a column takes from the cells in a range.
     fn column(&self, column: &C, range: Range<usize>, reader: CellReader) -> Result<Column, BadNumber>;
 }
@@ -183,8 +188,14 @@ impl<T: Cells<C>, C: Placed + Sync> Part<'_, T, C> {
         let keys = self.wanted.key.as_ref().map(|key| {
             let mut keys = RowKeys::default();
             let reading = self.wanted.options.table.reading;
-            for row in rows() {
-                keys.push(&self.table.key(key, self.index(row), reading));
+            let mut before = None;
+            for index in rows().map(|row| self.index(row)) {
+                let known = before.filter(|(before, _)| self.table.has_equal(key, *before, index));
+                let text = match known {
+                    Some((_, text)) => keys.push_known(text),
+                    None => keys.push(&self.table.key(key, index, reading)),
+                };
+                before = Some((index, text));
             }
             keys
         });

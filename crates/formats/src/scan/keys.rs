@@ -66,8 +66,9 @@ impl RowKeys {
 
     /// Adds the text of a row by the position that [`RowKeys::push`] returned.
     #[inline]
-    pub(crate) fn push_known(&mut self, text: u32) {
+    pub(crate) fn push_known(&mut self, text: u32) -> u32 {
         self.text_of.push(text);
+        text
     }
 }
 
