@@ -24,8 +24,8 @@ NamedColumns = list[tuple[str, Any]]
 
 def is_number(value: Any) -> bool:
     """Whether this is one number rather than a column of them."""
-    # Number has those of mpmath and sympy, too.
-    if isinstance(value, (str, numbers.Number)) or getattr(value, "shape", None) == ():
+    # Number has those of mpmath and sympy, too, but takes longer than the types before it.
+    if isinstance(value, (str, int, float, numbers.Number)) or getattr(value, "shape", None) == ():
         return True
     # A quantity of pint has the shape of its magnitude.
     if type(value).__module__.partition(".")[0] == "pint" and hasattr(value, "magnitude"):
@@ -187,7 +187,7 @@ def texts(one_or_more: Any, name: str) -> list[str]:
 
     :raises ValueError: where it is neither.
     """
-    listed: list[Any] = [one_or_more] if isinstance(one_or_more, str) else list(one_or_more) if isinstance(one_or_more, Iterable) else [None]
+    listed: list[Any] = [one_or_more] if isinstance(one_or_more, str) else list(one_or_more) if isinstance(one_or_more, (tuple, Iterable)) else [None]
     if not all(isinstance(own, str) for own in listed):
         raise ValueError(f"{name}={one_or_more!r}: expected a condition as a text, or several such texts")
     return listed
@@ -223,9 +223,9 @@ def in_memory(
         raise ValueError("x holds lists: expected one column of numbers, or two regressors as a tuple of two columns or an array of two")
     x_names = [add(own, default) for own, default in zip(phi, ["x"] if len(phi) == 1 else ["phi1", "phi2"])]
     y_name = add(y, "y")
-    eps_name = None if is_number(eps) else add(eps, "eps")
+    eps_name = None if eps is None or is_number(eps) else add(eps, "eps")
     lower_name, upper_name = add(lower, "lower"), add(upper, "upper")
-    x_eps_name = None if is_number(x_eps) else add(x_eps, "x_eps")
+    x_eps_name = None if x_eps is None or is_number(x_eps) else add(x_eps, "x_eps")
     said = {
         "x": x_names[0] if len(x_names) == 1 else x_names,
         "y": y_name,

@@ -6,6 +6,7 @@ import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, TypeVar
 
+from . import _boundfit
 from ._cells import cells, only_column
 from ._columns import Missing, NamedColumns, Number, Reading
 from ._keywords import knows
@@ -134,6 +135,9 @@ def _codes(keys: list[list[Any]], by: tuple[str, ...], nan_is_missing: bool) -> 
             return None
         return value if value == value else None if nan_is_missing else _NAN
 
+    found = _boundfit.codes(keys[0]) if len(keys) == 1 else None
+    if found is not None:
+        return found
     numbers: dict[Any, int] = {}
     try:
         own = [values if set(map(type, values)) <= {str, int} else [hashable(value) for value in values] for values in keys]

@@ -204,10 +204,14 @@ fn copied<T: Element>(name: &str, values: &Bound<'_, PyAny>) -> PyResult<Option<
     buffer.to_vec(values.py()).map(Some)
 }
 
+/// An array of Python's module of that name, of elements of a kind, from their bytes.
+pub(crate) fn array_of<'py>(py: Python<'py>, kind: &str, bytes: Vec<u8>) -> PyResult<Bound<'py, PyAny>> {
+    py.import("array")?.getattr("array")?.call1((kind, PyBytes::new(py, &bytes)))
+}
+
 /// Columns as [`table`] takes them.
 pub(crate) fn columns_of<'py>(py: Python<'py>, table: &MemoryTable) -> PyResult<Vec<NamedColumn<'py>>> {
-    let array = py.import("array")?.getattr("array")?;
-    let packed = |kind: &str, bytes: Vec<u8>| array.call1((kind, PyBytes::new(py, &bytes)));
+    let packed = |kind: &str, bytes: Vec<u8>| array_of(py, kind, bytes);
     let column = |(name, numbers): (&Foreign, &MemoryNumbers)| {
         let values = match numbers {
             MemoryNumbers::Doubles(own) => {

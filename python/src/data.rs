@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use boundfit::Reading;
 use boundfit::engine::exact::Foreign;
-use boundfit::files::{Header, InputError, MemoryTable, ScanOptions, Source};
+use boundfit::files::{Header, InputError, MemoryNumbers, MemoryTable, ScanOptions, Source};
 use boundfit::report::Origin;
 
 /// The name in messages of tables that are no file.
@@ -31,9 +31,14 @@ impl Data {
 
     /// Returns whether they are fitted in less time than a thread is worth.
     pub(crate) fn is_small(&self) -> bool {
-        const FEW: usize = 2_000;
+        const FEW_TEXTS: usize = 2_000;
+        const FEW_NUMBERS: usize = 20_000;
+        let is_short = |numbers: &MemoryNumbers| match numbers {
+            MemoryNumbers::Exact(_) | MemoryNumbers::Texts(_) => numbers.len() <= FEW_TEXTS,
+            _ => numbers.len() <= FEW_NUMBERS,
+        };
         match self {
-            Data::Columns(table) => table.columns().all(|(_, numbers)| numbers.len() <= FEW),
+            Data::Columns(table) => table.columns().all(|(_, numbers)| is_short(numbers)),
             Data::Text(..) | Data::File(_) => false,
         }
     }

@@ -19,9 +19,9 @@ use crate::waiting::waiting;
 #[pyclass(frozen, module = "boundfit._boundfit")]
 pub(crate) struct Fitted {
     /// The problem with the readings that decide, and its answer.
-    pub(crate) deciding: Answered,
+    pub(crate) deciding: Box<Answered>,
     /// The same of every reading, for what names each; made where it is asked for.
-    pub(crate) whole: OnceLock<Option<Answered>>,
+    pub(crate) whole: OnceLock<Option<Box<Answered>>>,
     pub(crate) reading: Reading,
     /// The meaning of a float.
     pub(crate) floats: Reading,
@@ -60,10 +60,11 @@ pub(crate) struct Answered {
 
 impl Answered {
     /// Answers what is asked of a problem.
-    pub(crate) fn new(question: &ask::Fit, asked: Fittable) -> Result<Self, Refusal> {
+    pub(crate) fn new(question: &ask::Fit, asked: Fittable) -> Result<Box<Self>, Refusal> {
         let mut answer = question.answer(&asked)?;
         answer.next_words = Some(next_words);
-        Ok(Answered { asked, answer })
+        // Python's objects move: both are some thousand bytes.
+        Ok(Box::new(Answered { asked, answer }))
     }
 }
 
@@ -71,7 +72,7 @@ impl Fitted {
     /// The problem and the answer with every reading.
     fn whole(&self) -> &Answered {
         let made = || Answered::new(&ask::Fit::default(), self.deciding.asked.whole()?).ok();
-        self.whole.get_or_init(made).as_ref().unwrap_or(&self.deciding)
+        self.whole.get_or_init(made).as_deref().unwrap_or(&self.deciding)
     }
 
     pub(crate) fn problem(&self) -> &Problem {

@@ -1,12 +1,15 @@
 //! Fleets and reductions of columns in memory.
 
+use std::collections::HashMap;
+use std::fmt::Write;
+
 use boundfit::Rational;
 use boundfit::ask::{Groups, Shows};
 use boundfit::files::{ColumnSelector, GroupFit, Source};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::{PyBytes, PyDict, PyInt, PyList, PyString};
 
-use crate::cells::{NamedColumn, refuse_unwritten, table};
+use crate::cells::{NamedColumn, array_of, refuse_unwritten, table};
 use crate::numbers::{outward, refuse};
 use crate::questions;
 use crate::readings::Readings;
@@ -59,7 +62,40 @@ fn error_around(centre: &Rational, error: &Rational) -> f64 {
 #[derive(Default)]
 struct Numbers {
     doubles: Vec<u8>,
-    texts: Vec<Option<String>>,
+    texts: Texts,
+}
+
+/// Texts in one buffer, so that a million of them take no memory each. An empty one stands for none.
+#[derive(Default)]
+struct Texts {
+    buffer: String,
+    lengths: Vec<usize>,
+}
+
+impl Texts {
+    fn push(&mut self, value: Option<&Rational>) {
+        let start = self.buffer.len();
+        if let Some(value) = value {
+            // A String takes whatever is written.
+            let _ = write!(self.buffer, "{value}");
+        }
+        self.lengths.push(self.buffer.len() - start);
+    }
+
+    fn append(&mut self, later: Texts) {
+        self.buffer.push_str(&later.buffer);
+        self.lengths.extend(later.lengths);
+    }
+
+    fn list<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        let mut rest = self.buffer.as_str();
+        let text = |&length: &usize| {
+            let (text, later) = rest.split_at(length);
+            rest = later;
+            (length > 0).then_some(text)
+        };
+        PyList::new(py, self.lengths.iter().map(text))
+    }
 }
 
 impl Numbers {
@@ -76,7 +112,7 @@ impl Numbers {
             (None, ..) => unbounded.unwrap_or(f64::NAN),
         };
         self.doubles.extend_from_slice(&double.to_ne_bytes());
-        self.texts.push(value.map(ToString::to_string));
+        self.texts.push(value);
     }
 }
 
@@ -129,7 +165,7 @@ impl Lines {
         self.kinds.extend(later.kinds);
         for (own, later) in self.numbers.iter_mut().zip(later.numbers) {
             own.doubles.extend(later.doubles);
-            own.texts.extend(later.texts);
+            own.texts.append(later.texts);
         }
     }
 }
@@ -161,9 +197,52 @@ pub(crate) fn fit_groups<'py>(
     for ((name, _), numbers) in NUMBERS.iter().zip(lines.numbers) {
         let name = if per_row && *name == "epsilon_min" { "epsilon_factor" } else { name };
         dict.set_item(name, PyBytes::new(py, &numbers.doubles))?;
-        dict.set_item(format!("{name}_exact"), numbers.texts)?;
+        dict.set_item(format!("{name}_exact"), numbers.texts.list(py)?)?;
     }
     Ok(dict)
+}
+
+/// A key that Python and Rust find equal for the same reasons.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Key<'a> {
+    Text(&'a str),
+    Integer(i64),
+}
+
+impl<'a> Key<'a> {
+    fn of(value: &'a Bound<'_, PyAny>) -> Option<Self> {
+        // `True` is equal to 1.
+        if value.is_exact_instance_of::<PyInt>() {
+            return value.extract().ok().map(Key::Integer);
+        }
+        let text = value.cast_exact::<PyString>().ok()?;
+        text.to_str().ok().map(Key::Text)
+    }
+}
+
+/// Numbers the groups of rows with equal keys in the order in which they first occur. Returns the number of each row's group as an array,
+/// and the first row of each group; `None` if only Python itself knows which keys are equal.
+#[pyfunction]
+pub(crate) fn codes<'py>(keys: &Bound<'py, PyList>) -> PyResult<Option<(Bound<'py, PyAny>, Vec<usize>)>> {
+    let py = keys.py();
+    let keys: Vec<_> = keys.iter().collect();
+    let (mut codes, mut first, mut numbers) = (Vec::with_capacity(keys.len()), Vec::new(), HashMap::new());
+    let mut before = None;
+    for (row, key) in keys.iter().enumerate() {
+        let Some(key) = Key::of(key) else { return Ok(None) };
+        let next = first.len() as i64;
+        // Rows of one group are often neighbours.
+        let code = match before {
+            Some((known, code)) if known == key => code,
+            _ => *numbers.entry(key).or_insert(next),
+        };
+        if code == next {
+            first.push(row);
+        }
+        before = Some((key, code));
+        codes.push(code);
+    }
+    Ok(Some((array_of(py, "q", codes.iter().flat_map(|own| own.to_ne_bytes()).collect())?, first)))
 }
 
 /// Returns the lines about every group, and whether each reading has its own bound.

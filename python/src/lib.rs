@@ -34,7 +34,7 @@ mod _boundfit {
     #[pymodule_export]
     use crate::fitted::Fitted;
     #[pymodule_export]
-    use crate::fleet::{fit_groups, reduce};
+    use crate::fleet::{codes, fit_groups, reduce};
     #[pymodule_export]
     use crate::partitions::{merge_reductions, readings_of_reductions, reduce_part};
     #[pymodule_export]

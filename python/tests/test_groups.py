@@ -151,6 +151,30 @@ def test_keys_that_differ_in_blanks_or_are_missing_are_different_keys(kind: Any)
     assert answer["theta1_central_exact"] == ["1", "2", "3", "4", "5", "6", "7"]
 
 
+@pytest.mark.parametrize(
+    "keys",
+    [
+        ["b", "a", "b", "", "a"],
+        [3, -1, 3, 10**30, -1],
+        [3, -1, 3, 3, -1],
+        ["1", 1, "1", 1],
+        [1, True, 1, False, 0],
+        [2.0, 2, 3],
+        ["\ud800", "a", "\ud800"],
+        [None, "a", None],
+        [(1, 2), (1, 3), (1, 2)],
+    ],
+    ids=repr,
+)
+def test_keys_are_equal_where_python_says_so(keys: list[Any]) -> None:
+    table = {"key": keys, "x": range(len(keys)), "y": [0] * len(keys)}
+    groups = boundfit.fit_groups(table, by="key", x="x", y="y", eps=1)
+    expected: dict[Any, int] = {}
+    for key in keys:
+        expected[key] = expected.get(key, 0) + 1
+    assert (groups["key"], list(groups["rows"])) == (list(expected), list(expected.values()))
+
+
 def test_keys_keep_names_and_types() -> None:
     frame = pandas.DataFrame(
         {
