@@ -125,7 +125,7 @@ fn nineteen_digits_are_read_as_a_prefix_where_they_fit() {
     }
 }
 
-/// Wherever a part of the text ends.
+/// Looks at several parts of a text, which end anywhere in its numbers.
 #[test]
 fn numbers_in_a_text_are_those_that_stand_alone() {
     let numbers =

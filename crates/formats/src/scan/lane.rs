@@ -33,7 +33,7 @@ pub(super) struct Lane<'a> {
     /// `true` if it has a number in one of the columns that may lack one, if there are such columns.
     is_bounded: bool,
     pub(super) batch: Batch,
-    /// What is no digit in `numbers`.
+    /// The bytes of `numbers` that are no digits.
     pub(super) others: Others,
 }
 
@@ -158,8 +158,8 @@ impl Lane<'_> {
         self.long_number(at, column)
     }
 
-    /// Returns how many units the number in the cell that starts here is, and the end of the cell; `None` where it takes more to
-    /// read it, or there is none. Quotes take more.
+    /// Returns the number in the cell that starts here, in units, and the end of the cell. `None` where it takes more to read it,
+    /// such as quotes, or there is none.
     #[inline(always)]
     pub(super) fn short_count(
         &self,
