@@ -42,7 +42,7 @@ struct Key {
     before: usize,
 }
 
-/// The numbers of a chunk that may turn out not to be short before none is taken for short any more.
+/// The numbers of a column that may turn out not to be short before none of a chunk is taken for short any more.
 const MOST_MISSES: usize = 1000;
 
 /// The cell of a key, and the position of its text among the keys.
@@ -167,15 +167,15 @@ impl<const N: usize> Way<N> {
             let columns: Vec<&mut Scaled<i64>> = columns.collect::<Option<_>>()?;
             let mut columns: [_; N] = columns.try_into().ok()?;
             let units: [NarrowUnit; N] = std::array::from_fn(|index| columns[index].narrow_unit());
-            let mut misses = if lane.is_quoted { MOST_MISSES } else { 0 };
+            let mut misses = [if lane.is_quoted { MOST_MISSES } else { 0 }; N];
             let read = |index: usize, at| {
                 let unit = &units[index];
-                let is_likely = misses < MOST_MISSES;
+                let is_likely = misses[index] < MOST_MISSES;
                 let short = if is_likely { lane.short_count(at, unit, others) } else { None };
                 let (count, end) = match short {
                     Some(short) => short,
                     None => {
-                        misses += 1;
+                        misses[index] += 1;
                         lane.count(at, unit)?
                     }
                 };
