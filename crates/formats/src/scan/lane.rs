@@ -176,7 +176,13 @@ impl Lane<'_> {
     /// [`Self::short_count`] of other numbers, too; slower.
     #[inline(never)]
     pub(super) fn count(&self, at: usize, unit: &NarrowUnit) -> Option<(NarrowCount, usize)> {
-        let Plain { mantissa, exponent, end } = self.plain_number(at)?;
+        // In quotes even short numbers come here.
+        let Plain { mantissa, exponent, end } = if self.is_quoted {
+            self.plain_number::<i64>(at)?
+        } else {
+            let Plain { mantissa, exponent, end } = self.plain_number::<i128>(at)?;
+            Plain { mantissa: i64::try_from(mantissa).ok()?, exponent, end }
+        };
         Some((unit.count(mantissa, exponent)?, end))
     }
 
