@@ -168,6 +168,7 @@ impl<const N: usize> Way<N> {
             let mut columns: [_; N] = columns.try_into().ok()?;
             let units: [NarrowUnit; N] = std::array::from_fn(|index| columns[index].narrow_unit());
             let mut misses = [if lane.is_quoted { MOST_MISSES } else { 0 }; N];
+            let mut are_long = [false; N];
             let read = |index: usize, at| {
                 let unit = &units[index];
                 let is_likely = misses[index] < MOST_MISSES;
@@ -176,7 +177,7 @@ impl<const N: usize> Way<N> {
                     Some(short) => short,
                     None => {
                         misses[index] += 1;
-                        lane.count(at, unit)?
+                        lane.count(at, unit, &mut are_long[index])?
                     }
                 };
                 (count.get() >= self.cells[index].least).then_some((count, end))
