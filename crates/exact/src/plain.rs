@@ -40,8 +40,27 @@ pub struct PlainPrefix<M = i64> {
 /// the mantissa fits. `None` when there are none, and for most texts with more. Exact. Cost: a few nanoseconds.
 #[inline(always)]
 pub fn plain_prefix(text: &[u8]) -> Option<PlainPrefix> {
-    let short = text.first_chunk().and_then(|text| short_prefix(text, others_of(text)));
-    short.map(PlainPrefix::from).or_else(|| other_prefix(text))
+    text.first_chunk().and_then(lone_prefix).or_else(|| other_prefix(text))
+}
+
+/// [`short_prefix`] of a text whose other bytes are not known. To learn them first takes longer.
+#[inline(always)]
+#[allow(clippy::indexing_slicing, reason = "at most seven digits, which the compiler sees")]
+fn lone_prefix(text: &[u8; 32]) -> Option<PlainPrefix> {
+    let negative = text[0] == b'-';
+    // Both are at hand before the sign is known.
+    let words = [text.first_chunk()?, text[1..].first_chunk()?].map(|bytes| u64::from_le_bytes(*bytes));
+    let (whole, whole_digits, next) = short_digits(if negative { words[1] } else { words[0] })?;
+    let (mut length, mut fraction, mut fraction_digits) =
+        (usize::from(negative).wrapping_add(whole_digits), 0, 0);
+    if next == b'.' {
+        let start = length.wrapping_add(1);
+        (fraction, fraction_digits, _) =
+            short_digits(u64::from_le_bytes(*text.get(start..)?.first_chunk()?))?;
+        length = start.wrapping_add(fraction_digits);
+    }
+    let short = ShortPrefix { negative, whole, fraction, fraction_digits, length };
+    (whole_digits + fraction_digits > 0).then_some(short.into())
 }
 
 /// A number of up to seven digits on either side of the point: `whole + fraction · 10^-fraction_digits`, negative or not.
@@ -159,13 +178,6 @@ fn first_digits(bytes: u64, digits: usize) -> u64 {
 fn bits_of_others(bytes: u64) -> u64 {
     // The product moves the lowest bit of each byte to a place of its own in the highest byte.
     (digits_and_others(bytes).1 >> 7).wrapping_mul(0x0102_0408_1020_4080) >> 56
-}
-
-/// The bits of sixteen bytes, as [`Others::behind`] has them.
-#[inline(always)]
-fn others_of(text: &[u8; 32]) -> u64 {
-    let [low, high] = [next_eight_bytes(text, 0), next_eight_bytes(text, 8)].map(bits_of_others);
-    low | high << 8
 }
 
 /// The number that the digits at the start of eight bytes spell, how many these are, and the first other byte, if there is one.

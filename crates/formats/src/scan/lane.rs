@@ -173,24 +173,10 @@ impl Lane<'_> {
         self.is_end_of_cell(end).then_some((unit.count_short(short)?, end))
     }
 
-    /// [`Self::short_count`] of other numbers, too; slower. `is_long` says how the number before was read, and then how this one was:
-    /// most numbers of a column are like the one before.
+    /// [`Self::short_count`] of other numbers, too; slower.
     #[inline(never)]
-    pub(super) fn count(
-        &self,
-        at: usize,
-        unit: &NarrowUnit,
-        is_long: &mut bool,
-    ) -> Option<(NarrowCount, usize)> {
-        /// Longer mantissas are read sooner as long ones.
-        const LONG: u64 = 1_000_000_000_000_000;
-        let Plain { mantissa, exponent, end } = if *is_long {
-            let Plain { mantissa, exponent, end } = self.plain_number::<i128>(at)?;
-            Plain { mantissa: i64::try_from(mantissa).ok()?, exponent, end }
-        } else {
-            self.plain_number(at)?
-        };
-        *is_long = mantissa.unsigned_abs() >= LONG;
+    pub(super) fn count(&self, at: usize, unit: &NarrowUnit) -> Option<(NarrowCount, usize)> {
+        let Plain { mantissa, exponent, end } = self.plain_number(at)?;
         Some((unit.count(mantissa, exponent)?, end))
     }
 

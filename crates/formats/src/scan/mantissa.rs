@@ -19,6 +19,7 @@ pub(super) trait Mantissa: Copy + Default + PartialEq {
 }
 
 impl Mantissa for i64 {
+    #[inline(always)]
     fn prefix(text: &[u8]) -> Option<PlainPrefix> {
         plain_prefix(text)
     }

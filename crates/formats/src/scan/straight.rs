@@ -42,8 +42,8 @@ struct Key {
     before: usize,
 }
 
-/// The numbers of a column that may turn out not to be short before none of a chunk is taken for short any more.
-const MOST_MISSES: usize = 1000;
+/// The numbers of a chunk that may turn out not to be short before none is taken for short any more.
+const MOST_MISSES: usize = 32;
 
 /// The cell of a key, and the position of its text among the keys.
 type KnownKey = (Range<usize>, u32);
@@ -139,7 +139,7 @@ impl<const N: usize> Way<N> {
         lane: &Lane,
         start: usize,
         columns: &mut [Column],
-        keys: Option<&mut RowKeys>,
+        mut keys: Option<&mut RowKeys>,
         others: &mut Others,
     ) -> Option<(usize, usize)> {
         let mut columns = columns.get_disjoint_mut(self.cells.map(|cell| cell.column)).ok()?;
@@ -167,25 +167,33 @@ impl<const N: usize> Way<N> {
             let columns: Vec<&mut Scaled<i64>> = columns.collect::<Option<_>>()?;
             let mut columns: [_; N] = columns.try_into().ok()?;
             let units: [NarrowUnit; N] = std::array::from_fn(|index| columns[index].narrow_unit());
-            let mut misses = [if lane.is_quoted { MOST_MISSES } else { 0 }; N];
-            let mut are_long = [false; N];
-            let read = |index: usize, at| {
-                let unit = &units[index];
-                let is_likely = misses[index] < MOST_MISSES;
-                let short = if is_likely { lane.short_count(at, unit, others) } else { None };
-                let (count, end) = match short {
-                    Some(short) => short,
-                    None => {
-                        misses[index] += 1;
-                        lane.count(at, unit, &mut are_long[index])?
-                    }
-                };
-                (count.get() >= self.cells[index].least).then_some((count, end))
-            };
-            let push = |row: [NarrowCount; N]| {
+            let push = |columns: &mut [&mut Scaled<i64>; N], row: [NarrowCount; N]| {
                 columns.iter_mut().zip(row).for_each(|(column, count)| column.push_narrow(count));
             };
-            return Some(self.rows::<KEYED, _>(lane, start, keys, read, push));
+            let is_allowed = |index: usize, count: NarrowCount| count.get() >= self.cells[index].least;
+            let (mut rows, mut at) = (0, start);
+            if !lane.is_quoted {
+                let mut misses = 0;
+                let read = |index: usize, at| {
+                    let (count, end) = match lane.short_count(at, &units[index], others) {
+                        Some(short) => short,
+                        None if misses < MOST_MISSES => {
+                            misses += 1;
+                            lane.count(at, &units[index])?
+                        }
+                        None => return None,
+                    };
+                    is_allowed(index, count).then_some((count, end))
+                };
+                let keys = keys.as_deref_mut();
+                (rows, at) = self.rows::<KEYED, _>(lane, at, keys, read, |row| push(&mut columns, row));
+            }
+            let read = |index: usize, at| {
+                let ((mantissa, exponent), end) = self.number::<i64>(lane, index, at)?;
+                Some((units[index].count(mantissa, exponent)?, end))
+            };
+            let (more, at) = self.rows::<KEYED, _>(lane, at, keys, read, |row| push(&mut columns, row));
+            return Some((rows + more, at));
         }
         let push = |row: [(i128, i32); N]| {
             let numbers = columns.iter_mut().zip(row);
