@@ -43,8 +43,8 @@ pub(crate) struct Clearance {
 }
 
 impl Clearance {
-    /// The clearance of the set with these vertices, which holds if that is bounded. `None` of so many that a search for the one
-    /// that matters takes less time.
+    /// Puts the vertices of a set on a grid. What the grid tells holds if the set is bounded. `None` for more than 64 vertices, where
+    /// searching for the one that matters takes less time.
     pub(crate) fn of(vertices: &[Vector]) -> Option<Self> {
         const MOST: usize = 64;
         if vertices.len() > MOST {

@@ -209,8 +209,7 @@ impl<I: Count> Scaled<I> {
 
 impl Scaled<i128> {
     /// Adds `mantissa · 10^exponent` where that is so many units that are counted already; gives `false` when it may not be.
-    /// Cost: a product of
-    /// words.
+    /// Cost: a product of words.
     #[inline]
     pub(super) fn push_word(&mut self, mantissa: i128, exponent: i32) -> bool {
         let Unit::TenTo(own) = self.unit else { return false };
