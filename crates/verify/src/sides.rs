@@ -43,7 +43,7 @@ pub(crate) struct Clearance {
 }
 
 impl Clearance {
-    /// Puts the vertices of a set on a grid. What the grid tells holds if the set is bounded. `None` for more than 64 vertices, where
+    /// Puts the vertices of a set on a grid. All that it tells holds if the set is bounded. `None` for more than 64 vertices, where
     /// searching for the one that matters takes less time.
     pub(crate) fn of(vertices: &[Vector]) -> Option<Self> {
         const MOST: usize = 64;
