@@ -124,7 +124,7 @@ fn value(option: &str, value: &str) -> String {
 pub(crate) enum Failure {
     /// Status 1: bad data, or a file that cannot be read or written.
     Data(String),
-    /// Status 2: bad usage.
+    /// Status 2: a wrong command line.
     Usage(String),
 }
 

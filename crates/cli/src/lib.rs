@@ -36,7 +36,7 @@ use crate::commands::Arguments;
 /// Runs the command that the program's arguments ask for and returns the exit status.
 /// - 0: an answer
 /// - 1: bad data or I/O
-/// - 2: bad usage
+/// - 2: a wrong command line
 /// - 3: an empty set
 /// - 4: a refuted claim or proof
 /// - 130: an interruption

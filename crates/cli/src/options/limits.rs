@@ -70,7 +70,7 @@ fn about(limit: Limit, defaults: &Defaults) -> (String, &'static str) {
         }
         Limit::Exponent => (numbers.exponent.into(), "absolute value of a decimal exponent"),
         Limit::Line => (sizes.line as u64, "bytes of one line, and of one row on several lines"),
-        Limit::Columns => (sizes.columns as u64, "columns of a table of text"),
+        Limit::Columns => (sizes.columns as u64, "columns of a table of text or of a linear program"),
         Limit::Rows => {
             (sizes.rows as u64, "rows of an .ine or .ext file or of a linear program, or rows held in memory")
         }

@@ -6,7 +6,7 @@ use std::fmt::{self, Display, Formatter};
 pub(crate) const BAD_DATA: (u8, &str) = (1, "bad data, or a file that cannot be read or written");
 
 /// Exit status 2, which every command has.
-pub(crate) const BAD_USAGE: (u8, &str) = (2, "bad usage");
+pub(crate) const BAD_USAGE: (u8, &str) = (2, "a wrong command line");
 
 /// Examples and exit statuses of a command.
 pub(crate) struct Notes {

@@ -312,7 +312,7 @@ impl Start<'_> {
     }
 
     /// The names in the comment right before the first record, if that is a row: it has as many cells, and a number. Numbers are no
-    /// names: `# run 1` above two columns is a remark.
+    /// names, and neither is a label before its text: `# run 1` and `# source: me` above two columns are remarks.
     fn commented(&self, preamble: &Preamble, first: &Found) -> Option<Vec<String>> {
         if self.options.table.header == Header::Absent {
             return None;
@@ -323,7 +323,8 @@ impl Start<'_> {
         if !first.cells.iter().any(is_number) {
             return None;
         }
-        if cells.iter().any(is_number) {
+        let labels = cells.iter().filter(|cell| cell.ends_with(b":")).count();
+        if cells.iter().any(is_number) || (1..cells.len()).contains(&labels) {
             return None;
         }
         let name = |cell: &Vec<u8>| decode(cell).ok().map(|name| name.trim().to_owned());

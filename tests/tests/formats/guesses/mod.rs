@@ -158,6 +158,15 @@ fn a_remark_names_no_columns() {
         said("integers-in-r.csv", &["x", "y"], &auto()),
         "x y: 2 5 and 2 more; names of rows in column 1 (unless commas are decimal marks)"
     );
+    // A label ends with a colon. If every cell does, the cells are names.
+    for (text, names) in [
+        ("# source: me\n1 2\n2 3\n3 5\n", "col1 col2"),
+        ("# a log\n# date:, today\n1,2\n2,3\n3,5\n", "col1 col2"),
+        ("# U: I:\n1 2\n2 3\n3 5\n", "U: I:"),
+        ("# U I\n1 2\n2 3\n3 5\n", "U I"),
+    ] {
+        assert_eq!(said_of(text, &["1", "2"], &[]).0, names, "{text:?}");
+    }
 }
 
 #[test]
