@@ -165,7 +165,7 @@ impl Asked {
             true => Measurements::read_beside(source, columns, &beside, &options.table)?,
             // Only those on the hulls decide of very many readings.
             false if are_alike => {
-                let keep = Keep { eui: false, ..Keep::default() };
+                let keep = Keep { eui: false, ..Keep::DECIDING };
                 let options = self.held(Self::ROW_COST, shows);
                 (self.question.measurements(source, &options, keep)?, Vec::new())
             }

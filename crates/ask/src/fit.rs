@@ -184,7 +184,7 @@ impl Fit {
         let confidence = self.confidence(limits)?;
         // Where the bounds are going to move, those that decide under these are not enough.
         let keeps_all = shows >= Shows::Readings || sweep.is_some() && !asked.question.columns.are_open();
-        let is_usual = !self.full && sweep.is_none() && confidence.is_none();
+        let is_usual = !self.full && confidence.is_none();
         let usual = if is_usual && !lists_all { Keep::DECIDING } else { Keep::default() };
         let keep = Keep { eui: !self.no_eui, ..if keeps_all { Keep::EVERY } else { usual } };
         let problem = asked.scanned(source, (Asked::ROW_COST, shows), keep)?;

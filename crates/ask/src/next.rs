@@ -96,7 +96,7 @@ impl Ask for Next {
         if asked.question.columns.second.is_some() {
             return Err(Refusal::Misuse(Misuse::NextOfTwoRegressors));
         }
-        let keep = Keep { eui: false, ..Keep::default() };
+        let keep = Keep { eui: false, ..Keep::DECIDING };
         let problem = asked.scanned(source, (Asked::ROW_COST, shows), keep)?;
         problem.check_work(times::NEXT, asked.most_work())?;
         let epsilon = given.map_or_else(|| common_bound(&problem), Ok)?;

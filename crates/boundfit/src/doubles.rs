@@ -36,6 +36,16 @@ pub fn problem_of_doubles(
     eps: impl Number,
     reading: Reading,
 ) -> Result<Problem, Error> {
+    problem_keeping(x, y, eps, reading, Keep::default())
+}
+
+fn problem_keeping(
+    x: &[f64],
+    y: &[f64],
+    eps: impl Number,
+    reading: Reading,
+    keep: Keep,
+) -> Result<Problem, Error> {
     let column = |name: &'static str, doubles: &[f64]| {
         let column = match reading {
             Reading::Decimal => Column::of_shortest(doubles),
@@ -52,7 +62,7 @@ pub fn problem_of_doubles(
     let epsilon = eps.exact().map_err(Error::ErrorBound)?;
     let model = Model::Line { x: "x".into() };
     let bound = ErrorBound::Uniform(epsilon);
-    let measurements = Measurements::of_columns(model, "y".into(), bound, &columns, Keep::default());
+    let measurements = Measurements::of_columns(model, "y".into(), bound, &columns, keep);
     match measurements {
         Ok(measurements) => Ok(Problem::new(measurements)),
         Err(ColumnsError::NegativeErrorBound | ColumnsError::NegativeErrorBoundOf { .. }) => {
@@ -64,7 +74,8 @@ pub fn problem_of_doubles(
     }
 }
 
-/// Fits a line to readings in slices of doubles: see [`problem_of_doubles`].
+/// Fits a line to readings in slices of doubles: see [`problem_of_doubles`]. Only some dozen readings are kept besides those that
+/// decide, so that thousands cost what they cost among millions.
 ///
 /// # Errors
 /// The errors are the ones of [`problem_of_doubles`].
@@ -81,5 +92,6 @@ pub fn problem_of_doubles(
 /// # Ok::<(), boundfit::Error>(())
 /// ```
 pub fn fit_doubles(x: &[f64], y: &[f64], eps: impl Number, reading: Reading) -> Result<Fit, Error> {
-    Ok(problem_of_doubles(x, y, eps, reading)?.fit())
+    let keep = Keep { most_rows: Keep::DECIDING.most_plain, ..Keep::DECIDING };
+    Ok(problem_keeping(x, y, eps, reading, keep)?.fit())
 }

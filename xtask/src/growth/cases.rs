@@ -37,7 +37,7 @@ const fn case(name: &'static str, data: Data, command: &'static str) -> Case {
 /// Rows of a case: some, twice and four times as many.
 pub(super) const SIZES: [usize; 3] = [250, 500, 1000];
 
-/// The rows that are just kept one by one, and one more, which are not (`Summary::MOST_ROWS`).
+/// The rows that are just kept one by one, and one more, which are not (`Keep::MOST_ROWS`).
 pub(super) const STEP: [usize; 2] = [10_000, 10_001];
 
 /// The commands that are counted at each of [`SIZES`].
@@ -91,4 +91,9 @@ pub(super) static STEPS: &[Case] = &[
     case("step 15 decimals", Data::Long, "fit DATA --x x --y y --eps 1 --no-lp --format csv"),
     case("step regressors", Data::Line, "fit DATA --x x,u --y y --eps 4 --no-lp --format csv"),
     case("step eps column", Data::Line, "fit DATA --x x --y y --eps-column e --no-lp --format csv"),
+    case("step bounds", Data::Line, "fit DATA --x x --lower lo --upper hi --no-lp --format csv"),
+    case("step sweep", Data::Line, "fit DATA --x x --y y --eps 1 --sweep 0.5..2 --no-lp"),
+    case("step x-eps", Data::Line, "fit DATA --x x --y y --eps 1 --x-eps 0.01 --no-lp --format csv"),
+    case("step predict", Data::Line, "predict DATA --x x --y y --eps 1 --at 50"),
+    case("step status", Data::Line, "status DATA --x x --y y --eps 1"),
 ];

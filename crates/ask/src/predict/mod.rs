@@ -144,8 +144,9 @@ impl Ask for Predict {
         let is_line = asked.question.columns.second.is_none();
         let law = self.law(&asked.options.table.limits, is_line)?;
         let [at, from] = self.values(asked, is_line)?;
-        let keeps_all = shows >= Shows::Readings;
-        let keep = Keep { eui: false, ..if keeps_all { Keep::EVERY } else { Keep::default() } };
+        // A law may take the range of all readings.
+        let usual = if law.is_some() { Keep::default() } else { Keep::DECIDING };
+        let keep = Keep { eui: false, ..if shows >= Shows::Readings { Keep::EVERY } else { usual } };
         let problem = asked.scanned(source, (Asked::ROW_COST, shows), keep)?;
         let bits = times::bits_of_corner(&problem);
         for values in [&at, &from] {

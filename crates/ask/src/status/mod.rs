@@ -56,13 +56,18 @@ impl Status {
     ) -> Result<(&'a Statuses, Ranking), Refusal> {
         let mut ranking = Ranking::listing(self.most_listed());
         let found = answer.statuses.get();
-        if let (Some(all), Some(statuses)) = (asked.problem.measurements.all(), found) {
-            for reading in all.iter().filter(|_| is_ranked) {
-                ranking.add(reading.clone(), statuses.status(reading));
-            }
+        if let (Some(statuses), false) = (found, is_ranked) {
             return Ok((statuses, ranking));
         }
-        if let (Some(statuses), false) = (found, is_ranked) {
+        if let (Some(all), Some(statuses)) = (asked.problem.measurements.all(), found) {
+            let deciding = statuses.deciding_readings();
+            let is_other =
+                |own: &&Measurement| deciding.binary_search_by_key(&own.row, |other| other.row).is_err();
+            let others: Vec<&Measurement> = all.iter().filter(is_other).collect();
+            Others::around(statuses.set()).rank_in_memory(&others, &mut ranking);
+            for reading in deciding {
+                ranking.add(reading.clone(), statuses.status(reading));
+            }
             return Ok((statuses, ranking));
         }
         let deciding = Deciding::new(&asked.problem, &answer.fit);

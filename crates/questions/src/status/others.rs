@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use boundfit_estimation::{Measurement, Seen};
+use boundfit_exact::Rational;
 use boundfit_geometry::grid::RoundedStrips;
 use boundfit_geometry::{Polyhedron, Region, System, Vertex, envelope};
 
@@ -49,6 +50,14 @@ impl<'a> Others<'a> {
     pub fn rank(&self, readings: &Seen<'_>, ranking: &mut Ranking) {
         let margins = (!self.corners.is_empty()).then(|| self.margins(&readings.strips()));
         let readings = (0..readings.count()).map(|place| move || readings.reading(place));
+        self.rank_each(readings, margins.unwrap_or_default(), ranking);
+    }
+
+    /// Adds readings in memory to a ranking, as [`Others::rank`] does. Exact. Cost: that of rounding five numbers for each reading that
+    /// certainly comes after all that the ranking lists.
+    pub fn rank_in_memory(&self, readings: &[&Measurement], ranking: &mut Ranking) {
+        let margins = (!self.corners.is_empty()).then(|| self.margins(&strips(readings)));
+        let readings = readings.iter().map(|&reading| || reading.clone());
         self.rank_each(readings, margins.unwrap_or_default(), ranking);
     }
 
@@ -100,11 +109,22 @@ impl<'a> Others<'a> {
     }
 }
 
+/// Readings on floats that lie within their bounds.
+fn strips(readings: &[&Measurement]) -> RoundedStrips {
+    let inside = |own: Option<Rational>, without: f64, inwards: fn(f64) -> f64| {
+        own.map_or(without, |own| inwards(own.to_f64()))
+    };
+    RoundedStrips {
+        phi: [0, 1].map(|k| readings.iter().map(|own| own.regressor[k].to_f64()).collect()),
+        lower: readings.iter().map(|own| inside(own.lower(), f64::NEG_INFINITY, f64::next_up)).collect(),
+        upper: readings.iter().map(|own| inside(own.upper(), f64::INFINITY, f64::next_down)).collect(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use std::cell::Cell;
 
-    use boundfit_exact::Rational;
     use boundfit_geometry::Inequality;
 
     use super::*;
@@ -113,15 +133,6 @@ mod tests {
     fn word(state: &mut u64) -> i64 {
         *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (*state >> 40) as i64 - (1 << 23)
-    }
-
-    fn strips(readings: &[Measurement]) -> RoundedStrips {
-        let bound = |own: Option<Rational>, towards: fn(f64) -> f64| towards(own.unwrap().to_f64());
-        RoundedStrips {
-            phi: [0, 1].map(|k| readings.iter().map(|own| own.regressor[k].to_f64()).collect()),
-            lower: readings.iter().map(|own| bound(own.lower(), f64::next_up)).collect(),
-            upper: readings.iter().map(|own| bound(own.upper(), f64::next_down)).collect(),
-        }
     }
 
     #[test]
@@ -149,7 +160,8 @@ mod tests {
                 Measurement::around(row, [x, Rational::one()], y, half_width)
             };
             let readings: Vec<Measurement> = (1..=50).map(|row| reading(&mut state, row)).collect();
-            for (reading, margin) in readings.iter().zip(others.margins(&strips(&readings))) {
+            let every: Vec<&Measurement> = readings.iter().collect();
+            for (reading, margin) in readings.iter().zip(others.margins(&strips(&every))) {
                 if margin == f64::NEG_INFINITY {
                     continue;
                 }
@@ -192,7 +204,8 @@ mod tests {
                     own.clone()
                 };
                 let each = part.iter().map(|own| || look(own));
-                others.rank_each(each, others.margins(&strips(part)), &mut ranking);
+                let every: Vec<&Measurement> = part.iter().collect();
+                others.rank_each(each, others.margins(&strips(&every)), &mut ranking);
                 merged.merge(ranking);
                 // One part of a hundred readings tells the others what comes too late.
                 if part.len() == 1 + 13 * 8 {
