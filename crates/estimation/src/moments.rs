@@ -3,12 +3,12 @@
 use std::borrow::Borrow;
 use std::ops::{Mul, Sub};
 
-use boundfit_exact::{Rational, Sum};
+use boundfit_exact::{Integer, Rational, Sum};
 
 /// Bits of an `i128` without its sign.
 pub(crate) const SUM_BITS: u32 = 127;
 /// Bits of an `i64` without its sign.
-const WORD_BITS: u32 = 63;
+pub(crate) const WORD_BITS: u32 = 63;
 
 /// N, Σu², Σuv, Σv², Σuy and Σvy over readings y ≈ u·θ1 + v·θ2: ΦᵀΦ = (Σu², Σuv; Σuv, Σv²) and Φᵀy = (Σuy, Σvy). For
 /// a line u is x and v is 1.
@@ -87,6 +87,28 @@ impl Sums<i128> {
         };
         let [uu, uy] = [u, y].map(|other| u.sum_of_products(other));
         Some(Sums { count, uu, uv, vv, uy, vy })
+    }
+}
+
+impl Sums<Integer> {
+    /// The sums of a line over integers x of at most 62 bits, of which the first and the last are near to each other and far from 0.
+    /// Times in a part of a table are such x. Products of differences from the first x need fewer bits. `None` for other x. Exact.
+    /// Cost: linear.
+    pub(crate) fn of_near(x: &[i64], y: &[i64]) -> Option<Self> {
+        /// The bits that differences must save, or else they do not pay for their making.
+        const LEAST_SAVED: u32 = 8;
+        let (&base, &last) = (x.first()?, x.last()?);
+        let [own, apart] = [base.unsigned_abs(), base.abs_diff(last)].map(|size| bits(size.into()));
+        if 2 * own + bits(x.len() as u128) <= WORD_BITS || apart + LEAST_SAVED > own {
+            return None;
+        }
+        // Differences of integers of 62 bits fit into 64.
+        let offsets: Vec<i64> = x.iter().map(|count| count.wrapping_sub(base)).collect();
+        let Sums { count, uu, uv, vv, uy, vy } = Sums::of_integers(&offsets, None, y)?.map(Integer::from);
+        let base = Integer::from(base);
+        let all = &base * &vv;
+        let twice = &uv + &uv;
+        Some(Sums { count, uu: uu + (twice + &all) * &base, uv: uv + all, uy: uy + base * &vy, vv, vy })
     }
 }
 
@@ -198,5 +220,34 @@ mod tests {
             }
         }
         assert!((20..2000).contains(&missing), "{missing}");
+    }
+
+    /// Times of either sign, in the order of time or not, some so far apart that products of differences need 128 bits.
+    #[test]
+    fn sums_over_near_integers_are_those_over_fractions() {
+        let mut seed = 7_u64;
+        let mut below = |size: i64| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 1) as i64 % size
+        };
+        let mut found = [0; 2];
+        for round in 0..2000_u32 {
+            let size = 1 << [25, 40, 61][round as usize % 3];
+            let (base, spread) = (below(size), (1 + below(size)) >> (round % 60));
+            let sign = if round % 5 == 0 { -1 } else { 1 };
+            let count = 1 + below(60);
+            let mut x: Vec<i64> =
+                (0..count).map(|_| sign * (base + below(spread + 1)).min((1 << 62) - 1)).collect();
+            if round % 2 == 0 {
+                x.sort_unstable();
+            }
+            let y: Vec<i64> = (0..count).map(|_| below(1 << 50) - (1 << 49)).collect();
+            let Some(sums) = Sums::of_near(&x, &y) else { continue };
+            let row = |k: usize| [x[k], 1, y[k]].map(Rational::from);
+            let expected = Sums::of_numbers((0..x.len()).map(row)).total();
+            assert_eq!(sums.map(Rational::from), expected, "{x:?} {y:?}");
+            found[usize::from(Sums::of_integers(&x, None, &y).is_none())] += 1;
+        }
+        assert!(found.iter().all(|&own| own > 100), "{found:?}");
     }
 }

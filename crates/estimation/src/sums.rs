@@ -89,9 +89,11 @@ impl Sums<Sum> {
 
 /// The sums on machine integers, unless one of them might not fit.
 pub(crate) fn of_narrow(u: &Scaled<i64>, v: Option<&Scaled<i64>>, y: &Scaled<i64>) -> Option<Sums<Sum>> {
-    let counts = Sums::of_integers(u.counts(), v.map(Scaled::counts), y.counts())?;
+    let near = || if v.is_none() { Sums::of_near(u.counts(), y.counts()) } else { None };
+    let any = || Sums::of_integers(u.counts(), v.map(Scaled::counts), y.counts());
+    let counts = near().or_else(|| Some(any()?.map(Integer::from)))?;
     let units = [u.unit(), v.map_or(Unit::Any, Scaled::unit), y.unit()];
-    Some(Sums::of_units(counts.map(Integer::from), units))
+    Some(Sums::of_units(counts, units))
 }
 
 fn of_doubles(x: &[f64], y: &[f64]) -> Sums<Sum> {

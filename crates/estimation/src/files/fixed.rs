@@ -156,8 +156,8 @@ impl<'a> FixedBounds<'a> {
         let count = columns.first().map_or(0, Column::len);
         let reading = |row: usize| self.meaning.of_columns(columns, row, number(row));
         let tied = |row: usize| TiedReading::alone(reading(row));
-        let known = self.sieve.get();
         let strips = self.strips(columns, number);
+        let known = self.sieve.get().filter(|known| !known.sieve.is_beside(&strips));
         let exact = |row: usize| reading(row).regressor;
         let mut through = Vec::new();
         let mut left = match known {

@@ -53,7 +53,11 @@ impl SharedSieve {
         const RARE: usize = 16;
         let current = self.current.read().ok()?;
         let sieve = current.as_ref()?.rounded.as_ref()?;
-        let survivors = sieve.survivors(&x.rounded()?, &y.rounded()?);
+        let x = x.rounded()?;
+        if sieve.is_beside(&x) {
+            return None;
+        }
+        let survivors = sieve.survivors(&x, &y.rounded()?);
         (survivors.len() * RARE <= x.len()).then_some(survivors)
     }
 

@@ -1,5 +1,7 @@
 //! The positions of the x of a line, as the EUI needs them; they are known only when all readings have been seen.
 
+use std::cell::OnceCell;
+
 use boundfit_exact::{
     Column, Count, DecimalSum, DoubleSum, Dyadic, Long, LongTotal, Rational, Scaled, Sum, Unit, WideSum,
     compare_words,
@@ -74,15 +76,20 @@ impl Thresholds {
     }
 
     fn of_scaled<I: Count>(&self, x: &Scaled<I>) -> Spread {
-        let unit = x.unit().value();
+        let (counts, unit) = (x.counts(), x.unit().value());
+        let (Some(least), Some(most)) = (counts.iter().min(), counts.iter().max()) else {
+            return Spread::default();
+        };
+        let ends: [i128; 2] = [*least, *most].map(I::into);
+        let terms = || counts.iter().map(|&count| count.into());
+        let all = OnceCell::new();
         Spread::of_counts(self.in_units(x.unit()).map(|threshold| {
-            let above = x.counts().iter().map(|&count| count.into()).filter(|count| *count > threshold);
-            let (mut count, mut sum) = (0, WideSum::default());
-            above.for_each(|term| {
-                count += 1;
-                sum.add(term);
-            });
-            (count, Rational::from(sum.total()) * &unit)
+            // Where x ascend, all x of most parts are on one side.
+            match ends.map(|end| end > threshold) {
+                [_, false] => (0, Rational::zero()),
+                [true, true] => all.get_or_init(|| total(terms(), &unit)).clone(),
+                [false, true] => total(terms().filter(|count| *count > threshold), &unit),
+            }
         }))
     }
 
@@ -106,6 +113,16 @@ impl Thresholds {
             floor.to_i128().unwrap_or(if floor.is_negative() { i128::MIN } else { i128::MAX })
         })
     }
+}
+
+/// Returns the number of some counts of a unit, and what they come to. Exact.
+fn total(terms: impl Iterator<Item = i128>, unit: &Rational) -> (usize, Rational) {
+    let (mut count, mut sum) = (0, WideSum::default());
+    terms.for_each(|term| {
+        count += 1;
+        sum.add(term);
+    });
+    (count, Rational::from(sum.total()) * unit)
 }
 
 impl Spread {
@@ -157,5 +174,39 @@ impl Spread {
         let determinant = count * xx - x * x;
         let negative = if x.is_zero() { Rational::zero() } else { x * beyond_x - xx * beyond };
         [slope, determinant + negative * two]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Thresholds left and right of all x, among them, and at some; words, wider integers, and none.
+    #[test]
+    fn integers_spread_like_fractions() {
+        let mut seed = 6_u64;
+        let mut below = |size: i64| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 33) as i64 % size
+        };
+        let mut sides = [0; 3];
+        for round in 0..3000_usize {
+            let (far, unit) =
+                ([0, 40, -40, 1 << 40][round % 4], [Unit::TenTo(-2), Unit::OneOver(3)][round % 2]);
+            let factor = if round % 3 == 0 { 1 << 70 } else { 1 };
+            let counts: Vec<i128> =
+                (0..below(20)).map(|_| i128::from(far + below(30) - 15) * factor).collect();
+            let column = Column::of_counts(counts.iter().copied(), unit);
+            let values = [(); 3].map(|()| unit.times(i128::from(far + below(60) - 30) * factor));
+            for value in &values {
+                let above = counts.iter().filter(|&&count| unit.times(count) > *value).count();
+                let side = usize::from(above > 0) + usize::from(above == counts.len());
+                sides[side] += usize::from(!counts.is_empty());
+            }
+            let fractions = Column::Fractions((0..column.len()).map(|row| column.get(row)).collect());
+            let thresholds = Thresholds { values };
+            assert_eq!(thresholds.of_column(&column), thresholds.of_column(&fractions), "{round} {counts:?}");
+        }
+        assert!(sides.iter().all(|&own| own > 1000), "{sides:?}");
     }
 }

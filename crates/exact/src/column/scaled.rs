@@ -14,7 +14,7 @@ pub struct Scaled<I> {
 }
 
 /// The integers of a column, and how large they may be.
-pub trait Count: Copy + Eq + Into<i128> {
+pub trait Count: Copy + Ord + Into<i128> {
     /// 1.
     const ONE: Self;
     /// The number of bits that every magnitude keeps to.

@@ -4,14 +4,14 @@ use std::ops::Range;
 
 use boundfit_exact::{
     DecimalMark, LONG_DIGITS, NarrowCount, NarrowUnit, Others, PlainPrefix, Reading, exponent_prefix,
-    long_prefix, nearest_double, short_prefix,
+    long_prefix, nearest_double, short_prefix, word_prefix,
 };
-use memchr::{memchr, memchr_iter, memchr2, memchr3, memrchr};
+use memchr::{memchr, memchr_iter, memchr3, memrchr};
 
 use super::batch::Batch;
 use super::layout::Layout;
 use super::mantissa::{Mantissa, Plain};
-use super::route::{Route, Step, What};
+use super::route::{Route, Step, What, first_end};
 use super::rows;
 use super::values::Mark;
 use crate::columns::{ColumnSelector, Role};
@@ -171,6 +171,21 @@ impl Lane<'_> {
         let short = short_prefix(text, others.behind(self.numbers, at))?;
         let end = at + short.length;
         self.is_end_of_cell(end).then_some((unit.count_short(short)?, end))
+    }
+
+    /// [`Self::short_count`] of more digits.
+    #[inline(never)]
+    pub(super) fn word_count(
+        &self,
+        at: usize,
+        unit: &NarrowUnit,
+        others: &mut Others,
+    ) -> Option<(NarrowCount, usize)> {
+        let text = self.numbers.get(at..)?.first_chunk()?;
+        let PlainPrefix { mantissa, fraction_digits, length } =
+            word_prefix(text, others.behind(self.numbers, at))?;
+        let end = at + length;
+        self.is_end_of_cell(end).then_some((unit.count(mantissa, -fraction_digits)?, end))
     }
 
     /// [`Self::short_count`] of other numbers, too; slower.
@@ -372,11 +387,13 @@ impl Lane<'_> {
         self.after_cell(at)
     }
 
-    /// The start of the next cell of the same row, from the start of a cell that is not empty.
+    /// The start of the next cell of the same row, from the start of a cell that is not empty. Not inlined: at the end of a cell, the
+    /// usual place, it would only be in the way.
+    #[inline(never)]
     fn after_cell(&self, at: usize) -> Option<usize> {
         let at = self.after_quotes(at)?;
         let rest = self.chunk.get(at..)?;
-        let length = memchr2(self.layout.syntax.delimiter, b'\n', rest)?;
+        let length = first_end(rest, self.layout.syntax.delimiter)?;
         (rest.get(length) == Some(&self.layout.syntax.delimiter)).then_some(at + length + 1)
     }
 
@@ -396,7 +413,7 @@ impl Lane<'_> {
         }
         let at = self.after_quotes(at)?;
         let rest = self.chunk.get(at..)?;
-        match memchr2(self.layout.syntax.delimiter, b'\n', rest) {
+        match first_end(rest, self.layout.syntax.delimiter) {
             Some(length) if rest.get(length) == Some(&b'\n') => Some(at + length + 1),
             Some(_) => None,
             None => Some(self.chunk.len()),

@@ -98,11 +98,10 @@ impl Corners {
 
     /// Returns whether a1/a2 is between those of the edges, or the same as one of them.
     #[inline]
-    pub(super) fn is_between_edges(&self, [a1, a2]: [f64; 2], exact: impl Fn() -> [Rational; 2]) -> bool {
+    pub(super) fn is_between_edges(&self, normal: [f64; 2], exact: impl Fn() -> [Rational; 2]) -> bool {
         let is_turned = |edge: &Edge, sign: f64| {
-            let (p, q) = (a1 * edge.rounded[1], a2 * edge.rounded[0]);
-            let turn = (p - q) * sign;
-            let margin = MARGIN * (p.abs() + q.abs());
+            let (turn, margin) = edge.turn_to(normal);
+            let turn = turn * sign;
             if turn > margin {
                 return true;
             }
@@ -114,5 +113,20 @@ impl Corners {
             turn.is_zero() || (turn.sign() == Sign::Positive) == (sign > 0.0)
         };
         is_turned(&self.edges[0], 1.0) && is_turned(&self.edges[1], -1.0)
+    }
+
+    /// Returns whether a1/a2 is certainly not between those of the edges.
+    pub(super) fn is_beside_edges(&self, normal: [f64; 2]) -> bool {
+        let [first, last] = self.edges.each_ref().map(|edge| edge.turn_to(normal));
+        first.0 < -first.1 || last.0 > last.1
+    }
+}
+
+impl Edge {
+    /// Returns a number with the sign of the turn to another normal, and the margin from which on the sign is certain.
+    #[inline]
+    fn turn_to(&self, [a1, a2]: [f64; 2]) -> (f64, f64) {
+        let (p, q) = (a1 * self.rounded[1], a2 * self.rounded[0]);
+        (p - q, MARGIN * (p.abs() + q.abs()))
     }
 }

@@ -75,6 +75,23 @@ impl EnvelopeSieve {
         left
     }
 
+    /// Returns whether most of some readings, taken at equal distances, are steeper or flatter than an unbounded edge. The sieve
+    /// discards none of these. Where x ascend, all readings are steeper than those before.
+    pub fn is_beside(&self, strips: &RoundedStrips) -> bool {
+        /// The number of readings that are looked at.
+        const SOME: usize = 16;
+        let is_beside = |corners: &Option<Corners>, normal: [f64; 2]| {
+            corners.as_ref().is_some_and(|corners| corners.is_beside_edges(normal))
+        };
+        let rows = || (0..strips.len()).step_by(strips.len().div_ceil(SOME).max(1));
+        let beside = rows().filter(|&row| {
+            let [a1, a2] = strips.strip(row).phi;
+            let slope = if a2 < 0.0 { -a1 } else { a1 };
+            is_beside(&self.above, [slope, a2.abs()]) || is_beside(&self.below, [-slope, a2.abs()])
+        });
+        2 * beside.count() > rows().count()
+    }
+
     /// Returns whether both half-planes of a reading certainly touch no envelope of the whole. `exact` gives its φ, and is asked only
     /// where this is not much steeper or flatter than an unbounded edge.
     #[inline]
@@ -184,5 +201,34 @@ mod tests {
             }
         }
         assert!(discarded.iter().all(|&count| count > 5_000), "{discarded:?}");
+    }
+
+    #[test]
+    fn readings_of_which_most_are_steeper_or_flatter_are_noticed() {
+        let reading = |x: i64| [x, 1, 2 * x - 5 - x * x % 3, 2 * x + 5 + x * x % 4];
+        let system = System::new((0..30).map(reading).flat_map(strip));
+        let half_planes: Vec<HalfPlane> = system
+            .constraints()
+            .iter()
+            .filter_map(|own| if let Constraint::HalfPlane(own) = own { Some(own.clone()) } else { None })
+            .collect();
+        let sieve = EnvelopeSieve::new(&half_planes);
+        for (x, expected) in [(0..30, false), (30..70, true), (-40..0, true), (10..40, false), (10..60, true)]
+        {
+            for sign in [1.0, -1.0] {
+                let numbers =
+                    |place: usize| x.clone().map(move |x| reading(x)[place] as f64 * sign).collect();
+                let [lower, upper] = if sign > 0.0 { [2, 3] } else { [3, 2] };
+                let phi = [numbers(0), numbers(1)];
+                let strips = RoundedStrips { phi, lower: numbers(lower), upper: numbers(upper) };
+                assert_eq!(sieve.is_beside(&strips), expected, "{x:?} {sign}");
+                let exact = |row: usize| {
+                    [x.start + row as i64, 1].map(|own| Rational::from(own) * Rational::from(sign as i64))
+                };
+                let survivors = sieve.survivors(&strips, exact);
+                assert!(!expected || 2 * survivors.len() > strips.len(), "{x:?} {survivors:?}");
+            }
+        }
+        assert!(!sieve.is_beside(&RoundedStrips::default()));
     }
 }

@@ -236,6 +236,15 @@ impl<C: Coordinate, I: Index<C>> Filter<C, I> {
         x.is_within(self.least, self.greatest) & (y > above.at(offset)) & (y < below.at(offset))
     }
 
+    /// Returns whether most of some rows, taken at equal distances, are left or right of the sample. The filter discards none of
+    /// these. Where x ascend, all rows are right of those before.
+    pub(super) fn is_beside(&self, x: &[C]) -> bool {
+        /// The number of rows that are looked at.
+        const SOME: usize = 16;
+        let some = || x.iter().step_by(x.len().div_ceil(SOME).max(1));
+        2 * some().filter(|x| !x.is_within(self.least, self.greatest)).count() > some().count()
+    }
+
     /// Positions of the rows that may be on a hull, ascending.
     pub(super) fn survivors(&self, x: &[C], y: &[C]) -> Vec<usize> {
         if let Some(strip) = &self.strip {

@@ -26,6 +26,11 @@ impl RoundedSieve {
         Some(RoundedSieve { equal, corners: Filter::of_all_sizes(&sample)? })
     }
 
+    /// Returns whether most of some rounded x, taken at equal distances, are left or right of the points: the sieve discards few rows.
+    pub fn is_beside(&self, x: &[f64]) -> bool {
+        self.equal.is_beside(x)
+    }
+
     /// Positions, ascending, of the rows of two rounded columns of equal length that are not certainly strictly between the
     /// hulls. Cost: linear.
     pub fn survivors(&self, x: &[f64], y: &[f64]) -> Vec<usize> {

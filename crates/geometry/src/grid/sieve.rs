@@ -38,6 +38,9 @@ impl Sieve {
         /// The number of rows of which at most one may remain; if more remain, the points did not come from these
         /// data.
         const RARE: usize = 16;
+        if self.filter.is_beside(x) {
+            return touching_of_columns(x, y, row, most);
+        }
         let listing = Listing { row, most };
         let survivors = self.filter.survivors(x, y);
         let places = match &self.hulls {
@@ -54,6 +57,23 @@ impl Sieve {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rows_of_which_most_are_beside_the_points_are_noticed() {
+        let known: Vec<GridPoint> = (0..100).map(|x| GridPoint::of_row(x, x * x % 7, x as u64)).collect();
+        let sieve = Sieve::new(&known).unwrap();
+        for (x, expected) in [
+            (0..100, false),
+            (100..200, true),
+            (-200..0, true),
+            (50..140, false),
+            (50..180, true),
+            (-90..190, true),
+            (0..0, false),
+        ] {
+            assert_eq!(sieve.filter.is_beside(&x.clone().collect::<Vec<i64>>()), expected, "{x:?}");
+        }
+    }
 
     /// Steps so few that many points are strictly within an edge; sometimes all on one line.
     #[test]
