@@ -13,6 +13,8 @@ def cells(values: Any, name: str, reading: str = "decimal") -> Any:
     """
     if isinstance(values, list):
         return values
+    if type(values).__module__ == "numpy":
+        return _of_numpy(values, name, reading)
     if hasattr(values, "toarray"):
         # A sparse matrix.
         values = values.toarray()

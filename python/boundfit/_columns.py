@@ -92,6 +92,8 @@ def flag(value: Any, name: str) -> bool:
 
     :raises ValueError: where it is none.
     """
+    if value is True or value is False:
+        return value
     if not _is_truth(value):
         raise ValueError(f"{name}={value!r}: expected True or False")
     return bool(value)
@@ -187,6 +189,8 @@ def texts(one_or_more: Any, name: str) -> list[str]:
 
     :raises ValueError: where it is neither.
     """
+    if isinstance(one_or_more, tuple) and not one_or_more:
+        return []
     listed: list[Any] = [one_or_more] if isinstance(one_or_more, str) else list(one_or_more) if isinstance(one_or_more, (tuple, Iterable)) else [None]
     if not all(isinstance(own, str) for own in listed):
         raise ValueError(f"{name}={one_or_more!r}: expected a condition as a text, or several such texts")
@@ -211,39 +215,51 @@ def in_memory(
     """The columns of a call in the order of their roles, and what is asked about them."""
     taken: set[str] = set()
     columns: NamedColumns = []
+    # The compiled part reads every key: one that says nothing is left out.
+    said: dict[str, Any] = {}
 
-    def add(values: Any, default: str) -> str | None:
-        if values is None:
-            return None
+    def add(values: Any, key: str, default: str) -> None:
         columns.append((named(values, default, taken), cells(values, default, reading)))
-        return quoted(columns[-1][0])
+        said[key] = quoted(columns[-1][0])
 
     phi = regressors(x)
-    if len(phi) == 1 and _holds_lists(phi[0]):
-        raise ValueError("x holds lists: expected one column of numbers, or two regressors as a tuple of two columns or an array of two")
-    x_names = [add(own, default) for own, default in zip(phi, ["x"] if len(phi) == 1 else ["phi1", "phi2"])]
-    y_name = add(y, "y")
-    eps_name = None if eps is None or is_number(eps) else add(eps, "eps")
-    lower_name, upper_name = add(lower, "lower"), add(upper, "upper")
-    x_eps_name = None if x_eps is None or is_number(x_eps) else add(x_eps, "x_eps")
-    said = {
-        "x": x_names[0] if len(x_names) == 1 else x_names,
-        "y": y_name,
-        "eps": None if eps_name else eps,
-        "eps_column": eps_name,
-        "lower": lower_name,
-        "upper": upper_name,
-        "where": texts(where, "where") or None,
-        "through_origin": flag(through_origin, "through_origin"),
-        "x_origin": x_origin,
-        "reading": reading,
-        "missing": missing,
-        "x_eps": None if x_eps_name else x_eps,
-        "x_eps_column": x_eps_name,
-        "strong": flag(strong, "strong"),
-    }
-    # Most of it is not said, and each key would be read once more.
-    return columns, {key: value for key, value in said.items() if value is not None and value is not False}
+    if len(phi) == 1:
+        if _holds_lists(phi[0]):
+            raise ValueError("x holds lists: expected one column of numbers, or two regressors as a tuple of two columns or an array of two")
+        add(phi[0], "x", "x")
+    else:
+        for own, key in zip(phi, ["phi1", "phi2"], strict=True):
+            add(own, key, key)
+        said["x"] = [said.pop("phi1"), said.pop("phi2")]
+    if y is not None:
+        add(y, "y", "y")
+    if eps is not None:
+        if is_number(eps):
+            said["eps"] = eps
+        else:
+            add(eps, "eps_column", "eps")
+    if lower is not None:
+        add(lower, "lower", "lower")
+    if upper is not None:
+        add(upper, "upper", "upper")
+    if x_eps is not None:
+        if is_number(x_eps):
+            said["x_eps"] = x_eps
+        else:
+            add(x_eps, "x_eps_column", "x_eps")
+    if conditions := texts(where, "where"):
+        said["where"] = conditions
+    if flag(through_origin, "through_origin"):
+        said["through_origin"] = True
+    if x_origin is not None:
+        said["x_origin"] = x_origin
+    if reading != "decimal":
+        said["reading"] = reading
+    if missing != "refuse":
+        said["missing"] = missing
+    if flag(strong, "strong"):
+        said["strong"] = True
+    return columns, said
 
 
 DELIMITERS = {",": "comma", ";": "semicolon", "\t": "tab", " ": "space", "|": "pipe"}

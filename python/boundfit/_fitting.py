@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from typing import Unpack, overload
 
 from . import _boundfit
-from ._asking import How, Name, Table, ask, readings, readings_of_file
-from ._columns import Column, Missing, Number, Reading
+from ._asking import How, Name, Table, ask, readings_of_file
+from ._columns import Column, Missing, Number, Reading, in_memory
 from ._fit import Fit
 from ._keywords import knows
 from ._x_errors import XErrorFit
@@ -91,7 +91,7 @@ def fit(
     >>> through.pui.theta1.upper_proof[0]
     Term(row=2, bound='upper', multiplier=Fraction(1, 2))
     """
-    asked = readings(
+    columns, question = in_memory(
         x,
         y,
         eps,
@@ -105,7 +105,7 @@ def fit(
         x_eps=x_eps,
         strong=strong,
     )
-    return _fitted(asked, x_eps is not None, eui, confidence)
+    return _fitted(_boundfit.readings_of_columns(columns, question), x_eps is not None, eui, confidence)
 
 
 @overload

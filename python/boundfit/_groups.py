@@ -70,7 +70,7 @@ def fit_groups(
     if isinstance(frame, (str, bytes)) or not hasattr(frame, "__getitem__"):
         raise ValueError(f"frame is of type {type(frame).__name__}: expected a frame, or a dictionary of columns")
     given = {name: _column(frame, name) for name in own.columns}
-    keys = [_listed(_counted(given[name]), name) for name in own.by]
+    keys = [_key(_counted(given[name]), name, len(own.by) == 1) for name in own.by]
     columns = [(name, cells(given[role], role, reading)) for name, role in zip(unique(own.roles), own.roles, strict=True)]
     ids = None if id is None else _listed(given[id], id)
     named = [] if id is None else [(id, ids)]
@@ -113,6 +113,21 @@ def _counted(values: Any) -> Any:
     return values
 
 
+def _key(values: Any, name: str, is_alone: bool) -> Any:
+    """A column of a key as a list, or as a buffer of integers where the compiled part numbers them as they are."""
+    if is_alone and _are_integers(values):
+        return cells(values, name)
+    return _listed(values, name)
+
+
+def _are_integers(values: Any) -> bool:
+    """Whether a column is one of numpy, pandas or polars in which every cell is an integer that is stored as such."""
+    kind = getattr(values, "dtype", None)
+    if _module(values) == "polars":
+        return bool(kind.is_integer()) and values.null_count() == 0 and "128" not in str(kind)
+    return _module(kind) == "numpy" and kind.kind in "iu" and getattr(values, "ndim", 1) == 1
+
+
 def _listed(values: Any, name: str) -> list[Any]:
     for method in ("to_pylist", "to_list", "tolist"):
         if hasattr(values, method):
@@ -126,7 +141,7 @@ def _listed(values: Any, name: str) -> list[Any]:
 _NAN = object()
 
 
-def _codes(keys: list[list[Any]], by: tuple[str, ...], nan_is_missing: bool) -> tuple[Any, list[int]]:
+def _codes(keys: list[Any], by: tuple[str, ...], nan_is_missing: bool) -> tuple[Any, list[int]]:
     """Of each row the number of its group, in the order in which they first occur, and of each group its first row. Keys are equal
     where the frame's library says so: a missing key is one, and a NaN is itself, which pandas takes for missing."""
 
@@ -138,6 +153,7 @@ def _codes(keys: list[list[Any]], by: tuple[str, ...], nan_is_missing: bool) -> 
     found = _boundfit.codes(keys[0]) if len(keys) == 1 else None
     if found is not None:
         return found
+    keys = [_listed(values, name) for values, name in zip(keys, by, strict=True)]
     numbers: dict[Any, int] = {}
     try:
         own = [values if set(map(type, values)) <= {str, int} else [hashable(value) for value in values] for values in keys]
@@ -248,7 +264,7 @@ def _framed(frame: Any, keys: dict[str, Any], first: list[int], answer: dict[str
             import polars
 
             kinds = {name: polars.String if is_text(name) else polars.Int64 if name == "rows" else polars.Float64 for name in answer}
-            columns = [polars.Series(name, list(values), kinds[name]) for name, values in answer.items()]
+            columns = [polars.Series(name, values, kinds[name]) for name, values in answer.items()]
             columns = [own.fill_nan(None) if own.dtype == polars.Float64 else own for own in columns]
             return polars.DataFrame([values.gather(first) for values in keys.values()] + columns)
         case "pyarrow":

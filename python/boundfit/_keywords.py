@@ -22,7 +22,7 @@ def knows(*more: Iterable[str], refuses: Iterable[str] = ()) -> Callable[[Callab
 
         @wraps(function)
         def called(*given: Given.args, **how: Given.kwargs) -> Answered:
-            if not how.keys() <= known:
+            if how and not how.keys() <= known:
                 name = next(name for name in how if name not in known)
                 raise TypeError(f"{function.__name__}() got an unexpected keyword argument {name!r}{_meant(name, offered)}")
             return function(*given, **how)

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 
 use crate::data::IN_MEMORY;
 use crate::forms::named;
-use crate::numbers::{Given, Number, outward, pair, refuse};
+use crate::numbers::{Given, Number, pair, refuse};
 use crate::questions::in_words;
 use crate::waiting::waiting;
 
@@ -262,8 +262,8 @@ impl Fitted {
             let row = |(phi1, phi2): (&f64, &f64)| {
                 let form = [phi1.exact().ok()?, phi2.exact().ok()?];
                 let [lower, upper] = self.range_of(&form)?;
-                let lower = lower.value().map_or(f64::NEG_INFINITY, |value| outward(value, false));
-                Some((lower, upper.value().map_or(f64::INFINITY, |value| outward(value, true))))
+                let lower = lower.value().map_or(f64::NEG_INFINITY, Rational::floor_to_f64);
+                Some((lower, upper.value().map_or(f64::INFINITY, Rational::ceil_to_f64)))
             };
             phi1.iter().zip(&phi2).map(|own| row(own).unwrap_or((f64::NAN, f64::NAN))).unzip()
         });

@@ -1,16 +1,15 @@
 //! Fleets and reductions of columns in memory.
 
 use std::collections::HashMap;
-use std::fmt::Write;
 
-use boundfit::Rational;
 use boundfit::ask::{Groups, Shows};
-use boundfit::files::{ColumnSelector, GroupFit, Source};
+use boundfit::files::{ColumnSelector, GroupFit, MemoryNumbers, Source};
+use boundfit::{Rational, Reading};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyInt, PyList, PyString};
 
-use crate::cells::{NamedColumn, array_of, refuse_unwritten, table};
-use crate::numbers::{outward, refuse};
+use crate::cells::{NamedColumn, array_of, numbers, refuse_unwritten, table};
+use crate::numbers::refuse;
 use crate::questions;
 use crate::readings::Readings;
 use crate::said::Keywords;
@@ -45,17 +44,16 @@ enum Rounded {
 impl Rounded {
     fn double(self, value: &Rational) -> f64 {
         match self {
-            Rounded::Down => outward(value, false),
+            Rounded::Down => value.floor_to_f64(),
             Rounded::Nearest => value.to_f64(),
-            Rounded::Up | Rounded::Around => outward(value, true),
+            Rounded::Up | Rounded::Around => value.ceil_to_f64(),
         }
     }
 }
 
 /// An error that holds around the nearest double of a centre too: rounded up. Infinite where the centre is beyond the largest double.
 fn error_around(centre: &Rational, error: &Rational) -> f64 {
-    let Some(double) = Rational::from_f64(centre.to_f64()) else { return f64::INFINITY };
-    outward(&(error + &(&double - centre).abs()), true)
+    if centre.to_finite_f64().is_none() { f64::INFINITY } else { error.ceil_to_f64_beside(centre) }
 }
 
 /// A column of numbers on its way to a frame: doubles, NaN where there is none, and exact texts.
@@ -77,7 +75,7 @@ impl Texts {
         let start = self.buffer.len();
         if let Some(value) = value {
             // A String takes whatever is written.
-            let _ = write!(self.buffer, "{value}");
+            let _ = value.write_to(&mut self.buffer);
         }
         self.lengths.push(self.buffer.len() - start);
     }
@@ -223,13 +221,29 @@ impl<'a> Key<'a> {
 /// Numbers the groups of rows with equal keys in the order in which they first occur. Returns the number of each row's group as an array,
 /// and the first row of each group; `None` if only Python itself knows which keys are equal.
 #[pyfunction]
-pub(crate) fn codes<'py>(keys: &Bound<'py, PyList>) -> PyResult<Option<(Bound<'py, PyAny>, Vec<usize>)>> {
+pub(crate) fn codes<'py>(keys: &Bound<'py, PyAny>) -> PyResult<Option<(Bound<'py, PyAny>, Vec<usize>)>> {
     let py = keys.py();
-    let keys: Vec<_> = keys.iter().collect();
+    if let Ok(keys) = keys.cast::<PyList>() {
+        let keys: Vec<_> = keys.iter().collect();
+        return numbered(py, keys.iter().map(Key::of));
+    }
+    match numbers("by", keys, Reading::Decimal)? {
+        MemoryNumbers::Integers(integers) => {
+            numbered(py, integers.into_iter().map(|own| Some(Key::Integer(own))))
+        }
+        _ => Ok(None),
+    }
+}
+
+/// Numbers keys as [`codes`] says; `None` if one of them is none.
+fn numbered<'py, 'a>(
+    py: Python<'py>,
+    keys: impl ExactSizeIterator<Item = Option<Key<'a>>>,
+) -> PyResult<Option<(Bound<'py, PyAny>, Vec<usize>)>> {
     let (mut codes, mut first, mut numbers) = (Vec::with_capacity(keys.len()), Vec::new(), HashMap::new());
     let mut before = None;
-    for (row, key) in keys.iter().enumerate() {
-        let Some(key) = Key::of(key) else { return Ok(None) };
+    for (row, key) in keys.enumerate() {
+        let Some(key) = key else { return Ok(None) };
         let next = first.len() as i64;
         // Rows of one group are often neighbours.
         let code = match before {

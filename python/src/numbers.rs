@@ -223,9 +223,16 @@ fn stored_float(scalar: &Bound<'_, PyAny>, shown: &str) -> PyResult<String> {
 pub(crate) struct Given {
     /// The shortest text of a float, the text of everything else.
     pub(crate) shown: String,
-    /// The text of the stored number, of a float.
-    stored: Option<String>,
+    /// The stored number, of a float.
+    stored: Option<Stored>,
     is_text: bool,
+}
+
+/// The stored number of a float. Few questions ask for its digits.
+enum Stored {
+    Double(f64),
+    /// A text that is exactly it.
+    Text(String),
 }
 
 impl<'py> FromPyObject<'_, 'py> for Given {
@@ -236,7 +243,7 @@ impl<'py> FromPyObject<'_, 'py> for Given {
             let value = float.value();
             return Ok(Given {
                 shown: shortest_text(value),
-                stored: Some(stored_text(value)),
+                stored: Some(Stored::Double(value)),
                 is_text: false,
             });
         }
@@ -249,7 +256,7 @@ impl<'py> FromPyObject<'_, 'py> for Given {
             Some('f') => {
                 let (shown, scalar) = float_of_numpy(&object)?;
                 let stored = stored_float(&scalar, &shown)?;
-                (shown, Some(stored))
+                (shown, Some(Stored::Text(stored)))
             }
             Some('m' | 'M') => return Err(refuse(format_args!("{object} is a time, not a number"))),
             _ => (printed(&object)?, None),
@@ -263,7 +270,8 @@ impl Given {
     /// double.
     pub(crate) fn text(&self, reading: Reading) -> String {
         match (&self.stored, reading) {
-            (Some(stored), Reading::Binary64) => stored.clone(),
+            (Some(Stored::Double(double)), Reading::Binary64) => stored_text(*double),
+            (Some(Stored::Text(stored)), Reading::Binary64) => stored.clone(),
             _ => self.shown.clone(),
         }
     }
@@ -323,17 +331,4 @@ pub(crate) fn stored_text(double: f64) -> String {
 pub(crate) fn decimal(text: &str, name: &str) -> PyResult<Rational> {
     let number = Reading::Decimal.read(text, &Limits::default());
     number.map_err(|error| refuse(format_args!("{name}={text:?}: {error}")))
-}
-
-/// The double on the outer side of an end: at most the number for a lower end, at least for an upper one. Exact but for that.
-pub(crate) fn outward(value: &Rational, is_upper: bool) -> f64 {
-    let nearest = value.to_f64();
-    match Rational::from_f64(nearest) {
-        Some(exact) if is_upper && exact < *value => nearest.next_up(),
-        Some(exact) if !is_upper && exact > *value => nearest.next_down(),
-        // Beyond the largest double.
-        None if is_upper && value.is_negative() => f64::MIN,
-        None if !is_upper && value.is_positive() => f64::MAX,
-        _ => nearest,
-    }
 }

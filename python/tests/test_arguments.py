@@ -20,6 +20,7 @@ import polars
 import pyarrow
 import pytest
 from boundfit import LowerBound, UpperBound
+from boundfit._columns import in_memory
 
 TENTH = Fraction(1, 10)
 THIRD = Fraction(1, 3)
@@ -283,3 +284,13 @@ def test_a_further_file_that_is_not_there_is_none(tmp_path: Path) -> None:
     own = boundfit.fit_file(os.fsencode(table(tmp_path)), "x", "y", 1, missing_as=-999)  # type: ignore[arg-type]
     with pytest.raises(FileNotFoundError, match="nowhere.csv: cannot read: No such file"):
         own.status(new=str(tmp_path / "nowhere.csv"))
+
+
+def test_what_is_at_its_default_says_nothing() -> None:
+    x, y = numpy.array([0.0, 1.0, 2.0]), numpy.array([0.0, 1.5, 2.0])
+    _, said = in_memory(x, y, 0.5)
+    assert said == {"x": '"x"', "y": '"y"', "eps": 0.5}
+    same = boundfit.fit(x, y, 0.5, where=[], through_origin=numpy.False_, reading="decimal", missing="refuse", strong=False)  # type: ignore[call-overload]
+    assert same.to_dict() == boundfit.fit(x, y, 0.5).to_dict()
+    _, said = in_memory((x, y), y, y, lower=None, where="theta1 >= 0", x_origin="1/2", reading="binary64", missing="skip")
+    assert list(said) == ["x", "y", "eps_column", "where", "x_origin", "reading", "missing"]

@@ -297,3 +297,23 @@ def test_names_with_levels_are_taken_by_the_first() -> None:
     frame = pandas.DataFrame([["a", 0, 1], ["b", 1, 1], ["b", 2, 1]], columns=pandas.MultiIndex.from_tuples([("k", "p"), ("x", "p"), ("y", "q")]))
     found = boundfit.fit_groups(frame, "k", "x", "y", 1)
     assert (found["k"].tolist(), found["rows"].tolist()) == (["a", "b"], [1, 2])
+
+
+@pytest.mark.parametrize("stored", ["int8", "uint16", "int32", "int64", "uint64"])
+def test_integers_are_the_keys_that_they_are_in_a_list(stored: str) -> None:
+    most = int(numpy.iinfo(stored).max)
+    keys = [7, 7, most, 0, most, 7, 0, most]
+    table = {"x": [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], "y": [0.5, 1.0, 2.5, 3.0, 4.0, 5.5, 6.0, 7.25]}
+    expected = boundfit.fit_groups({"k": keys, **table}, by="k", x="x", y="y", eps="1/2")
+    assert expected["k"] == [7, most, 0]
+    array = numpy.array(keys, dtype=stored)
+    columns: dict[str, Any] = {"numpy": {"k": array, **table}, "pandas": pandas.DataFrame({"k": array, **table}), "polars": polars.DataFrame({"k": array, **table})}
+    # Every other row of a longer table: its cells are no neighbours in memory.
+    columns["strided"] = {"k": numpy.repeat(array, 2)[::2], **table}
+    for frame in columns.values():
+        answer = boundfit.fit_groups(frame, by="k", x="x", y="y", eps="1/2")
+        for name in expected:
+            assert list(answer[name]) == expected[name] or name == "problem", name
+    missing = {"k": polars.Series([*keys[:-1], None], dtype=columns["polars"]["k"].dtype), **table}
+    answer = boundfit.fit_groups(polars.DataFrame(missing), by="k", x="x", y="y", eps="1/2")
+    assert answer["k"].to_list() == [7, most, 0, None]

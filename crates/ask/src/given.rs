@@ -1,15 +1,16 @@
 //! Numbers as a request gives them.
 
 use boundfit_exact::{Limits, ParseNumberError, Rational, Reading};
-use serde::Deserialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+use serde_json::Value;
 
 use crate::refusal::{Refusal, ValueProblem};
 
 /// A number of a request. A text such as `"0.1"` is read as the table's texts are; `{"exact": "1/3"}` and an integer are exactly what
 /// they say.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, untagged, expecting = "a number as text, or {\"exact\": \"1/3\"}")]
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(deny_unknown_fields, untagged))]
 pub enum Given {
     /// `"0.1"`: the nearest double of it where the table is read as doubles.
     Read(String),
@@ -20,6 +21,22 @@ pub enum Given {
     },
     /// An integer, which is the same either way.
     Integer(i64),
+}
+
+// A derived reader of an untagged enumeration tries one variant after the other, and writes an error for each that fails.
+impl<'de> Deserialize<'de> for Given {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let given = match Value::deserialize(deserializer)? {
+            Value::String(text) => Some(Given::Read(text)),
+            Value::Number(number) => number.as_i64().map(Given::Integer),
+            Value::Object(mut object) => match (object.remove("exact"), object.is_empty()) {
+                (Some(Value::String(exact)), true) => Some(Given::Exact { exact }),
+                _ => None,
+            },
+            _ => None,
+        };
+        given.ok_or_else(|| D::Error::custom("a number as text, or {\"exact\": \"1/3\"}"))
+    }
 }
 
 /// The texts of both ends of a range such as `-10..10`. A third point could belong to either end, as in `0...10`; there is no range

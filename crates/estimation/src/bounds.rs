@@ -84,10 +84,13 @@ pub(crate) fn central(intervals: &[ParameterInterval; 2]) -> Option<Central> {
 
 /// The middle of a box, and half its widths; `None` unless it is bounded. Exact.
 pub fn central_of([first, second]: &[Interval; 2]) -> Option<Central> {
-    Some(Central {
-        theta: [first.midpoint()?, second.midpoint()?],
-        guaranteed_error: [first.width()?.half(), second.width()?.half()],
-    })
+    let middle = |interval: &Interval| {
+        let (lower, upper) = interval.ends()?;
+        let (twice, width) = upper.sum_and_difference(lower);
+        Some([twice.half(), width.half()])
+    };
+    let ([theta1, error1], [theta2, error2]) = (middle(first)?, middle(second)?);
+    Some(Central { theta: [theta1, theta2], guaranteed_error: [error1, error2] })
 }
 
 /// The largest |θ_j - estimate_j| over the FPS, whose box has this central estimate: the error that can be guaranteed for an

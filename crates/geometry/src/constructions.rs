@@ -11,6 +11,13 @@ pub fn meet(f: &HalfPlane, g: &HalfPlane) -> Option<Point> {
     Point::from_homogeneous(x, y, w)
 }
 
+/// The common point of two boundaries that are not parallel, one coordinate of which is known already. Exact.
+pub(crate) fn meet_at(f: &HalfPlane, g: &HalfPlane, axis: usize, coordinate: &Rational) -> Option<Point> {
+    let [x, y, w] = crossing(f, g);
+    let other = if axis == 0 { y } else { x };
+    Point::with_coordinate(axis, coordinate, other, &w)
+}
+
 /// The common point of two boundaries as a triple (x : y : w) with common divisors, `w` positive where the normals turn to the left
 /// and 0 where they are parallel. Exact.
 pub(crate) fn crossing(f: &HalfPlane, g: &HalfPlane) -> [Integer; 3] {

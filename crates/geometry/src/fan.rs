@@ -279,8 +279,24 @@ impl IntegerForm {
             let (given, integer) = (&inequality.a[axis], &half_plane.triple()[axis]);
             quotient(times * integer * given.denominator(), &determinant * given.numerator())
         };
-        let multipliers = [of_inequality(s, inequalities[0], f), of_inequality(t, inequalities[1], g)];
-        (value, multipliers)
+        let first = of_inequality(s, inequalities[0], f);
+        let second = self.rest(inequalities, &first).unwrap_or_else(|| of_inequality(t, inequalities[1], g));
+        (value, [first, second])
+    }
+
+    /// The second multiplier, where it follows from the first without a greatest common divisor: the form is of integers, and the
+    /// second coefficients are 1 or -1, as those of readings of a line are.
+    fn rest(&self, inequalities: [&Inequality; 2], first: &Rational) -> Option<Rational> {
+        let one = Rational::one();
+        let is_positive = |own: &Inequality| (own.a[1].abs() == one).then(|| own.a[1].is_positive());
+        let [of_first, of_second] = inequalities.map(is_positive);
+        let (of_first, of_second) = (of_first?, of_second?);
+        if self.denominator != Integer::one() {
+            return None;
+        }
+        let form = Rational::from(&self.vector[1]);
+        let rest = if of_first { form - first } else { form + first };
+        Some(if of_second { rest } else { -rest })
     }
 }
 

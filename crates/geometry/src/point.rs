@@ -31,6 +31,27 @@ impl Point {
         Some(Point { x: reduced(x), y: reduced(y), w: reduced(w) })
     }
 
+    /// The point with this coordinate on an axis, 0 or 1, and `other / w` on the other one; `None` when `w` is 0. The coordinate's
+    /// denominator divides `w`. Takes one greatest common divisor, of less than the whole numbers.
+    pub(crate) fn with_coordinate(
+        axis: usize,
+        coordinate: &Rational,
+        other: Integer,
+        w: &Integer,
+    ) -> Option<Self> {
+        if w.is_zero() {
+            return None;
+        }
+        let (numerator, denominator) = (coordinate.numerator(), coordinate.denominator());
+        // Only divisors of this factor divide all three.
+        let times = w.quotient(&denominator);
+        let divisor = times.gcd(&other);
+        let divisor = if times.is_negative() { -divisor } else { divisor };
+        let (times, other) = (times.quotient(&divisor), other.quotient(&divisor));
+        let (own, w) = (numerator * &times, denominator * times);
+        Some(if axis == 0 { Point { x: own, y: other, w } } else { Point { x: other, y: own, w } })
+    }
+
     /// The origin.
     pub fn origin() -> Self {
         Point { x: Integer::zero(), y: Integer::zero(), w: Integer::one() }
@@ -113,5 +134,27 @@ impl Direction {
     pub fn of_line(&self) -> Self {
         let negative = if self.dx.is_zero() { self.dy.is_negative() } else { self.dx.is_negative() };
         if negative { self.reversed() } else { self.clone() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_known_coordinate_leaves_the_point_as_it_is() {
+        let numbers = [-210, -60, -7, -1, 0, 1, 6, 35, 420].map(Integer::from);
+        for x in &numbers {
+            for y in &numbers {
+                for w in &numbers {
+                    let point = Point::from_homogeneous(x.clone(), y.clone(), w.clone());
+                    for (axis, own, other) in [(0, x, y), (1, y, x)] {
+                        let coordinate = Rational::new(own.clone(), w.clone()).unwrap_or_default();
+                        let known = Point::with_coordinate(axis, &coordinate, other.clone(), w);
+                        assert_eq!(known, point, "({x} : {y} : {w})");
+                    }
+                }
+            }
+        }
     }
 }

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use boundfit_exact::{Endpoint, Integer, Interval, Rational};
 
-use crate::constructions::{crossing, foot, meet};
+use crate::constructions::{crossing, foot, meet, meet_at};
 use crate::envelope::{self, Outline};
 use crate::fan::{FanSupport, NormalFan};
 use crate::half_plane::HalfPlane;
@@ -175,7 +175,7 @@ impl Polyhedron {
         }
         match self.fan.support(&self.system, form) {
             FanSupport::Bounded { value, multipliers } => {
-                let (face, attained_at) = self.face(form, &multipliers);
+                let (face, attained_at) = self.face(form, &value, &multipliers);
                 let form = form.clone();
                 Support::Bounded { proof: BoundProof { form, value, multipliers, attained_at }, face }
             }
@@ -299,13 +299,13 @@ impl Polyhedron {
     /// The points of the region where the form has the value of its maximum, and one of them.
     ///
     /// A point attains the maximum exactly when every inequality of its proof is active there (complementary slackness).
-    fn face(&self, form: &[Rational; 2], proof: &[Multiplier]) -> (Face, Point) {
+    fn face(&self, form: &[Rational; 2], value: &Rational, proof: &[Multiplier]) -> (Face, Point) {
         let Some(direction) = Direction::from_rational(form) else {
             return (Face::Whole, self.region().witness().unwrap_or_else(Point::origin));
         };
         if let [f, g] = proof
             && let [Some(f), Some(g)] = [f, g].map(|own| self.system.half_plane(own.index))
-            && let Some(vertex) = meet(f, g)
+            && let Some(vertex) = corner(f, g, form, value)
         {
             return (Face::Vertex(vertex.clone()), vertex);
         }
@@ -351,6 +351,19 @@ impl Polyhedron {
             .find(|direction| along(form, direction).is_positive())
             .expect("a form without a bound grows along a recession direction")
     }
+}
+
+/// The common point of two boundaries, where a form has this value. The value of a parameter is a coordinate.
+fn corner(f: &HalfPlane, g: &HalfPlane, form: &[Rational; 2], value: &Rational) -> Option<Point> {
+    let one = Rational::one();
+    let known = match form {
+        [first, second] if second.is_zero() && *first == one => meet_at(f, g, 0, value),
+        [first, second] if second.is_zero() && -first == one => meet_at(f, g, 0, &-value),
+        [first, second] if first.is_zero() && *second == one => meet_at(f, g, 1, value),
+        [first, second] if first.is_zero() && -second == one => meet_at(f, g, 1, &-value),
+        _ => None,
+    };
+    known.or_else(|| meet(f, g))
 }
 
 /// `form·direction`.

@@ -178,3 +178,51 @@ fn combine(
     }
     Ok((form, value))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Inequality, Polyhedron, Support};
+
+    /// A multiple of a line's inequality takes the way of any other: it must have the same bounds, proved by as much less of each.
+    #[test]
+    fn bounds_of_lines_are_those_of_their_multiples() {
+        let mut seed = 11_u64;
+        let mut draw = |below: u64| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 33) as i64 % below as i64
+        };
+        let times = Rational::ratio(3, 7);
+        let forms = [[1, 0], [-1, 0], [0, 1], [0, -1], [2, 3], [-1, 5]].map(|form| form.map(Rational::from));
+        let mut bounded = 0;
+        for round in 0..600 {
+            let mut line = || {
+                let (x, y) = (draw(9) - 4, draw(7 + round) - 2);
+                let side = 1 - 2 * draw(2);
+                Inequality::new(Rational::ratio(side * x, 6), side.into(), Rational::ratio(y, 10))
+            };
+            let lines: Vec<Inequality> = (0..4 + round % 5).map(|_| line()).collect();
+            let multiple = |Inequality { a: [a1, a2], b }: &Inequality| {
+                Inequality::new(a1 * &times, a2 * &times, b * &times)
+            };
+            let [set, other] = [lines.clone(), lines.iter().map(multiple).collect()]
+                .map(|own| Polyhedron::intersect(System::new(own)));
+            for form in &forms {
+                let (Support::Bounded { proof, face }, Support::Bounded { proof: long, face: other_face }) =
+                    (set.support(form), other.support(form))
+                else {
+                    continue;
+                };
+                assert_eq!(proof.verify(set.system()), Ok(()));
+                let expected = long.multipliers.iter().map(|own| (own.index, &own.value * &times));
+                assert!(expected.eq(proof.multipliers.iter().map(|own| (own.index, own.value.clone()))));
+                assert_eq!(
+                    (&proof.value, &proof.attained_at, face),
+                    (&long.value, &long.attained_at, other_face)
+                );
+                bounded += 1;
+            }
+        }
+        assert!(bounded > 500, "{bounded}");
+    }
+}

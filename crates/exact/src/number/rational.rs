@@ -207,6 +207,9 @@ impl Rational {
         if let (Some(mantissa), -18..=0) = (mantissa.to_i64(), exponent) {
             return Rational::of_decimal(mantissa, exponent.unsigned_abs() as u32);
         }
+        if let (Some(mantissa), -38..=0) = (mantissa.to_i128(), exponent) {
+            return Rational::of_long_decimal(mantissa, exponent.unsigned_abs() as u32);
+        }
         // No memory holds a power whose exponent is beyond 32 bits.
         let power = Integer::power_of_ten(u32::try_from(exponent.unsigned_abs()).unwrap_or(u32::MAX));
         if exponent >= 0 {
@@ -266,6 +269,23 @@ impl Rational {
             fives -= 1;
         }
         let denominator = POWERS_OF_FIVE[fives as usize] << (places - twos);
+        Rational { numerator: numerator.into(), denominator: denominator.into() }
+    }
+
+    /// `mantissa / 10^places`, for at most 38 places: the same of longer integers, whose divisions take several times as long.
+    fn of_long_decimal(mantissa: i128, places: u32) -> Self {
+        if mantissa == 0 {
+            return Rational::zero();
+        }
+        let twos = mantissa.trailing_zeros().min(places);
+        let mut numerator = mantissa >> twos;
+        let mut fives = places;
+        while fives > 0 && numerator % 5 == 0 {
+            numerator /= 5;
+            fives -= 1;
+        }
+        // At most 10^38, which is less than 2^127.
+        let denominator = 5_i128.pow(fives) << (places - twos);
         Rational { numerator: numerator.into(), denominator: denominator.into() }
     }
 
@@ -340,6 +360,22 @@ impl Rational {
             Sign::Positive => Some(Rational { numerator, denominator }),
             Sign::Negative => Some(Rational { numerator: -numerator, denominator: -denominator }),
         }
+    }
+
+    /// The sum and the difference of two numbers. Exact. Cost: both take the common divisor of the denominators once.
+    pub fn sum_and_difference(&self, other: &Self) -> (Self, Self) {
+        let (Rational { numerator: a, denominator: b }, Rational { numerator: c, denominator: d }) =
+            (self, other);
+        let common = b.gcd(d);
+        let (b_rest, d_rest) = (b.quotient(&common), d.quotient(&common));
+        let (own, others) = (a * &d_rest, c * &b_rest);
+        // Divisors of the sum and of the denominator are those of the common divisor: see `combined`.
+        let over = |numerator: Integer| {
+            let shared = numerator.gcd(&common);
+            let denominator = &b_rest * d.quotient(&shared);
+            Rational { numerator: numerator.quotient(&shared), denominator }
+        };
+        (over(&own + &others), over(own - others))
     }
 
     /// Half of the number.

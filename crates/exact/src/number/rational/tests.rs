@@ -36,6 +36,13 @@ fn decimals_are_in_lowest_terms() {
             assert_eq!(Rational::of_decimal(mantissa, places), expected, "{mantissa}e-{places}");
         }
     }
+    let longer = [i128::MAX, i128::MIN, -(1 << 100), 10_i128.pow(38), -3 * 5_i128.pow(54), 7 << 70];
+    for mantissa in mantissas.map(i128::from).into_iter().chain(longer) {
+        for places in 0..=38 {
+            let expected = Rational::new(mantissa.into(), Integer::power_of_ten(places)).unwrap();
+            assert_eq!(Rational::of_long_decimal(mantissa, places), expected, "{mantissa}e-{places}");
+        }
+    }
 }
 
 #[test]
@@ -73,6 +80,8 @@ fn all_sizes_agree_with_the_library() {
         for (right, own_right) in numbers.iter().zip(&own) {
             assert_eq!(own_left + own_right, Rational::from(left + right));
             assert_eq!(own_left - own_right, Rational::from(left - right));
+            let both = (own_left + own_right, own_left - own_right);
+            assert_eq!(own_left.sum_and_difference(own_right), both);
             assert_eq!(own_left * own_right, Rational::from(left * right));
             assert_eq!(own_left.cmp(own_right), left.cmp(right));
             assert_eq!(own_left == own_right, left == right);
