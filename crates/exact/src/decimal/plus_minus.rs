@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::enclosing::{Enclosing, Terms};
 use super::{LEAST_PLAIN, Parts, Rounding, significand, significand_of, words};
-use crate::{Integer, Rational};
+use crate::{Integer, Rational, Wide};
 
 /// The most digits of an estimate that its error bound asks for.
 const MOST_DIGITS: usize = 40;
@@ -62,9 +62,17 @@ impl PlusMinus {
         // Not more than 18 digits.
         let rounded = words::significand(error.terms(), digits, Rounding::Up)?;
         let ((own, denominator), (bound, other)) = (centre.terms(), error.terms());
-        let terms = [own * other, bound * denominator, denominator * other];
-        let bits = terms.iter().map(Integer::bits).max()?;
-        let terms = Terms::new(bits, digits, |beyond| terms.each_ref().map(|term| term.leading(beyond)))?;
+        let factors = [(own, other), (bound, denominator), (denominator, other)];
+        let words =
+            |(left, right): (&Integer, &Integer)| Some(Wide::product(left.to_i128()?, right.to_i128()?));
+        let terms = match factors.map(words) {
+            [Some(centre), Some(error), Some(unit)] => Terms::of_wide([centre, error, unit], digits)?,
+            _ => {
+                let terms = factors.map(|(left, right)| left * right);
+                let bits = terms.iter().map(Integer::bits).max()?;
+                Terms::new(bits, digits, |beyond| terms.each_ref().map(|term| term.leading(beyond)))?
+            }
+        };
         let enclosing = terms.enclosing(rounded.exponent, digits)?;
         Some(PlusMinus::of_units(centre.is_negative(), &enclosing))
     }
