@@ -1,6 +1,6 @@
 //! A region in reports, whatever its half-planes are called.
 
-use boundfit_estimation::{ActiveBounds, BoundName};
+use boundfit_estimation::ActiveBounds;
 use boundfit_exact::english::{counted, list_of};
 use boundfit_geometry::{Direction, Measure, Polyhedron, RegionKind};
 
@@ -34,8 +34,8 @@ pub(crate) fn region_blocks<'a>(
     let vertices = move |table: &mut Rows<'_>| {
         set.homogeneous_vertices().enumerate().try_for_each(|(position, [x, y, w])| {
             table.push(position + 1);
-            table.push(scales[0].quotient(&x, &w));
-            table.push(scales[1].quotient(&y, &w));
+            table.push_by(|cell| scales[0].quotient(&x, &w).write_to(cell));
+            table.push_by(|cell| scales[1].quotient(&y, &w).write_to(cell));
             table.push(names(&active.of(position)));
             table.end()
         })
@@ -47,7 +47,7 @@ pub(crate) fn region_blocks<'a>(
 
 /// Active bounds in a table: the first of them by name.
 pub(crate) fn names_of(active: &ActiveBounds) -> String {
-    list_of(active.names.iter().map(BoundName::to_string), active.more)
+    list_of(active.names.iter(), active.more)
 }
 
 /// The table of vertices: number, both coordinates, active half-planes.

@@ -1,7 +1,6 @@
 //! The numbers of one parameter in a report: the same value looks the same wherever it stands.
 
 use std::collections::HashSet;
-use std::fmt::Write as _;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use boundfit_exact::{Integer, Interval, Rational, Rounding, fewest_digits};
@@ -79,7 +78,9 @@ fn telling_apart<V: Iterator<Item = [Integer; 3]>>(
         let show = |[x, y, w]: &[Integer; 3], text: &mut String| {
             text.clear();
             // Writing into a string never fails.
-            let _ = write!(text, "{} {}", scales[0].quotient(x, w), scales[1].quotient(y, w));
+            let _ = scales[0].quotient(x, w).write_to(text);
+            text.push(' ');
+            let _ = scales[1].quotient(y, w).write_to(text);
         };
         let (mut text, mut last, mut hashes) = (String::new(), String::new(), Vec::new());
         for vertex in vertices() {
@@ -262,8 +263,10 @@ mod tests {
             for value in [&lower, &upper, &Rational::ratio(-1, 3), &Rational::zero()] {
                 let [numerator, denominator] =
                     [value.numerator(), value.denominator()].map(|term| term * Integer::from(15));
-                let shown = scale.quotient(&numerator, &denominator).to_string();
-                assert_eq!(shown, scale.value(value).to_string());
+                let shown = scale.quotient(&numerator, &denominator);
+                let mut written = String::new();
+                shown.write_to(&mut written).unwrap();
+                assert_eq!([written, shown.to_string()], [(); 2].map(|()| scale.value(value).to_string()));
             }
         }
         let scale = Scale { style: Style::default(), range };

@@ -89,6 +89,15 @@ pub(crate) struct GiveOrTake<'a> {
 }
 
 impl Shown<'_> {
+    /// Writes the number, as the [`Display`](fmt::Display) form has it, without a formatter.
+    pub(crate) fn write_to(&self, out: &mut impl fmt::Write) -> fmt::Result {
+        match self {
+            Shown::Exact(value) => value.write_to(out),
+            Shown::Rounded(decimal) => decimal.write_to(out),
+            Shown::Placed(decimal) => decimal.write_to(out),
+        }
+    }
+
     /// Returns the style of files for programs.
     pub(crate) fn compact(self) -> Self {
         match self {

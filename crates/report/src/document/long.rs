@@ -83,9 +83,14 @@ impl<'a> LongTable<'a> {
 impl Rows<'_> {
     /// Adds the next cell of a row.
     pub(crate) fn push(&mut self, cell: impl Display) {
+        self.push_by(|text| write!(text, "{cell}"));
+    }
+
+    /// Adds the next cell, which a function writes without a formatter.
+    pub(crate) fn push_by(&mut self, write: impl FnOnce(&mut String) -> fmt::Result) {
         let Row { cells, ends, .. } = &mut self.row;
         // Writing to a string never fails.
-        let _ = write!(cells, "{cell}");
+        let _ = write(cells);
         ends.push(cells.len());
     }
 
