@@ -7,9 +7,9 @@ use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use boundfit_formats::{InputError, InputErrorKind, MemoryUse, Source};
 use boundfit_questions::{Guarantee, times};
 use boundfit_report::{
-    Document, InverseLine, NextStep, active_names, bound_found, brief_document, fit_csv, fit_document,
-    fit_json, fit_script, full_fit_document, guarantee_document, h_representation, kernel_fit, next_document,
-    next_steps, proof_json, region_wkt, sweep_document, v_representation, vertices_csv,
+    Document, InverseLine, NextStep, Origin, Style, active_names, bound_found, brief_document, fit_csv,
+    fit_document, fit_json, fit_script, full_fit_document, guarantee_document, h_representation, kernel_fit,
+    next_document, next_steps, proof_json, region_wkt, sweep_document, v_representation, vertices_csv,
 };
 use serde::Deserialize;
 
@@ -203,8 +203,15 @@ impl Fit {
         Ok(Fittable { problem, sweep, confidence })
     }
 
-    fn document(&self, asked: &Fittable, answer: &Fitted, paper: &Paper<'_>) -> Document {
-        let (problem, fit, Paper { origin, style, .. }) = (&asked.problem, &answer.fit, paper);
+    fn document<'a>(
+        &self,
+        asked: &'a Fittable,
+        answer: &'a Fitted,
+        form: Form,
+        origin: &Origin<'_>,
+        style: &Style,
+    ) -> Document<'a> {
+        let (problem, fit) = (&asked.problem, &answer.fit);
         if self.brief {
             return brief_document(problem, fit, origin, style);
         }
@@ -220,7 +227,7 @@ impl Fit {
         if let Some(guarantee) = &answer.guarantee {
             document.append(guarantee_document(problem, fit, guarantee, style));
         }
-        if let Some(words) = answer.next_words.filter(|_| paper.form == Form::Text) {
+        if let Some(words) = answer.next_words.filter(|_| form == Form::Text) {
             document.append(next_document(&next_steps(problem, fit, style), words));
         }
         document
@@ -275,26 +282,27 @@ impl Ask for Fit {
 
     fn write(&self, asked: &Fittable, answer: &Fitted, paper: &mut Paper<'_>) -> Result<Written, Refusal> {
         let (problem, fit) = (&asked.problem, &answer.fit);
-        let Paper { origin, style, .. } = &*paper;
+        let Paper { form, origin, style, .. } = *paper;
         let polyhedron = fit.fps.polyhedron();
         let names = |indices: &[usize]| active_names(fit, indices);
-        let text = match paper.form {
+        match form {
             Form::Json => {
-                fit_json(problem, fit, answer.family.as_ref(), answer.guarantee.as_ref(), origin, style)
+                let (family, guarantee) = (answer.family.as_ref(), answer.guarantee.as_ref());
+                paper.put(fit_json(problem, fit, family, guarantee, &origin, &style))
             }
-            Form::Csv => fit_csv(problem, fit),
-            Form::Vertices => vertices_csv(polyhedron, &names, style),
-            Form::Wkt => region_wkt(polyhedron, style).map_err(Refusal::Wkt)?,
-            Form::M => fit_script(problem, fit, &names),
-            Form::Ine => commented(problem, h_representation(polyhedron)),
-            Form::Ext => commented(problem, v_representation(polyhedron)),
+            Form::Csv => paper.put(fit_csv(problem, fit)),
+            Form::Vertices => paper.put(vertices_csv(polyhedron, &names, &style)),
+            Form::Wkt => paper.put(region_wkt(polyhedron, &style).map_err(Refusal::Wkt)?),
+            Form::M => paper.put(fit_script(problem, fit, &names)),
+            Form::Ine => paper.put(commented(problem, h_representation(polyhedron))),
+            Form::Ext => paper.put(commented(problem, v_representation(polyhedron))),
             Form::Proof => {
                 let why = NoProof::about(&problem.measurements);
-                proof_json(problem, fit, origin.reading).ok_or(Refusal::NoProof(why))?
+                paper.put(proof_json(problem, fit, origin.reading).ok_or(Refusal::NoProof(why))?)
             }
-            _ => Self::report(paper, || self.document(asked, answer, paper))?,
-        };
-        paper.put_set(text, fit.is_empty())
+            _ => Self::report(paper, || self.document(asked, answer, form, &origin, &style)),
+        }?;
+        Ok(Written::of_set(fit.is_empty()))
     }
 
     fn refuse_vain(&self, form: Form) -> Result<(), Refusal> {

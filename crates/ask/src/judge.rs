@@ -173,23 +173,22 @@ impl Ask for Judge {
         Solved { answer, solutions }: &Solved,
         paper: &mut Paper<'_>,
     ) -> Result<Written, Refusal> {
-        let Paper { origin, style, .. } = &*paper;
-        let text = match paper.form {
+        let Paper { origin, style, .. } = *paper;
+        match paper.form {
             Form::Json => {
-                let json = JudgeJson::new(model, plane, answer, origin.file, sha256, style);
-                judge_json(&json.with_solutions(solutions_json(model, solutions, style)))
+                let json = JudgeJson::new(model, plane, answer, origin.file, sha256, &style);
+                paper.put(judge_json(&json.with_solutions(solutions_json(model, solutions, &style))))
             }
-            Form::Sarif => solutions_sarif(model, solutions),
-            Form::Junit => solutions_junit(model, solutions),
-            Form::Ine => h_representation(plane.polyhedron()),
-            Form::Ext => v_representation(plane.polyhedron()),
+            Form::Sarif => paper.put(solutions_sarif(model, solutions)),
+            Form::Junit => paper.put(solutions_junit(model, solutions)),
+            Form::Ine => paper.put(h_representation(plane.polyhedron())),
+            Form::Ext => paper.put(v_representation(plane.polyhedron())),
             _ => Self::report(paper, || {
-                let mut document = judge_document(model, plane, answer, origin.name(), style);
+                let mut document = judge_document(model, plane, answer, origin.name(), &style);
                 document.append(solutions_document(model, solutions));
                 document
-            })?,
-        };
-        paper.put(text)?;
+            }),
+        }?;
         Ok(Written {
             // Who asks about solutions is not asked to look at the status twice.
             is_empty: matches!(answer, Answer::Infeasible { .. }) && solutions.is_empty(),

@@ -183,22 +183,21 @@ impl Ask for Linearity {
         answer: &Self::Answer,
         paper: &mut Paper<'_>,
     ) -> Result<Written, Refusal> {
-        let Paper { origin, style, .. } = &*paper;
+        let Paper { origin, style, .. } = *paper;
         let (options, input) = (&problem.options, problem.input());
-        let text = match paper.form {
-            Form::Json => linearity_json(answer, options, input, origin, style),
-            Form::Csv => linearity_csv(answer),
+        match paper.form {
+            Form::Json => paper.put(linearity_json(answer, options, input, &origin, &style)),
+            Form::Csv => paper.put(linearity_csv(answer)),
             Form::Proof => {
                 // A proof is about rows, which are read once more: a calibration keeps their readings only.
                 let again = problem.again.as_ref().ok_or(Refusal::NoProof(NoProof::ReadOnce))?;
                 let (columns, table) = (&problem.columns, &problem.table);
                 let question = linearity_question(columns, table, origin.reading, || again.open())?;
                 let proof = question.and_then(|question| linearity_proof(answer, &question));
-                proof.ok_or(Refusal::NoProof(NoProof::Points))?
+                paper.put(proof.ok_or(Refusal::NoProof(NoProof::Points))?)
             }
-            _ => Self::report(paper, || linearity_document(answer, options, input, origin, style))?,
-        };
-        paper.put(text)?;
+            _ => Self::report(paper, || linearity_document(answer, options, input, &origin, &style)),
+        }?;
         Ok(Written::default())
     }
 }

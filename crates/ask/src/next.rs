@@ -120,7 +120,7 @@ impl Ask for Next {
         (fit, next): &(Fit, Option<NextReading>),
         paper: &mut Paper<'_>,
     ) -> Result<Written, Refusal> {
-        let Paper { origin, style, .. } = &*paper;
+        let Paper { origin, style, .. } = *paper;
         let report = NextReadingReport {
             problem: &asked.problem,
             fit,
@@ -129,11 +129,11 @@ impl Ask for Next {
             is_range_given: asked.within.is_some(),
             next: next.as_ref(),
         };
-        let text = match paper.form {
-            Form::Json => next_reading_json(&report, origin, style),
-            Form::Csv => next_reading_csv(&report),
-            _ => Self::report(paper, || next_reading_document(&report, origin, style))?,
-        };
-        paper.put_set(text, fit.is_empty())
+        match paper.form {
+            Form::Json => paper.put(next_reading_json(&report, &origin, &style)),
+            Form::Csv => paper.put(next_reading_csv(&report)),
+            _ => Self::report(paper, || next_reading_document(&report, &origin, &style)),
+        }?;
+        Ok(Written::of_set(fit.is_empty()))
     }
 }

@@ -88,14 +88,16 @@ impl Ask for Outliers {
         let Found { fit, outliers, growth } = answer;
         let shows_growth = self.most.is_some() && outliers.is_ok();
         let report = OutliersReport { problem, fit, outliers: outliers.as_ref(), growth, shows_growth };
-        let Paper { origin, style, .. } = &*paper;
-        let text = match paper.form {
-            Form::Json => outliers_json(&report, origin, style),
-            Form::Csv => outliers_csv(outliers.as_ref().ok()),
-            Form::Proof => outliers_proof(&report, origin.reading).map_err(|why| no_proof(why, problem))?,
-            _ => Self::report(paper, || outliers_document(&report, origin, style))?,
-        };
-        paper.put_set(text, outliers.is_err())
+        let Paper { origin, style, .. } = *paper;
+        match paper.form {
+            Form::Json => paper.put(outliers_json(&report, &origin, &style)),
+            Form::Csv => paper.put(outliers_csv(outliers.as_ref().ok())),
+            Form::Proof => {
+                paper.put(outliers_proof(&report, origin.reading).map_err(|why| no_proof(why, problem))?)
+            }
+            _ => Self::report(paper, || outliers_document(&report, &origin, &style)),
+        }?;
+        Ok(Written::of_set(outliers.is_err()))
     }
 
     fn refuse_vain(&self, form: Form) -> Result<(), Refusal> {

@@ -36,12 +36,6 @@ impl Paper<'_> {
     pub(crate) fn put(&mut self, text: impl AsRef<[u8]>) -> Result<(), Refusal> {
         put(self.out, text)
     }
-
-    /// Writes an answer that is one set.
-    pub(crate) fn put_set(&mut self, text: impl AsRef<[u8]>, is_empty: bool) -> Result<Written, Refusal> {
-        self.put(text)?;
-        Ok(Written::of_set(is_empty))
-    }
 }
 
 /// Writes a text.

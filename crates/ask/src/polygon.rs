@@ -72,22 +72,22 @@ impl Ask for Polygon {
         answer: &Polyhedron,
         paper: &mut Paper<'_>,
     ) -> Result<Written, Refusal> {
-        let Paper { origin, style, .. } = &*paper;
+        let Paper { origin, style, .. } = *paper;
         let name_of = |&index: &usize| {
             let row = file.origins.get(index).map_or(0, |origin| origin.row);
             if file.generators.is_some() { format!("facet:{row}") } else { row.to_string() }
         };
         let active = |indices: &[usize]| (indices.iter().map(name_of).collect(), 0);
-        let text = match paper.form {
-            Form::Json => polygon_json(file, answer, origin.file, origin.reading, style),
-            Form::Csv => vertices_csv(answer, &active, style),
-            Form::Wkt => region_wkt(answer, style).map_err(Refusal::Wkt)?,
-            Form::M => region_script(answer, &active),
-            Form::Ine => h_representation(answer),
-            Form::Ext => v_representation(answer),
-            _ => Self::report(paper, || polygon_document(file, answer, origin.name(), style))?,
-        };
-        paper.put_set(text, answer.is_empty())
+        match paper.form {
+            Form::Json => paper.put(polygon_json(file, answer, origin.file, origin.reading, &style)),
+            Form::Csv => paper.put(vertices_csv(answer, &active, &style)),
+            Form::Wkt => paper.put(region_wkt(answer, &style).map_err(Refusal::Wkt)?),
+            Form::M => paper.put(region_script(answer, &active)),
+            Form::Ine => paper.put(h_representation(answer)),
+            Form::Ext => paper.put(v_representation(answer)),
+            _ => Self::report(paper, || polygon_document(file, answer, origin.name(), &style)),
+        }?;
+        Ok(Written::of_set(answer.is_empty()))
     }
 
     fn refuse_vain_style(&self, form: Form, style: &Style) -> Result<(), Misuse> {

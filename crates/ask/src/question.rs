@@ -133,15 +133,16 @@ pub trait Ask {
         form.refuse_vain_style(style)
     }
 
-    /// The answer in one of the forms that every document has.
+    /// Writes the answer in one of the forms that every document has. Text, which may have a line for each of a million vertices, is
+    /// written in parts.
     ///
     /// # Errors
-    /// When the form is another one.
-    fn report(paper: &Paper<'_>, document: impl FnOnce() -> Document) -> Result<String, Refusal> {
+    /// When the form is another one, or cannot be written.
+    fn report<'d>(paper: &mut Paper<'_>, document: impl FnOnce() -> Document<'d>) -> Result<(), Refusal> {
         match paper.form {
-            Form::Text => Ok(document().to_text()),
-            Form::Latex => Ok(document().to_latex()),
-            Form::Markdown => Ok(document().to_markdown()),
+            Form::Text => document().write_text(&mut *paper.out).map_err(Refusal::Output),
+            Form::Latex => paper.put(document().to_latex()),
+            Form::Markdown => paper.put(document().to_markdown()),
             form => Err(Self::no_form(form)),
         }
     }

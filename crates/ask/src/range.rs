@@ -93,18 +93,18 @@ impl Ask for Range {
 
     fn write(&self, problem: &Problem, answer: &Runs, paper: &mut Paper<'_>) -> Result<Written, Refusal> {
         let report = answer.report(problem);
-        let Paper { origin, style, .. } = &*paper;
-        let text = match paper.form {
-            Form::Json => range_json(&report, origin, style),
-            Form::Csv => range_csv(&report),
+        let Paper { origin, style, .. } = *paper;
+        match paper.form {
+            Form::Json => paper.put(range_json(&report, &origin, &style)),
+            Form::Csv => paper.put(range_csv(&report)),
             Form::Proof => {
                 answer.check_proof()?;
-                range_proof(&report, origin.reading)
-                    .ok_or(Refusal::NoProof(NoProof::about(&problem.measurements)))?
+                let why = NoProof::about(&problem.measurements);
+                paper.put(range_proof(&report, origin.reading).ok_or(Refusal::NoProof(why))?)
             }
-            _ => Self::report(paper, || range_document(&report, origin, style))?,
-        };
-        paper.put_set(text, answer.range.runs.is_empty())
+            _ => Self::report(paper, || range_document(&report, &origin, &style)),
+        }?;
+        Ok(Written::of_set(answer.range.runs.is_empty()))
     }
 
     fn theorem(

@@ -165,6 +165,7 @@ impl Ask for Window {
         let mut text = String::new();
         table.finish(&mut text);
         let below = to_text + &table_line(problem.measurements.table());
-        paper.put_set(format!("{text}\n{}", in_page_width(&below)), is_empty)
+        paper.put(format!("{text}\n{}", in_page_width(&below)))?;
+        Ok(Written::of_set(is_empty))
     }
 }

@@ -51,17 +51,17 @@ impl Ask for FitXErrors {
         (answer, plain): &(XErrorFit, Fit),
         paper: &mut Paper<'_>,
     ) -> Result<Written, Refusal> {
-        let Paper { origin, style, .. } = &*paper;
-        let text = match paper.form {
-            Form::Json => x_error_json(problem, answer, plain, origin, style),
-            Form::Csv => x_error_csv(answer, plain),
-            Form::Wkt => x_error_wkt(answer, style).map_err(Refusal::Wkt)?,
+        let Paper { origin, style, .. } = *paper;
+        match paper.form {
+            Form::Json => paper.put(x_error_json(problem, answer, plain, &origin, &style)),
+            Form::Csv => paper.put(x_error_csv(answer, plain)),
+            Form::Wkt => paper.put(x_error_wkt(answer, &style).map_err(Refusal::Wkt)?),
             Form::Proof => {
                 let why = NoProof::about(&problem.problem().measurements);
-                x_error_proof(problem, answer, origin.reading).ok_or(Refusal::NoProof(why))?
+                paper.put(x_error_proof(problem, answer, origin.reading).ok_or(Refusal::NoProof(why))?)
             }
-            _ => Self::report(paper, || x_error_document(problem, answer, plain, origin, style))?,
-        };
-        paper.put_set(text, answer.is_empty())
+            _ => Self::report(paper, || x_error_document(problem, answer, plain, &origin, &style)),
+        }?;
+        Ok(Written::of_set(answer.is_empty()))
     }
 }

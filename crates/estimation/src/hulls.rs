@@ -6,7 +6,7 @@
 
 use boundfit_exact::{Rational, Scaled, multiples};
 use boundfit_geometry::grid::{GridPoint, touching, touching_of_columns, touching_places_of_columns};
-use boundfit_geometry::{Hull, HullSide, Tally, touching_as_one, touching_each};
+use boundfit_geometry::{Hull, Tally, touching_as_one, touching_each};
 
 use crate::deciding::OnGrid;
 use crate::grid::Grid;
@@ -108,8 +108,7 @@ impl Extremes {
     /// Returns the extremes of the readings that touch a hull as one, sorted by x, then by y.
     fn of_touching<P: Place>(points: Vec<P>) -> Self {
         let points = points.as_slice();
-        let [lower, upper] =
-            [HullSide::Lower, HullSide::Upper].map(|side| Hull::new(side, points, P::orientation));
+        let [lower, upper] = Hull::both(points, P::orientation);
         let mut on = vec![[false; 2]; points.len()];
         lower.support(points).for_each(|place| on[place][0] = true);
         upper.support(points).for_each(|place| on[place][1] = true);

@@ -86,7 +86,8 @@ fn ranges(set: &Polyhedron) -> Ranges {
 
 /// The ranges over a set whose θ1 has this range, if it is bounded: its vertices are enough.
 fn ranges_of_set(set: &Polyhedron, theta1: &Interval) -> Option<Ranges> {
-    set.kind().is_bounded().then(|| ranges_of_corners(set.multiples_of_vertices(), theta1))?
+    let corners = || set.homogeneous_vertices().map(|[x, y, _]| [x, y]);
+    set.kind().is_bounded().then(|| ranges_of_corners(corners(), theta1))?
 }
 
 /// The ranges over a box, if it is bounded.

@@ -35,10 +35,13 @@ impl Rounding {
     }
 }
 
+/// The numerator and the positive denominator of a number, which may have common divisors.
+type Quotient<'a> = (&'a Integer, &'a Integer);
+
 /// A number as a decimal, see [`Rational::decimal`].
 #[derive(Debug, Clone, Copy)]
 pub struct Decimal<'a> {
-    value: &'a Rational,
+    terms: Quotient<'a>,
     digits: usize,
     rounding: Rounding,
     /// The least exponent that is written without a power of ten.
@@ -84,7 +87,8 @@ impl Rational {
     /// The decimal of [`Rational::to_decimal`] for writing into something that exists already. Takes no memory of its
     /// own for numbers of up to 128 bits.
     pub fn decimal(&self, digits: usize, rounding: Rounding) -> Decimal<'_> {
-        Decimal { value: self, digits: digits.max(1), rounding, least_plain: LEAST_PLAIN, known: None }
+        let (numerator, denominator) = self.terms();
+        Decimal::of_quotient(numerator, denominator, digits, rounding)
     }
 
     /// The decimal that so many significant digits hold exactly, if they do. Cost: one of [`Rational::to_decimal`].
@@ -92,7 +96,7 @@ impl Rational {
         if let Some(known) = finite::digits(self, digits.max(1)) {
             return Some(Decimal { known: Some(known), ..self.decimal(digits, Rounding::Down) });
         }
-        let is_exact = self.is_zero() || significand_of(self, digits.max(1), Rounding::Down).exact;
+        let is_exact = self.is_zero() || significand_of(self.terms(), digits.max(1), Rounding::Down).exact;
         is_exact.then(|| self.decimal(digits, Rounding::Down))
     }
 
@@ -123,7 +127,8 @@ impl Rational {
             return Rational::zero();
         }
         let digits = digits.max(1);
-        let Significand { digits: significand, exponent, .. } = significand_of(self, digits, rounding);
+        let Significand { digits: significand, exponent, .. } =
+            significand_of(self.terms(), digits, rounding);
         let size = Rational::scientific(significand, exponent + 1 - digits as i64);
         if self.is_negative() { -size } else { size }
     }
@@ -133,18 +138,37 @@ impl Rational {
         if self.is_zero() {
             return Some((0, 0));
         }
-        let Significand { digits: found, exponent, .. } = words::significand(self, digits, rounding)?;
+        let Significand { digits: found, exponent, .. } = words::significand(self.terms(), digits, rounding)?;
         let mantissa = i64::try_from(found).ok()?;
         Some((if self.is_negative() { -mantissa } else { mantissa }, exponent + 1 - digits as i64))
     }
 
     /// The power of ten that the first significant digit weighs, `floor(log10 |self|)`, or `None` for 0. Exact.
     pub fn decimal_exponent(&self) -> Option<i64> {
-        (!self.is_zero()).then(|| words::exponent(self).unwrap_or_else(|| exponent_of(&self.abs())))
+        let exponent = || words::exponent(self.terms()).unwrap_or_else(|| exponent_of(self.terms()));
+        (!self.is_zero()).then(exponent)
     }
 }
 
-impl Decimal<'_> {
+impl<'a> Decimal<'a> {
+    /// The decimal of `numerator / denominator` as [`Rational::decimal`] has it. The denominator must be positive. A number that
+    /// is only rounded need not be in lowest terms, so that it takes no greatest common divisor.
+    ///
+    /// ```
+    /// use boundfit_exact::{Decimal, Integer, Rounding};
+    /// let [numerator, denominator] = [-210, 117_260].map(Integer::from);
+    /// assert_eq!(Decimal::of_quotient(&numerator, &denominator, 5, Rounding::Up).to_string(), "-0.0017908");
+    /// ```
+    pub fn of_quotient(
+        numerator: &'a Integer,
+        denominator: &'a Integer,
+        digits: usize,
+        rounding: Rounding,
+    ) -> Self {
+        let terms = (numerator, denominator);
+        Decimal { terms, digits: digits.max(1), rounding, least_plain: LEAST_PLAIN, known: None }
+    }
+
     /// This decimal as files for programs have it: below 0.1 with a power of ten, so that no zeros stand before its digits.
     #[must_use]
     pub fn compact(self) -> Self {
@@ -156,21 +180,24 @@ impl Decimal<'_> {
     /// # Errors
     /// The first error of what is written to.
     pub fn write_to(&self, out: &mut impl fmt::Write) -> fmt::Result {
-        let Decimal { value, digits, rounding, least_plain, known } = *self;
-        if value.is_zero() {
+        let Decimal { terms, digits, rounding, least_plain, known } = *self;
+        let (numerator, _) = terms;
+        if numerator.is_zero() {
             return out.write_str("0");
         }
         let known = known.map(|(digits, exponent)| Significand { digits, exponent, exact: true });
-        match known.or_else(|| words::significand(value, digits, rounding)) {
+        match known.or_else(|| words::significand(terms, digits, rounding)) {
             Some(found) => {
                 let mut digits = itoa::Buffer::new();
                 let digits = digits.format(found.digits);
-                Parts::new(digits, found.exponent, found.exact, least_plain).write(value.is_negative(), out)
+                Parts::new(digits, found.exponent, found.exact, least_plain)
+                    .write(numerator.is_negative(), out)
             }
             None => {
-                let found = long_significand(value, digits, rounding);
+                let found = long_significand(terms, digits, rounding);
                 let digits = found.digits.to_string();
-                Parts::new(&digits, found.exponent, found.exact, least_plain).write(value.is_negative(), out)
+                Parts::new(&digits, found.exponent, found.exact, least_plain)
+                    .write(numerator.is_negative(), out)
             }
         }
     }
@@ -183,21 +210,20 @@ impl fmt::Display for Decimal<'_> {
 }
 
 /// The rounded significand of a number that is not 0.
-fn significand_of(value: &Rational, digits: usize, rounding: Rounding) -> Significand<Integer> {
-    match words::significand(value, digits, rounding) {
+fn significand_of(terms: Quotient<'_>, digits: usize, rounding: Rounding) -> Significand<Integer> {
+    match words::significand(terms, digits, rounding) {
         Some(Significand { digits, exponent, exact }) => {
             Significand { digits: Integer::from(digits), exponent, exact }
         }
-        None => long_significand(value, digits, rounding),
+        None => long_significand(terms, digits, rounding),
     }
 }
 
 /// The rounded significand of a number that is not 0, whatever its size.
-fn long_significand(value: &Rational, digits: usize, rounding: Rounding) -> Significand<Integer> {
-    let magnitude = value.abs();
-    let mut exponent = exponent_of(&magnitude);
-    let away_from_zero = rounding.away_from_zero(value.is_negative());
-    let (mut significand, exact) = significand(&magnitude, exponent, digits, away_from_zero);
+fn long_significand(terms: Quotient<'_>, digits: usize, rounding: Rounding) -> Significand<Integer> {
+    let mut exponent = exponent_of(terms);
+    let away_from_zero = rounding.away_from_zero(terms.0.is_negative());
+    let (mut significand, exact) = significand(terms, exponent, digits, away_from_zero);
     if significand == Integer::power_of_ten(digits as u32) {
         significand = Integer::power_of_ten(digits as u32 - 1);
         exponent += 1;
@@ -205,14 +231,14 @@ fn long_significand(value: &Rational, digits: usize, rounding: Rounding) -> Sign
     Significand { digits: significand, exponent, exact }
 }
 
-/// `floor(log10(magnitude))` of a positive number.
-fn exponent_of(magnitude: &Rational) -> i64 {
-    let (numerator, denominator) = (magnitude.numerator(), magnitude.denominator());
+/// `floor(log10 |numerator / denominator|)` of a number that is not 0.
+fn exponent_of((numerator, denominator): Quotient<'_>) -> i64 {
+    let numerator = numerator.abs();
     let bits = numerator.bits() as f64 - denominator.bits() as f64;
     // The estimate is off by less than one either way; the comparison below decides exactly.
     let estimate = (bits * std::f64::consts::LOG10_2).floor() as i64;
     let mut exponent = estimate - 1;
-    while reaches_power_of_ten(&numerator, &denominator, exponent + 1) {
+    while reaches_power_of_ten(&numerator, denominator, exponent + 1) {
         exponent += 1;
     }
     exponent
@@ -224,9 +250,9 @@ fn reaches_power_of_ten(numerator: &Integer, denominator: &Integer, exponent: i6
     if exponent >= 0 { numerator >= &(denominator * power) } else { numerator * power >= *denominator }
 }
 
-/// `magnitude / 10^(exponent - digits + 1)` as a rounded integer, and whether nothing was lost.
+/// `|numerator / denominator| / 10^(exponent - digits + 1)` as a rounded integer, and whether nothing was lost.
 fn significand(
-    magnitude: &Rational,
+    (numerator, denominator): Quotient<'_>,
     exponent: i64,
     digits: usize,
     away_from_zero: Option<bool>,
@@ -234,9 +260,9 @@ fn significand(
     let shift = digits as i64 - 1 - exponent;
     let power = Integer::power_of_ten(shift.unsigned_abs() as u32);
     let (numerator, denominator) = if shift >= 0 {
-        (magnitude.numerator() * power, magnitude.denominator())
+        (numerator.abs() * power, denominator.clone())
     } else {
-        (magnitude.numerator(), magnitude.denominator() * power)
+        (numerator.abs(), denominator * power)
     };
     let (floor, remainder) = numerator.div_rem_floor(&denominator);
     if remainder.is_zero() {

@@ -1,5 +1,7 @@
 //! Counts and lists in English, for the texts of every crate: all stand on this one.
 
+use std::fmt::{Display, Write as _};
+
 /// The most items that a [`list`] names before it only counts the rest.
 pub const MOST: usize = 8;
 
@@ -68,15 +70,20 @@ pub fn list(items: impl ExactSizeIterator<Item = String>) -> String {
 }
 
 /// A [`list`] of the first of some items, beside which there are so many more.
-pub fn list_of(first: impl ExactSizeIterator<Item = String>, more: usize) -> String {
-    let beyond = first.len().saturating_sub(MOST) + more;
-    let last = (beyond > 0).then(|| format!("and {beyond} more"));
-    let joined = |mut list: String, item: String| {
-        list.push_str(", ");
-        list.push_str(&item);
-        list
-    };
-    first.take(MOST).chain(last).reduce(joined).unwrap_or_default()
+pub fn list_of<T: Display>(first: impl ExactSizeIterator<Item = T>, more: usize) -> String {
+    let count = first.len();
+    let beyond = count.saturating_sub(MOST) + more;
+    // One text for all: a million vertices have lists of names. Writing into a string never fails.
+    let mut list = String::new();
+    for (position, item) in first.take(MOST).enumerate() {
+        list.push_str(if position > 0 { ", " } else { "" });
+        let _ = write!(list, "{item}");
+    }
+    if beyond > 0 {
+        list.push_str(if count > 0 { ", " } else { "" });
+        let _ = write!(list, "and {beyond} more");
+    }
+    list
 }
 
 /// A list within a sentence: `a`, `a and b`, `a, b and c`; of more than eight items seven, `… and 3 more`.
@@ -128,6 +135,25 @@ mod tests {
         assert_eq!(list(items(2).into_iter()), "1, 2");
         assert_eq!(list(items(8).into_iter()), "1, 2, 3, 4, 5, 6, 7, 8");
         assert_eq!(list(items(12).into_iter()), "1, 2, 3, 4, 5, 6, 7, 8, and 4 more");
+    }
+
+    #[test]
+    fn lists_name_the_first_items_and_count_the_others() {
+        let named = |count: usize, more: usize| {
+            list_of(["", "b", "c"].into_iter().cycle().take(count).collect::<Vec<_>>().into_iter(), more)
+        };
+        for (count, more, expected) in [
+            (0, 0, ""),
+            (0, 2, "and 2 more"),
+            (1, 0, ""),
+            (1, 1, ", and 1 more"),
+            (3, 0, ", b, c"),
+            (3, 5, ", b, c, and 5 more"),
+            (8, 0, ", b, c, , b, c, , b"),
+            (11, 4, ", b, c, , b, c, , b, and 7 more"),
+        ] {
+            assert_eq!(named(count, more), expected, "{count} {more}");
+        }
     }
 
     #[test]

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use boundfit_exact::{Integer, Rational, Sign};
 
 use crate::active::Active;
-use crate::constructions::foot;
+use crate::constructions::{foot, meet};
 use crate::fan::{FanSupport, NormalFan};
 use crate::half_plane::{Constraint, HalfPlane};
 use crate::point::{Direction, Point};
@@ -278,6 +278,14 @@ impl<'a> Clipper<'a> {
 
     /// Returns where the edge between two nodes on different sides meets the boundary.
     fn crossing(&self, from: &Node, to: &Node, (index, half_plane): (usize, &HalfPlane)) -> Option<Node> {
+        let active =
+            |point: &Point| self.touching(from.active().iter().chain(to.active()).chain([&index]), point);
+        // The edge lies on a boundary that passes through both nodes, whose numbers are shorter than those of the nodes.
+        let is_common = |index: &&usize| to.active().binary_search(index).is_ok();
+        if let Some(own) = from.active().iter().find(is_common).and_then(|&own| self.system.half_plane(own)) {
+            let point = meet(own, half_plane)?;
+            return Some(Node::Finite { active: active(&point), point });
+        }
         let ((from_excess, p), (to_excess, q)) = (from.excess(half_plane), to.excess(half_plane));
         let (from_weight, to_weight) = (to_excess.abs(), from_excess.abs());
         let [x, y, w] = [0, 1, 2].map(|i| &p[i] * &from_weight + &q[i] * &to_weight);
@@ -285,8 +293,7 @@ impl<'a> Clipper<'a> {
             return Direction::new(x, y).map(Node::Ideal);
         }
         let point = Point::from_homogeneous(x, y, w)?;
-        let active = self.touching(from.active().iter().chain(to.active()).chain([&index]), &point);
-        Some(Node::Finite { point, active })
+        Some(Node::Finite { active: active(&point), point })
     }
 
     /// Returns the candidates whose boundary passes through the point, ascending.

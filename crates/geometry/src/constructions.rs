@@ -21,6 +21,13 @@ pub(crate) fn meet_at(f: &HalfPlane, g: &HalfPlane, axis: usize, coordinate: &Ra
 /// The common point of two boundaries as a triple (x : y : w) with common divisors, `w` positive where the normals turn to the left
 /// and 0 where they are parallel. Exact.
 pub(crate) fn crossing(f: &HalfPlane, g: &HalfPlane) -> [Integer; 3] {
+    if let (Some([f1, f2, f0]), Some([g1, g2, g0])) = (f.words(), g.words()) {
+        // A product of two words has at most 126 bits and a sign, so that the difference of two fits.
+        let minor = |[p, q]: [i64; 2], [r, s]: [i64; 2]| {
+            Integer::from(i128::from(p) * i128::from(s) - i128::from(q) * i128::from(r))
+        };
+        return [minor([f0, f2], [g0, g2]), minor([f1, f0], [g1, g0]), minor([f1, f2], [g1, g2])];
+    }
     let (f, g) = (f.triple(), g.triple());
     let ([f1, f2, f0], [g1, g2, g0]) = (&*f, &*g);
     [f0 * g2 - g0 * f2, f1 * g0 - g1 * f0, f1 * g2 - g1 * f2]
@@ -66,4 +73,28 @@ pub fn value_of(form: &[Rational; 2], point: &Point) -> Rational {
 /// The mid-point between the nearest points to the origin of two parallel boundaries.
 pub fn between_parallels(f: &HalfPlane, g: &HalfPlane) -> Point {
     mean([foot(f), foot(g)].iter())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn boundaries_of_machine_words_cross_where_longer_ones_do() {
+        let numbers = [0, 1, -1, 7, i64::MAX, i64::MIN, i64::MIN + 1];
+        let triples = numbers.iter().flat_map(|&p| numbers.iter().map(move |&q| [p, q, p.wrapping_sub(q)]));
+        let half_planes: Vec<HalfPlane> = triples
+            .filter_map(|triple| {
+                let [a1, a2, b] = triple.map(Integer::from);
+                HalfPlane::new(a1, a2, b)
+            })
+            .collect();
+        for f in &half_planes {
+            for g in &half_planes {
+                let ([f1, f2, f0], [g1, g2, g0]) = ([f.a1(), f.a2(), f.b()], [g.a1(), g.a2(), g.b()]);
+                let expected = [&f0 * &g2 - &g0 * &f2, &f1 * &g0 - &g1 * &f0, &f1 * &g2 - &g1 * &f2];
+                assert_eq!(crossing(f, g), expected, "{f:?} {g:?}");
+            }
+        }
+    }
 }

@@ -3,7 +3,7 @@
 //! A half-plane with `a2 > 0` bounds θ2 from above by a linear function of θ1, one with `a2 < 0` from below. The region lies
 //! between the two envelopes of these bounds.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Rational, Sign};
 
 use crate::active::Active;
 use crate::angle_key;
@@ -68,7 +68,13 @@ pub(crate) fn outline(system: &System) -> Outline {
 fn are_sides_of_polygon(facets: &[Facet]) -> bool {
     let count = facets.len();
     let is_side = |position: usize| {
-        let [before, own, next] = [0, 1, 2].map(|step| facets[(position + step) % count].1);
+        let three = [0, 1, 2].map(|step| facets[(position + step) % count].1);
+        // Three that follow each other on one envelope do not meet in a point, or the middle one would be gone.
+        let [first, second, third] = three.map(|half_plane| half_plane.a2().sign());
+        if position + 2 < count && first == second && second == third && first != Sign::Zero {
+            return true;
+        }
+        let [before, own, next] = three;
         normal_turn(own, next) == Turn::Left && !are_concurrent(before, own, next)
     };
     count >= 3 && (0..count).all(is_side)

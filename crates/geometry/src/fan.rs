@@ -7,12 +7,12 @@ use std::cmp::Ordering;
 
 use boundfit_exact::{Integer, Rational, Sign};
 
-use crate::active::Active;
+use crate::active_sets::{ActiveSets, Sets};
 use crate::constructions::{direction_between, meet};
 use crate::half_plane::{HalfPlane, Inequality};
 use crate::point::{Direction, Point};
 use crate::predicates::{
-    Side, Turn, angle_order, approach, by_angle, normal, normal_turn, side, turn, turn_between,
+    Turn, angle_order, approach, are_concurrent, by_angle, normal, normal_turn, turn, turn_between,
 };
 use crate::proof::{Farkas, Multiplier};
 use crate::region::{PolygonRegion, Region, Vertex};
@@ -120,34 +120,44 @@ impl NormalFan {
         if after == self.first_side(system) { [end, start] } else { [start, end] }
     }
 
-    /// The polygon of this fan, its vertices with all half-planes that are active there. Exact. Cost: O(n log n) in the number of
-    /// half-planes.
-    pub(crate) fn polygon(&self, system: &System) -> Region {
+    /// The half-planes that touch a polygon beside its sides, each behind the number of the vertex that it touches, ascending. Vertices
+    /// are counted from the lexicographically smallest. Exact. Cost: O(n log n) in the number of half-planes that are no sides.
+    fn touching(&self, system: &System) -> Vec<(usize, usize)> {
         let (count, first) = (self.spokes.len(), self.first_side(system));
         let mut is_side = vec![false; system.len()];
         self.spokes.iter().for_each(|&spoke| is_side[spoke] = true);
-        let vertex = |place: usize| {
-            let active = [place + count - 1, place].map(|place| self.spokes[place % count]);
-            Vertex { point: self.corner(system, place), active: Active::Two(active) }
-        };
-        let mut vertices: Vec<Vertex> = (first..first + count).map(vertex).collect();
+        let mut touching = Vec::new();
         let mut after = 0;
         for (index, half_plane) in system.half_planes().filter(|(index, _)| !is_side[*index]) {
             // A half-plane touches the polygon, if at all, between the two sides that its normal lies between.
             after = self.place_behind(system, half_plane, after);
             let [own, next] = [after + count - first - 1, after + count - first].map(|place| place % count);
-            let side_before = self.sides_at(system, after)[0];
-            if half_plane == side_before {
-                vertices[own].active.push(index);
-                vertices[next].active.push(index);
-            } else if normal_turn(side_before, half_plane) != Turn::None
-                && side(half_plane, &vertices[next].point) == Side::Boundary
+            let [before, behind] = self.sides_at(system, after);
+            if half_plane == before {
+                touching.extend([(own, index), (next, index)]);
+            } else if normal_turn(before, half_plane) != Turn::None
+                && are_concurrent(before, half_plane, behind)
             {
-                vertices[next].active.push(index);
+                touching.push((next, index));
             }
         }
-        vertices.iter_mut().for_each(|vertex| vertex.active.settle());
-        Region::Polygon(PolygonRegion { vertices })
+        touching.sort_unstable();
+        touching
+    }
+
+    /// The half-planes that are active at each vertex of a polygon. Cost: that of the half-planes that are no sides, O(n log n).
+    pub(crate) fn active_sets(&self, system: &System) -> ActiveSets<'_> {
+        let (first, touching) = (self.first_side(system), self.touching(system));
+        ActiveSets(Sets::OfSides { sides: &self.spokes, first, touching })
+    }
+
+    /// The polygon of this fan, its vertices with all half-planes that are active there. Exact. Cost: O(n log n) in the number of
+    /// half-planes.
+    pub(crate) fn polygon(&self, system: &System) -> Region {
+        let (first, active) = (self.first_side(system), self.active_sets(system));
+        let vertex =
+            |number: usize| Vertex { point: self.corner(system, first + number), active: active.at(number) };
+        Region::Polygon(PolygonRegion { vertices: (0..self.spokes.len()).map(vertex).collect() })
     }
 
     /// Indices of the irredundant half-planes, by angle.

@@ -80,6 +80,11 @@ impl HalfPlane {
         if a1.is_zero() && a2.is_zero() {
             return None;
         }
+        let is_unit = a2.to_i64().is_some_and(|a2| a2.unsigned_abs() == 1);
+        if is_unit {
+            // A reading of a line in integers: no common divisor is to be looked for.
+            return Some(HalfPlane::of_coprime(a1, a2, b));
+        }
         let divisor = a1.gcd(&a2).gcd(&b);
         let reduced = |value: Integer| value.quotient(&divisor);
         Some(HalfPlane::of_coprime(reduced(a1), reduced(a2), reduced(b)))

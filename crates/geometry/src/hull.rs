@@ -61,6 +61,20 @@ impl Hull {
         Hull { side, links }
     }
 
+    /// The lower and the upper hull of points sorted by x, then y, as [`Hull::new`] finds them. Cost: that of one hull where all points
+    /// are corners of the lower one.
+    pub fn both<P: Site>(sorted: &[P], orientation: impl Fn(&P, &P, &P) -> Sign) -> [Self; 2] {
+        let lower = Hull::new(HullSide::Lower, sorted, &orientation);
+        // A corner of the lower hull between its ends lies strictly below the upper one.
+        let mut is_below = vec![false; sorted.len()];
+        if let [_, between @ .., _] = lower.links.as_slice() {
+            between.iter().for_each(|link| is_below[link.position] = link.is_corner);
+        }
+        let walk = (0..sorted.len()).rev().filter(|&position| !is_below[position]);
+        let links = chain(walk, sorted, orientation);
+        [lower, Hull { side: HullSide::Upper, links }]
+    }
+
     /// Positions of the corners.
     pub fn corners(&self) -> impl DoubleEndedIterator<Item = usize> {
         self.links.iter().filter(|link| link.is_corner).map(|link| link.position)
@@ -205,6 +219,33 @@ mod tests {
         assert_eq!(lower.corners().collect::<Vec<_>>(), [0, 8]);
         assert_eq!(upper.support(&points).collect::<Vec<_>>(), [10, 9, 6, 2]);
         assert_eq!(upper.corners().collect::<Vec<_>>(), [10, 6, 2]);
+    }
+
+    #[test]
+    fn both_hulls_are_those_that_are_found_alone() {
+        let mut seed = 7_u64;
+        for round in 0..2_000 {
+            let mut next = || {
+                seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                (seed >> 33) as i64 % [2, 4, 40][round % 3]
+            };
+            // On a line, whose points are on both hulls, on a parabola, whose corners are those of one hull, and anywhere.
+            let point = |place: usize| match ((round / 12) % 5, place % 4) {
+                (0, _) => Some(next()).map_or((0, 0), |x| (x, 2 * x)),
+                (_, 0) => (next(), next()),
+                (1, _) => Some(next()).map_or((0, 0), |x| (x, -x * x)),
+                _ => Some(next()).map_or((0, 0), |x| (x, x * x)),
+            };
+            let points = sorted(&(0..round % 12).map(point).collect::<Vec<_>>());
+            let [lower, upper] = Hull::both(&points, orientation);
+            for (own, side) in [(lower, HullSide::Lower), (upper, HullSide::Upper)] {
+                let alone = Hull::new(side, &points, orientation);
+                let parts = |hull: &Hull| -> (Vec<usize>, Vec<usize>) {
+                    (hull.corners().collect(), hull.support(&points).collect())
+                };
+                assert_eq!(parts(&own), parts(&alone), "{points:?}");
+            }
+        }
     }
 
     #[test]

@@ -12,7 +12,7 @@
 //! |---|---|
 //! | state half-planes | `half_plane`, `system`, `point` |
 //! | intersect | `envelope`, `clipping`, `bounds`, `hull`, `fan` |
-//! | answer about a set | `region`, `polyhedron`, `measures`, `normal_cone`, `projective`, `leaving_out`, `layers` |
+//! | answer about a set | `region`, `polyhedron`, `active_sets`, `measures`, `normal_cone`, `projective`, `leaving_out`, `layers` |
 //! | decide and construct | `predicates`, `constructions`, `angle_key` |
 //! | prove and check | `proof`, `invariants` |
 //! | keep only readings that may decide | `grid`, `touching`, `ties`, `tally`, `active` |
@@ -35,6 +35,7 @@
 //! ```
 
 mod active;
+mod active_sets;
 mod angle_key;
 mod bounds;
 pub mod clipping;
@@ -61,6 +62,7 @@ mod tally;
 mod ties;
 mod touching;
 
+pub use active_sets::ActiveSets;
 pub use generators::{Generator, Generators};
 pub use half_plane::{Constraint, HalfPlane, Inequality};
 pub use hull::{Hull, HullSide, Hulls, Site};

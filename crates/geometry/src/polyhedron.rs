@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 
 use boundfit_exact::{Endpoint, Integer, Interval, Rational};
 
+use crate::active_sets::{ActiveSets, Sets};
 use crate::constructions::{crossing, foot, meet, meet_at};
 use crate::envelope::{self, Outline};
 use crate::fan::{FanSupport, NormalFan};
@@ -147,20 +148,32 @@ impl Polyhedron {
         self.region.get().map_or(self.fan.indices().len(), |region| region.vertices().len())
     }
 
-    /// The coordinates of each vertex, counter-clockwise from any, times a positive number of its own. Exact. Cost: constant for each,
-    /// without greatest common divisors.
-    pub fn multiples_of_vertices(&self) -> impl Iterator<Item = [Integer; 2]> + '_ {
-        (0..self.vertex_count()).map(move |number| match self.region.get() {
-            Some(region) => {
-                let (x, y, _) = region.vertices()[number].point().homogeneous();
-                [x.clone(), y.clone()]
-            }
-            None => {
-                let [f, g] = self.fan.sides_at(&self.system, number);
-                let [x, y, _] = crossing(f, g);
-                [x, y]
-            }
-        })
+    /// The vertices, counter-clockwise from the lexicographically smallest, each as (x : y : w): θ1 is x/w, θ2 is y/w, and `w` is
+    /// positive. The three may have common divisors. Exact. Cost: constant for each, without greatest common divisors, and no memory.
+    pub fn homogeneous_vertices(&self) -> impl Iterator<Item = [Integer; 3]> + '_ {
+        let kept = self.region.get().map(|region| {
+            region.vertices().iter().map(|vertex| {
+                let (x, y, w) = vertex.point().homogeneous();
+                [x, y, w].map(Integer::clone)
+            })
+        });
+        let made = kept.is_none().then(|| {
+            let (count, first) = (self.fan.indices().len(), self.fan.first_side(&self.system));
+            (first..first + count).map(|place| {
+                let [before, own] = self.fan.sides_at(&self.system, place);
+                crossing(before, own)
+            })
+        });
+        kept.into_iter().flatten().chain(made.into_iter().flatten())
+    }
+
+    /// The half-planes that are active at the vertices of [`Polyhedron::homogeneous_vertices`]. Cost: O(n log n) in the number of redundant
+    /// half-planes. Memory: that of those that touch the set.
+    pub fn active_sets(&self) -> ActiveSets<'_> {
+        match self.region.get() {
+            Some(region) => ActiveSets(Sets::Kept(region.vertices())),
+            None => self.fan.active_sets(&self.system),
+        }
     }
 
     /// The irredundant half-planes by angle.

@@ -2,7 +2,7 @@
 
 use boundfit_estimation::{Measurements, Model};
 use boundfit_exact::{Integer, Rational, Sign};
-use boundfit_geometry::{Direction, Region};
+use boundfit_geometry::{Direction, Polyhedron};
 
 use crate::document::{Operator, Text};
 use crate::formula::pair;
@@ -12,13 +12,14 @@ use crate::style::Style;
 ///
 /// A reading confines θ to a strip across its regressor φ, which stops every recession direction d with φ·d ≠ 0. One
 /// strip stops a whole pointed cone when φ·d has one sign on all of it.
-pub(crate) fn bounding_reading(region: &Region, measurements: &Measurements, style: &Style) -> Option<Text> {
+pub(crate) fn bounding_reading(set: &Polyhedron, measurements: &Measurements, style: &Style) -> Option<Text> {
     let model = measurements.model();
     // As x stands in the data.
     let uncounted = |x: Rational| x + &measurements.line_form().x_origin;
-    if region.is_bounded() {
+    if set.kind().is_bounded() {
         return None;
     }
+    let region = set.region();
     let advice = match (region.rays().as_slice(), region.lines().as_slice()) {
         ([], [line]) => match (model, line_at_zero(line)) {
             (Model::Line { x }, Some(value)) => {

@@ -25,9 +25,10 @@ pub(crate) fn widths<C: AsRef<str>, L: AsRef<[C]>>(lines: &[L]) -> Vec<usize> {
 
 /// Appends a line, its cells as far apart as their columns are wide; a wider cell moves the rest of the line. Nothing
 /// stands behind the last text.
-pub(crate) fn write_line<C: AsRef<str>>(cells: &[C], widths: &[usize], text: &mut String) {
+pub(crate) fn write_line<C: AsRef<str>>(cells: impl Iterator<Item = C>, widths: &[usize], text: &mut String) {
     let mut missing = 0;
-    for (cell, &width) in cells.iter().map(AsRef::as_ref).zip(widths) {
+    for (cell, &width) in cells.zip(widths) {
+        let cell = cell.as_ref();
         if !cell.is_empty() {
             text.extend(std::iter::repeat_n(' ', missing));
             text.push_str(cell);

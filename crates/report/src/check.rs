@@ -20,7 +20,7 @@ pub fn check_document(
     file: Foreign<&str>,
     reading: Reading,
     style: &Style,
-) -> Document {
+) -> Document<'static> {
     let styles = resolving(check, reading, style);
     // A point that is feasible for the doubles of a solver may be infeasible for the data.
     let received = (reading != Reading::Binary64).then(|| check.rows.in_binary64()).flatten();
@@ -75,7 +75,7 @@ pub fn check_document(
 }
 
 /// The worst verdict, and what decides it: the reading of the data, as it decides the exit status.
-fn worst_blocks(check: &Check, reading: Reading) -> Vec<Block> {
+fn worst_blocks(check: &Check, reading: Reading) -> Vec<Block<'static>> {
     let Some(worst) = check.worst(reading) else { return Vec::new() };
     let refuted = if worst.is_refutation() { "; refuted" } else { "" };
     let decides = match reading {
@@ -374,7 +374,7 @@ const DIRECTIONS_UNSCALED: &str = "The directions are spread evenly in the plane
 const DIRECTIONS_SCALED: &str = "The directions are spread evenly where the PUI box is a square.";
 
 /// The set between its two approximations.
-fn directions(found: &Directions, style: &Style) -> [Block; 3] {
+fn directions(found: &Directions, style: &Style) -> [Block<'static>; 3] {
     let row = |name: &str, approximation: Option<&Approximation>| {
         let Some(Approximation { vertices, area }) = approximation else {
             return [name, "-", "-"].map(Text::from).into();

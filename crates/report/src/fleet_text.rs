@@ -130,7 +130,7 @@ impl Layout {
         }
         let widths = [&[self.name], self.others.as_slice()].concat();
         for cells in line.behind(self.is_stacked) {
-            write_line(&[&[name], cells.as_slice()].concat(), &widths, text);
+            write_line([&[name], cells.as_slice()].concat().iter(), &widths, text);
             name = "";
         }
     }

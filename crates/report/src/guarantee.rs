@@ -28,7 +28,12 @@ impl GuaranteeJson {
 }
 
 /// The guarantee of a fit, with what it assumes and where it comes from.
-pub fn guarantee_document(problem: &Problem, fit: &Fit, guarantee: &Guarantee, style: &Style) -> Document {
+pub fn guarantee_document(
+    problem: &Problem,
+    fit: &Fit,
+    guarantee: &Guarantee,
+    style: &Style,
+) -> Document<'static> {
     let Guarantee { confidence, covered, readings, unknowns } = guarantee;
     let mut blocks = vec![Block::Title("Guarantee for further readings".into())];
     let Some(minimax) = &fit.minimax else {

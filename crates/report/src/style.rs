@@ -1,9 +1,10 @@
 //! The style of numbers.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use boundfit_exact::english::counted;
-use boundfit_exact::{Decimal, Interval, Limit, PlacedDecimal, PlusMinus, Rational, Rounding};
+use boundfit_exact::{Decimal, Integer, Interval, Limit, PlacedDecimal, PlusMinus, Rational, Rounding};
 use boundfit_geometry::Measure;
 
 use crate::document::{Inline, Symbol, Text};
@@ -76,7 +77,7 @@ impl Default for Style {
 
 /// A number in the form that text shows.
 pub(crate) enum Shown<'a> {
-    Exact(&'a Rational),
+    Exact(Cow<'a, Rational>),
     Rounded(Decimal<'a>),
     Placed(PlacedDecimal),
 }
@@ -88,6 +89,15 @@ pub(crate) struct GiveOrTake<'a> {
 }
 
 impl Shown<'_> {
+    /// Writes the number, as the [`Display`](fmt::Display) form has it, without a formatter.
+    pub(crate) fn write_to(&self, out: &mut impl fmt::Write) -> fmt::Result {
+        match self {
+            Shown::Exact(value) => value.write_to(out),
+            Shown::Rounded(decimal) => decimal.write_to(out),
+            Shown::Placed(decimal) => decimal.write_to(out),
+        }
+    }
+
     /// Returns the style of files for programs.
     pub(crate) fn compact(self) -> Self {
         match self {
@@ -338,11 +348,26 @@ impl Style {
         }
     }
 
-    fn shown<'a>(&self, value: &'a Rational, rounding: Rounding) -> Shown<'a> {
+    pub(crate) fn shown<'a>(&self, value: &'a Rational, rounding: Rounding) -> Shown<'a> {
         if self.exact {
-            Shown::Exact(value)
+            Shown::Exact(Cow::Borrowed(value))
         } else {
             Shown::Rounded(value.decimal(self.significant(), rounding))
+        }
+    }
+
+    /// The number `numerator / denominator`, with a positive denominator, as [`Style::shown`] has the number in lowest terms.
+    pub(crate) fn quotient<'a>(
+        &self,
+        numerator: &'a Integer,
+        denominator: &'a Integer,
+        rounding: Rounding,
+    ) -> Shown<'a> {
+        if self.exact {
+            let value = Rational::new(numerator.clone(), denominator.clone());
+            Shown::Exact(Cow::Owned(value.unwrap_or_default()))
+        } else {
+            Shown::Rounded(Decimal::of_quotient(numerator, denominator, self.significant(), rounding))
         }
     }
 }

@@ -16,7 +16,7 @@ use crate::style::{Style, is_readable, range};
 
 /// The sets FPS(s·ε): where the set changes its shape, then every vertex and every end of the PUI between, as exact
 /// functions of s.
-pub fn sweep_document(problem: &Problem, family: &Family, style: &Style) -> Document {
+pub fn sweep_document(problem: &Problem, family: &Family, style: &Style) -> Document<'static> {
     let breakpoints = family.breakpoints();
     let (Some(first), Some(last)) = (breakpoints.first(), breakpoints.last()) else {
         return Document::default();
@@ -82,7 +82,7 @@ fn breakpoint_table(problem: &Problem, breakpoints: &[Breakpoint], style: &Style
 
 /// The vertices between two breakpoints, where the set goes on for ever, which lines bound it, the ends of the PUI and the
 /// area.
-fn piece_blocks(piece: &Piece, style: &Style) -> Vec<Block> {
+fn piece_blocks(piece: &Piece, style: &Style) -> Vec<Block<'static>> {
     let function = |function: &Linear| linear_text(function, style);
     let title = Text::from("For ").then(from_to(style.proof(&piece.from), style.proof(&piece.to)));
     let title = title.words(format!(": {}", kind_text(piece.kind, piece.vertices.len())));

@@ -189,10 +189,7 @@ impl Ask for Predict {
                 let why = NoProof::about(&problem.measurements);
                 paper.put(prediction_proof(&prediction, origin.reading).ok_or(Refusal::NoProof(why))?)?;
             }
-            _ => {
-                let text = Self::report(paper, || prediction_document(&prediction, self.proofs, &style))?;
-                paper.put(text)?;
-            }
+            _ => Self::report(paper, || prediction_document(&prediction, self.proofs, &style))?,
         }
         Ok(Written::of_set(fit.is_empty()))
     }

@@ -229,8 +229,7 @@ impl Ask for Status {
             _ => {
                 let (new, repair) = (self.rank_new(asked, statuses)?, answer.repair.clone());
                 let report = StatusReport { problem, fit: &answer.fit, ranking, new, repair };
-                let text = Self::report(paper, || status_document(report, &origin, &style))?;
-                paper.put(text)?;
+                Self::report(paper, || status_document(report, &origin, &style))?;
             }
         }
         Ok(Written::of_set(answer.fit.is_empty()))

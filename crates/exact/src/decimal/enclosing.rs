@@ -1,7 +1,7 @@
 //! An estimate and its error bound, rounded so that they belong together, from the leading bits of both.
 
 use super::words::{self, bits_beyond};
-use crate::powers_of_ten;
+use crate::{Wide, powers_of_ten};
 
 /// The absolute values of a centre, of its error and of their common denominator, from below; above them by less than `slack`.
 pub(super) struct Terms {
@@ -32,6 +32,12 @@ impl Terms {
         let beyond = bits_beyond(bits, digits + MORE_DIGITS);
         let [centre, error, denominator] = leading(beyond);
         Some(Terms { least: [centre?, error?, denominator?], slack: u128::from(beyond > 0) })
+    }
+
+    /// The same of terms in fixed memory.
+    pub(super) fn of_wide(terms: [Wide; 3], digits: usize) -> Option<Self> {
+        let bits = terms.map(Wide::bits).into_iter().max()?;
+        Terms::new(bits.into(), digits, |beyond| terms.map(|term| term.leading(beyond as u32)))
     }
 
     /// Returns the decimals that enclose the terms. The error is rounded to this number of digits, the first of which weighs

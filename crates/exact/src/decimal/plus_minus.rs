@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::enclosing::{Enclosing, Terms};
 use super::{LEAST_PLAIN, Parts, Rounding, significand, significand_of, words};
-use crate::{Integer, Rational};
+use crate::{Integer, Rational, Wide};
 
 /// The most digits of an estimate that its error bound asks for.
 const MOST_DIGITS: usize = 40;
@@ -60,11 +60,19 @@ impl PlusMinus {
             return None;
         }
         // Not more than 18 digits.
-        let rounded = words::significand(error, digits, Rounding::Up)?;
+        let rounded = words::significand(error.terms(), digits, Rounding::Up)?;
         let ((own, denominator), (bound, other)) = (centre.terms(), error.terms());
-        let terms = [own * other, bound * denominator, denominator * other];
-        let bits = terms.iter().map(Integer::bits).max()?;
-        let terms = Terms::new(bits, digits, |beyond| terms.each_ref().map(|term| term.leading(beyond)))?;
+        let factors = [(own, other), (bound, denominator), (denominator, other)];
+        let words =
+            |(left, right): (&Integer, &Integer)| Some(Wide::product(left.to_i128()?, right.to_i128()?));
+        let terms = match factors.map(words) {
+            [Some(centre), Some(error), Some(unit)] => Terms::of_wide([centre, error, unit], digits)?,
+            _ => {
+                let terms = factors.map(|(left, right)| left * right);
+                let bits = terms.iter().map(Integer::bits).max()?;
+                Terms::new(bits, digits, |beyond| terms.each_ref().map(|term| term.leading(beyond)))?
+            }
+        };
         let enclosing = terms.enclosing(rounded.exponent, digits)?;
         Some(PlusMinus::of_units(centre.is_negative(), &enclosing))
     }
@@ -107,7 +115,7 @@ fn last_place(centre: &Rational, error: &Rational, digits: usize) -> i64 {
         |value: &Rational, digits: usize| value.decimal_exponent().map(|first| first + 1 - digits as i64);
     let asked = match error.is_zero() {
         true => last(centre, digits).unwrap_or(0),
-        false => significand_of(error, digits, Rounding::Up).exponent + 1 - digits as i64,
+        false => significand_of(error.terms(), digits, Rounding::Up).exponent + 1 - digits as i64,
     };
     match last(centre, digits.max(MOST_DIGITS)) {
         Some(finest) if finest > asked && centre.exact_decimal(MOST_DIGITS).is_none() => finest,
@@ -122,7 +130,7 @@ impl PlacedDecimal {
 
     fn rounded(value: &Rational, place: i64, rounding: Rounding) -> Self {
         let away_from_zero = rounding.away_from_zero(value.is_negative());
-        let (units, is_exact) = significand(&value.abs(), place, 1, away_from_zero);
+        let (units, is_exact) = significand(value.terms(), place, 1, away_from_zero);
         PlacedDecimal { is_negative: value.is_negative(), units, place, is_exact, least_plain: LEAST_PLAIN }
     }
 

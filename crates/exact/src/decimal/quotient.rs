@@ -84,10 +84,7 @@ impl WideQuotient {
         }
         let rounded = significand(error, denominator, digits, Some(true))?;
         // Not more than 18 digits, by now.
-        let bits = [centre, error, denominator].map(Wide::bits).into_iter().max()?;
-        let terms = Terms::new(bits.into(), digits, |beyond| {
-            [centre, error, denominator].map(|term| term.leading(beyond as u32))
-        })?;
+        let terms = Terms::of_wide([centre, error, denominator], digits)?;
         let mut enclosing = terms.enclosing(rounded.exponent, digits)?;
         enclosing.place += i64::from(lower.exponent);
         Some(PlusMinus::of_units(centre.is_negative(), &enclosing))

@@ -45,7 +45,7 @@ fn decimals_that_end_are_told_by_the_factors_of_their_denominators() {
         for numerator in numerators.into_iter().flat_map(|n| [n, -n]) {
             let value = Rational::new(numerator.into(), denominator.clone()).unwrap();
             for digits in [1, 5, 18, 40] {
-                let rounded = long_significand(&value, digits, Rounding::Down);
+                let rounded = long_significand(value.terms(), digits, Rounding::Down);
                 let decimal = value.exact_decimal(digits);
                 assert_eq!(decimal.is_some(), rounded.exact, "{value} {digits}");
                 let expected = value.decimal(digits, Rounding::Down);
@@ -171,9 +171,9 @@ fn leading_bits_tell_the_digits_of_longer_numbers() {
         for value in [-&value, value] {
             for digits in 1..=18 {
                 for rounding in [Rounding::Nearest, Rounding::Down, Rounding::Up] {
-                    let Some(short) = words::significand(&value, digits, rounding) else { continue };
+                    let Some(short) = words::significand(value.terms(), digits, rounding) else { continue };
                     in_words += 1;
-                    let long = long_significand(&value, digits, rounding);
+                    let long = long_significand(value.terms(), digits, rounding);
                     assert_eq!(Integer::from(short.digits), long.digits, "{value} {digits} {rounding:?}");
                     assert_eq!((short.exponent, short.exact), (long.exponent, long.exact), "{value}");
                 }
@@ -198,10 +198,10 @@ fn words_are_enough_next_to_a_power_of_ten() {
         (1, 1000, -3),
     ] {
         let value = Rational::ratio(numerator, denominator);
-        assert_eq!(words::exponent(&value), Some(exponent), "{value}");
+        assert_eq!(words::exponent(value.terms()), Some(exponent), "{value}");
         for digits in 1..=18 {
-            let short = words::significand(&value, digits, Rounding::Down).unwrap();
-            let long = long_significand(&value, digits, Rounding::Down);
+            let short = words::significand(value.terms(), digits, Rounding::Down).unwrap();
+            let long = long_significand(value.terms(), digits, Rounding::Down);
             assert_eq!(Integer::from(short.digits), long.digits, "{value} {digits}");
             assert_eq!((short.exponent, short.exact), (long.exponent, long.exact), "{value} {digits}");
         }
@@ -233,7 +233,7 @@ fn numbers_of_up_to_128_bits_are_printed_like_longer_ones() {
     for (numerator, denominator) in terms {
         let value = Rational::new(numerator.into(), denominator.into()).unwrap();
         for value in [-&value, value] {
-            let exponent = exponent_of(&value.abs());
+            let exponent = exponent_of(value.terms());
             assert_eq!(value.decimal_exponent(), Some(exponent), "{value}");
             for (digits, rounding) in [
                 (1, Rounding::Nearest),
@@ -243,8 +243,8 @@ fn numbers_of_up_to_128_bits_are_printed_like_longer_ones() {
                 (18, Rounding::Up),
                 (18, Rounding::Nearest),
             ] {
-                let long = long_significand(&value, digits, rounding);
-                let Some(short) = words::significand(&value, digits, rounding) else { continue };
+                let long = long_significand(value.terms(), digits, rounding);
+                let Some(short) = words::significand(value.terms(), digits, rounding) else { continue };
                 in_words += 1;
                 assert_eq!(Integer::from(short.digits), long.digits, "{value} {digits} {rounding:?}");
                 assert_eq!((short.exponent, short.exact), (long.exponent, long.exact), "{value}");
@@ -252,4 +252,30 @@ fn numbers_of_up_to_128_bits_are_printed_like_longer_ones() {
         }
     }
     assert!(in_words > 30_000, "only {in_words}");
+}
+
+#[test]
+fn quotients_with_common_divisors_are_printed_like_those_in_lowest_terms() {
+    let long = |power: u32, rest: i64| Integer::power_of_ten(power) + Integer::from(rest);
+    for (numerator, denominator) in [
+        (Integer::from(0), Integer::from(7)),
+        (Integer::from(21), Integer::from(11_726)),
+        (Integer::from(-3), Integer::from(8)),
+        (Integer::from(99_995), Integer::from(10)),
+        (long(37, 0), long(36, 0)),
+        (-long(60, 7), long(41, -1)),
+    ] {
+        let value = Rational::new(numerator.clone(), denominator.clone()).unwrap();
+        for common in [Integer::from(1), Integer::from(6), long(20, 0), long(45, 9)] {
+            let [numerator, denominator] = [&numerator * &common, &denominator * &common];
+            assert!(value.is_quotient(&numerator, &denominator));
+            assert!(!value.is_quotient(&(&numerator + Integer::one()), &denominator));
+            for digits in [1, 3, 5, 18, 30] {
+                for rounding in [Rounding::Nearest, Rounding::Down, Rounding::Up] {
+                    let decimal = Decimal::of_quotient(&numerator, &denominator, digits, rounding);
+                    assert_eq!(decimal.to_string(), value.to_decimal(digits, rounding), "{value} {common}");
+                }
+            }
+        }
+    }
 }

@@ -3,27 +3,29 @@
 use crate::powers_of_ten;
 use std::cmp::Ordering;
 
-use super::{Rounding, Significand};
-use crate::Rational;
+use super::{Quotient, Rounding, Significand};
 
 /// The most digits of a significand that fits into 64 bits, whatever they are.
 pub(super) const MOST_DIGITS: usize = 18;
 
-/// Numerator and denominator of |value|, when both fit.
-fn terms(value: &Rational) -> Option<(u128, u128)> {
-    let (numerator, denominator) = value.terms();
+/// The absolute values of numerator and denominator, when both fit.
+fn words((numerator, denominator): Quotient<'_>) -> Option<(u128, u128)> {
     Some((numerator.to_i128()?.unsigned_abs(), denominator.to_i128()?.unsigned_abs()))
 }
 
 /// The rounded significand of a number that is not 0; `None` where it takes longer numbers to tell.
-pub(super) fn significand(value: &Rational, digits: usize, rounding: Rounding) -> Option<Significand<u64>> {
+pub(super) fn significand(
+    terms: Quotient<'_>,
+    digits: usize,
+    rounding: Rounding,
+) -> Option<Significand<u64>> {
     if digits > MOST_DIGITS {
         return None;
     }
-    let away_from_zero = rounding.away_from_zero(value.is_negative());
-    terms(value)
+    let away_from_zero = rounding.away_from_zero(terms.0.is_negative());
+    words(terms)
         .and_then(|(numerator, denominator)| of_terms(numerator, denominator, digits, away_from_zero))
-        .or_else(|| bracketed(value, digits, away_from_zero))
+        .or_else(|| bracketed(terms, digits, away_from_zero))
 }
 
 /// The rounded significand of a quotient of positive numbers, of at most 18 digits; `None` where it takes longer numbers to tell.
@@ -45,8 +47,11 @@ pub(super) fn of_terms(
 }
 
 /// Computes [`significand`] from the leading bits of both terms alone.
-fn bracketed(value: &Rational, digits: usize, away_from_zero: Option<bool>) -> Option<Significand<u64>> {
-    let (numerator, denominator) = value.terms();
+fn bracketed(
+    (numerator, denominator): Quotient<'_>,
+    digits: usize,
+    away_from_zero: Option<bool>,
+) -> Option<Significand<u64>> {
     let beyond = bits_beyond(numerator.bits().max(denominator.bits()), digits);
     of_leading(numerator.leading(beyond)?, denominator.leading(beyond)?, digits, away_from_zero)
 }
@@ -86,8 +91,8 @@ pub(super) fn of_leading(
 }
 
 /// `floor(log10 |value|)` of a number that is not 0; `None` where it takes longer numbers.
-pub(super) fn exponent(value: &Rational) -> Option<i64> {
-    let (numerator, denominator) = terms(value)?;
+pub(super) fn exponent(terms: Quotient<'_>) -> Option<i64> {
+    let (numerator, denominator) = words(terms)?;
     scaled(numerator, denominator, 1).map(|scaled| scaled.exponent)
 }
 

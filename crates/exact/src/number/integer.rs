@@ -390,6 +390,18 @@ impl Integer {
         }
     }
 
+    /// The lowest 64 bits of the value: the number modulo 2^64.
+    #[inline]
+    pub(super) fn lowest_word(&self) -> u64 {
+        match &self.0 {
+            Small(value) => value.get() as u64,
+            Big(value) => {
+                let magnitude = value.iter_u64_digits().next().unwrap_or_default();
+                if self.is_negative() { magnitude.wrapping_neg() } else { magnitude }
+            }
+        }
+    }
+
     /// The value in fixed memory, when it has 255 bits at most.
     pub(crate) fn wide(&self) -> Option<Wide> {
         let words = self.words().filter(|_| self.bits() < 256)?;

@@ -330,6 +330,14 @@ impl Rational {
         Some((self.numerator.to_i64()?, self.denominator.to_i64()?))
     }
 
+    /// Returns whether the number is `numerator / denominator`, whose denominator is not 0. Exact. Cost: two products of the lowest words,
+    /// of the whole numbers where these are equal.
+    pub fn is_quotient(&self, numerator: &Integer, denominator: &Integer) -> bool {
+        let product = |one: &Integer, other: &Integer| one.lowest_word().wrapping_mul(other.lowest_word());
+        product(&self.numerator, denominator) == product(numerator, &self.denominator)
+            && Integer::compare([(&self.numerator, denominator)], [(numerator, &self.denominator)]).is_eq()
+    }
+
     /// Numbers as integers over their least common denominator, which comes last and is positive. Exact.
     ///
     /// ```

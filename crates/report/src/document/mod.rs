@@ -7,21 +7,23 @@ mod markdown;
 mod plain;
 mod wrap;
 
+use std::io::{self, Write};
+
 pub(crate) use inline::{Inline, Operator, Symbol, THETA, Text};
-pub(crate) use long::{Column, LongTable};
+pub(crate) use long::{Column, LongTable, Rows};
 pub(crate) use wrap::WIDTH;
 pub use wrap::in_page_width;
 
 /// The title of the remaining results, where they have one.
 const RESULTS: &str = "Further results";
 
-/// A report, to be written in one of several languages.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Document(Vec<Block>);
+/// A report, to be written in one of several languages. Its tables of vertices are made as they are written.
+#[derive(Debug, Default)]
+pub struct Document<'a>(Vec<Block<'a>>);
 
 /// A part of a report.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Block {
+#[derive(Debug)]
+pub(crate) enum Block<'a> {
     /// The topic of the following blocks.
     Title(Text),
     /// A sentence that opens a part: plain text sets it like a title, markup like a paragraph.
@@ -31,7 +33,7 @@ pub(crate) enum Block {
     /// A line for each remaining result. Plain text sets them flush left, markup under a title.
     Results(Vec<(Text, Text)>),
     Table(Table),
-    LongTable(LongTable),
+    LongTable(LongTable<'a>),
     /// A blank line in plain text, where something begins that has no title.
     Space,
 }
@@ -57,17 +59,29 @@ impl Table {
     }
 }
 
-impl Document {
+impl<'a> Document<'a> {
     /// The most readings, values or runs that a report lists unless more are asked for. JSON and CSV have all.
     pub const MOST_LISTED: usize = 40;
 
-    pub(crate) fn new(blocks: Vec<Block>) -> Self {
+    pub(crate) fn new(blocks: Vec<Block<'a>>) -> Self {
         Document(blocks)
+    }
+
+    /// Writes the report as plain text, in parts.
+    ///
+    /// # Errors
+    /// The first error of what is written to.
+    pub fn write_text(&self, out: &mut dyn Write) -> io::Result<()> {
+        plain::write(&self.0, out)
     }
 
     /// The report as plain text.
     pub fn to_text(&self) -> String {
-        plain::written(&self.0)
+        let mut text = Vec::new();
+        // Writing to memory does not fail.
+        let written = self.write_text(&mut text);
+        debug_assert!(written.is_ok());
+        String::from_utf8(text).unwrap_or_default()
     }
 
     /// The report in LaTeX: a fragment to be read into a document that uses the package `booktabs`. Tables and lines keep
@@ -82,7 +96,7 @@ impl Document {
     }
 
     /// Adds a report behind this one.
-    pub fn append(&mut self, other: Document) {
+    pub fn append(&mut self, other: Document<'a>) {
         self.0.extend(other.0);
     }
 

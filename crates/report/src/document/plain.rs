@@ -1,6 +1,7 @@
 //! Documents as plain text.
 
 use std::borrow::Cow;
+use std::io::{self, Write};
 
 use super::wrap::{WIDTH, wrapped};
 use super::{Block, Facts, LongTable, Table, Text};
@@ -15,13 +16,16 @@ const GAP: usize = 2;
 /// The blanks before the cells of a row that has a line for each.
 const PART: usize = 6;
 
-/// The blocks in order: titles flush left after a blank line, all else indented below them. A text that is longer
+/// The number of bytes that are written at once.
+const WRITTEN_AT_ONCE: usize = 1 << 16;
+
+/// Writes the blocks in order: titles flush left after a blank line, all else indented below them. A text that is longer
 /// than a line goes on below its beginning.
-pub(super) fn written(blocks: &[Block]) -> String {
-    let mut text = String::new();
+pub(super) fn write(blocks: &[Block<'_>], out: &mut dyn Write) -> io::Result<()> {
+    let (mut text, mut is_first) = (String::new(), true);
     for block in blocks {
         let opens = matches!(block, Block::Title(_) | Block::Lead(_) | Block::Results(_) | Block::Space);
-        if opens && !text.is_empty() {
+        if opens && !is_first {
             text.push('\n');
         }
         match block {
@@ -40,11 +44,12 @@ pub(super) fn written(blocks: &[Block]) -> String {
                 }
             }
             Block::Table(table) => write_table(table, &mut text),
-            Block::LongTable(table) => write_long_table(table, &mut text),
+            Block::LongTable(table) => write_long_table(table, &mut text, out)?,
             Block::Space => {}
         }
+        is_first &= text.is_empty();
     }
-    text
+    out.write_all(text.as_bytes())
 }
 
 /// A label and what stands behind it, which begins in this column and goes on there.
@@ -74,7 +79,7 @@ fn write_table<'a>(Table { header, rows }: &'a Table, text: &mut String) {
     if widths.iter().sum::<usize>() + INDENT + GAP * (widths.len() - 1) <= WIDTH {
         for line in broken.as_ref().unwrap_or(&rows) {
             text.push_str("  ");
-            write_line(line, &widths, text);
+            write_line(line.iter(), &widths, text);
         }
         return;
     }
@@ -90,25 +95,34 @@ fn write_table<'a>(Table { header, rows }: &'a Table, text: &mut String) {
     }
 }
 
-/// A table of any length: without a list of its lines where each is a line as it is.
-fn write_long_table(table: &LongTable, text: &mut String) {
-    let mut natural = Vec::new();
-    for line in table.plain() {
-        natural.resize(line.len(), 0);
-        for (width, cell) in natural.iter_mut().zip(&line) {
-            *width = columns(cell).max(*width);
+/// A table of any length: without a list of its lines where each is a line as it is. Lines that fill a part are written.
+fn write_long_table(table: &LongTable<'_>, text: &mut String, out: &mut dyn Write) -> io::Result<()> {
+    let (mut natural, mut is_empty) = (table.header().map(|cell| columns(&cell)).collect::<Vec<_>>(), true);
+    table.each(&mut |row| {
+        is_empty = false;
+        for (width, cell) in natural.iter_mut().zip(row.plain()) {
+            *width = columns(&cell).max(*width);
         }
-    }
-    if natural.is_empty() {
-        return;
+        Ok(())
+    })?;
+    if is_empty {
+        return Ok(());
     }
     if natural != limits(&natural) {
-        return write_table(&table.to_table(), text);
+        write_table(&table.to_table(), text);
+        return Ok(());
     }
-    for line in table.plain() {
+    text.push_str("  ");
+    write_line(table.header(), &natural, text);
+    table.each(&mut |row| {
+        if text.len() > WRITTEN_AT_ONCE {
+            out.write_all(text.as_bytes())?;
+            text.clear();
+        }
         text.push_str("  ");
-        write_line(&line, &natural, text);
-    }
+        write_line(row.plain(), &natural, text);
+        Ok(())
+    })
 }
 
 /// Returns the width limit of each column: narrow columns as they are, the others alike.
@@ -139,12 +153,17 @@ fn lines_of(row: &[Cow<'_, str>], limits: &[usize]) -> Vec<Vec<Cow<'static, str>
 
 #[cfg(test)]
 mod tests {
+    use super::super::Document;
     use super::*;
+
+    fn text(block: Block<'_>) -> String {
+        Document(vec![block]).to_text()
+    }
 
     fn table(cells: &[&str]) -> String {
         let row = |cells: &[&str]| cells.iter().map(|cell| Text::from(*cell)).collect::<Vec<_>>();
         let header = row(&["", "a", "b"]);
-        written(&[Block::Table(Table { header, rows: vec![row(cells)] })])
+        text(Block::Table(Table { header, rows: vec![row(cells)] }))
     }
 
     #[test]
@@ -167,6 +186,6 @@ mod tests {
     fn long_facts_go_on_below_themselves() {
         let facts = Facts { width: 3, rows: vec![("abc".into(), "word ".repeat(20).trim_end().into())] };
         let expected = format!("  abc  {}\n       {}\n", ["word"; 14].join(" "), ["word"; 6].join(" "));
-        assert_eq!(written(&[Block::Facts(facts)]), expected);
+        assert_eq!(text(Block::Facts(facts)), expected);
     }
 }

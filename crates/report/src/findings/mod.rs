@@ -18,7 +18,7 @@ use sentence::{bounded, sentence};
 
 /// The findings about solutions, to stand behind the report of the answer: for each file its worst verdict, then a line for
 /// each aspect, the size of the error first.
-pub fn solutions_document(model: &Model, solutions: &[JudgedSolution]) -> Document {
+pub fn solutions_document(model: &Model, solutions: &[JudgedSolution]) -> Document<'static> {
     let mut blocks = Vec::new();
     for judged in solutions {
         let title = Text::new().given(&judged.file).words(format!(

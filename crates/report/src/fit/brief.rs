@@ -12,12 +12,12 @@ use crate::style::Style;
 /// Returns the report of a fit in ten lines: model, error, data, the kind of set, ε_min and least squares. Each
 /// parameter has its PUI and its central estimate with the guaranteed error. An empty set has its contradiction and
 /// the remedy instead.
-pub fn brief_document(problem: &Problem, fit: &Fit, origin: &Origin, style: &Style) -> Document {
+pub fn brief_document(problem: &Problem, fit: &Fit, origin: &Origin, style: &Style) -> Document<'static> {
     let pui = fit.pui_intervals();
     let report = Report::new(problem, fit, pui.as_ref(), InverseLine::default(), style);
-    let region = fit.fps.polyhedron().region();
+    let set = fit.fps.polyhedron();
     let mut rows = report.facts(origin);
-    rows.push(("set".into(), kind_text(region.kind(), region.vertices().len()).into()));
+    rows.push(("set".into(), kind_text(set.kind(), set.vertex_count()).into()));
     for (axis, interval) in pui.iter().flatten().enumerate() {
         let range = report.theta[axis].interval(interval);
         let is_single = interval.ends().is_some_and(|(lower, upper)| lower == upper);
@@ -62,7 +62,7 @@ pub fn brief_document(problem: &Problem, fit: &Fit, origin: &Origin, style: &Sty
         rows.push((Text::new(), line));
     }
     let mut blocks = vec![Block::Title("Set-membership fit".into()), Block::Facts(Facts { width: 7, rows })];
-    if region.is_empty() {
+    if set.is_empty() {
         // The proof is in the whole report.
         let lines = report.emptiness().into_iter().enumerate().filter(|(number, _)| *number != 1);
         blocks.extend(lines.map(|(_, line)| Block::Paragraph(line)));

@@ -1,5 +1,7 @@
 //! The tables of estimates and intervals, and what their words and digits mean.
 
+use std::iter;
+
 use boundfit_estimation::{ErrorBound, Fit, Inverse, InverseParameter, Model};
 use boundfit_exact::{Interval, Rational};
 
@@ -9,7 +11,7 @@ use crate::scale::{Scale, scales};
 use crate::style::{EndRounding, GiveOrTake, Style};
 
 /// The part; nothing when there is neither an estimate nor an interval.
-pub(super) fn blocks(report: &Report) -> Vec<Block> {
+pub(super) fn blocks(report: &Report) -> Vec<Block<'static>> {
     let rows = parameter_rows(report);
     if rows.is_empty() {
         return Vec::new();
@@ -33,7 +35,7 @@ pub(super) fn parameter_names(model: &Model) -> [Text; 2] {
 }
 
 /// The inverse line, with its title.
-fn inverse_blocks(report: &Report, inverse: &Inverse) -> Vec<Block> {
+fn inverse_blocks(report: &Report, inverse: &Inverse) -> Vec<Block<'static>> {
     let rows = inverse_rows(report, inverse);
     let measurements = &report.problem.measurements;
     let Model::Line { x } = measurements.model() else { return Vec::new() };
@@ -130,7 +132,7 @@ fn inverse_rows(report: &Report, inverse: &Inverse) -> Vec<Vec<Text>> {
     let boxes =
         [single(&|own| own.box_range.clone()), single(&|own| own.eui_range.clone().unwrap_or_default())];
     let others: Vec<&[Interval; 2]> = boxes.iter().flatten().collect();
-    let scales = scales(report.style, exact.as_ref(), &others, &[], &[]);
+    let scales = scales(report.style, exact.as_ref(), &others, &[], iter::empty);
     let estimate = |label: &str, values: [Option<Rational>; 2]| {
         let cell = |axis: usize| match &values[axis] {
             Some(value) => Text::new().number(scales[axis].value(value)),

@@ -52,13 +52,13 @@ enum Extent {
 
 /// Writes the report of a fit: estimates, intervals, the inverse line, the vertices, ε_min and the lines at the ends of the slopes.
 /// The last block holds the remaining results, so that [`Document::add_result`] can add to them.
-pub fn fit_document(
+pub fn fit_document<'a>(
     problem: &Problem,
-    fit: &Fit,
+    fit: &'a Fit,
     origin: &Origin,
     inverse_line: InverseLine,
     style: &Style,
-) -> Document {
+) -> Document<'a> {
     document(problem, fit, origin, inverse_line, style, Extent::Usual)
 }
 
@@ -68,39 +68,38 @@ pub fn fit_document(
 /// - Area and centroid.
 /// - The guaranteed errors of least squares.
 /// - Least squares in doubles.
-pub fn full_fit_document(
+pub fn full_fit_document<'a>(
     problem: &Problem,
-    fit: &Fit,
+    fit: &'a Fit,
     origin: &Origin,
     inverse_line: InverseLine,
     style: &Style,
-) -> Document {
+) -> Document<'a> {
     document(problem, fit, origin, inverse_line, style, Extent::Full)
 }
 
-fn document(
+fn document<'a>(
     problem: &Problem,
-    fit: &Fit,
+    fit: &'a Fit,
     origin: &Origin,
     inverse_line: InverseLine,
     style: &Style,
     extent: Extent,
-) -> Document {
+) -> Document<'a> {
     let pui = fit.pui_intervals();
     let report = Report { extent, ..Report::new(problem, fit, pui.as_ref(), inverse_line, style) };
     let mut blocks = vec![Block::Title("Set-membership fit".into())];
     blocks.push(Block::Facts(Facts { width: 7, rows: report.facts(origin) }));
-    let region = fit.fps.polyhedron().region();
-    if region.is_empty() {
+    if fit.is_empty() {
         // Nothing else matters as much.
         blocks.extend(empty_blocks(problem, fit, style));
     }
     blocks.extend(estimates::blocks(&report));
-    if !region.is_empty() {
+    if !fit.is_empty() {
         let names = |indices: &[usize]| names_of(&fit.fps.active(indices, Ties::MOST_LISTED));
-        blocks.extend(region_blocks(SET, region, &report.theta, names));
+        blocks.extend(region_blocks(SET, fit.fps.polyhedron(), &report.theta, names));
     }
-    let advice = bounding_reading(region, &problem.measurements, style);
+    let advice = bounding_reading(fit.fps.polyhedron(), &problem.measurements, style);
     blocks.extend(advice.map(Block::Paragraph));
     let proofs = if extent == Extent::Full { report.proofs() } else { Vec::new() };
     if !proofs.is_empty() {
@@ -119,7 +118,7 @@ pub(crate) fn fit_facts(problem: &Problem, fit: &Fit, origin: &Origin, style: &S
 }
 
 /// Says of an empty set which rows contradict each other, and what would help, for any answer that needs a set.
-pub(crate) fn empty_blocks(problem: &Problem, fit: &Fit, style: &Style) -> Vec<Block> {
+pub(crate) fn empty_blocks(problem: &Problem, fit: &Fit, style: &Style) -> Vec<Block<'static>> {
     let report = Report::new(problem, fit, None, InverseLine::default(), style);
     let title = Block::Title(format!("{SET}: {}", fit.fps.polyhedron().kind().name()).into());
     [title].into_iter().chain(report.emptiness().into_iter().map(Block::Paragraph)).collect()
@@ -171,7 +170,7 @@ struct Report<'a> {
     fit: &'a Fit,
     style: &'a Style,
     /// The scales that show the values of the two parameters.
-    theta: [Scale<'a>; 2],
+    theta: [Scale; 2],
     inverse_line: InverseLine,
     extent: Extent,
 }
@@ -191,7 +190,7 @@ impl<'a> Report<'a> {
             fit.minimax.as_ref().map(|minimax| &minimax.theta),
         ];
         let estimates: Vec<&[Rational; 2]> = estimates.into_iter().flatten().collect();
-        let theta = scales(style, pui, &others, &estimates, fit.fps.polyhedron().region().vertices());
+        let theta = scales(style, pui, &others, &estimates, || fit.fps.polyhedron().homogeneous_vertices());
         Report { problem, fit, style, theta, inverse_line, extent: Extent::Usual }
     }
 

@@ -44,7 +44,7 @@ pub fn next_steps(problem: &Problem, fit: &Fit, style: &Style) -> Vec<NextStep> 
 }
 
 /// Writes the steps that a surface can take, each with its words for it.
-pub fn next_document(steps: &[NextStep], words: impl Fn(&NextStep) -> Option<String>) -> Document {
+pub fn next_document(steps: &[NextStep], words: impl Fn(&NextStep) -> Option<String>) -> Document<'static> {
     let row = |step: &NextStep| Some((Text::from(words(step)?), Text::from(step.purpose())));
     let rows: Vec<(Text, Text)> = steps.iter().filter_map(row).collect();
     if rows.is_empty() {

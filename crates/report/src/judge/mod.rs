@@ -22,7 +22,7 @@ pub fn judge_document(
     answer: &Answer,
     name: Foreign<&str>,
     style: &Style,
-) -> Document {
+) -> Document<'static> {
     let report = Report { model, plane, style };
     let sense = if model.sense == ObjectiveSense::Minimize { "minimize " } else { "maximize " };
     let size = format!(

@@ -22,7 +22,7 @@ impl Report<'_> {
         face: &Face,
         prices: &Prices,
         basis: &Basis,
-    ) -> Vec<Block> {
+    ) -> Vec<Block<'static>> {
         let is_level = self.plane.gain().iter().all(Rational::is_zero);
         let place = match (face.vertices.len(), face.rays.len(), face.lines.len()) {
             (1, 0, 0) => "at one point",
@@ -55,7 +55,7 @@ impl Report<'_> {
     }
 
     /// The certificate.
-    pub(super) fn infeasible(&self, multipliers: &[SideMultiplier]) -> Vec<Block> {
+    pub(super) fn infeasible(&self, multipliers: &[SideMultiplier]) -> Vec<Block<'static>> {
         let title = "Infeasible: no point fulfils all rows and bounds";
         let terms = multipliers.iter().map(|term| (term.side, &term.value));
         let sum: Rational = multipliers.iter().map(|term| -self.taken(term)).sum();
@@ -71,7 +71,7 @@ impl Report<'_> {
     }
 
     /// A feasible point and a direction.
-    pub(super) fn unbounded(&self, point: &[Rational], ray: &[Rational]) -> Vec<Block> {
+    pub(super) fn unbounded(&self, point: &[Rational], ray: &[Rational]) -> Vec<Block<'static>> {
         let title = Text::from("Unbounded: ").then(self.objective()).words(" improves for ever");
         let row = |((column, value), along): ((&boundfit_lp::ModelColumn, &Rational), &Rational)| {
             vec![Text::new().given(&column.name), self.number(value), self.number(along)]
@@ -86,7 +86,7 @@ impl Report<'_> {
         vec![Block::Title(title), Block::Table(table), Block::Space, Block::Paragraph(proof)]
     }
 
-    fn columns(&self, point: &[Rational], prices: &Prices, basis: &Basis) -> Block {
+    fn columns(&self, point: &[Rational], prices: &Prices, basis: &Basis) -> Block<'static> {
         let columns = self.model.columns.iter().zip(point).zip(&prices.columns).zip(&basis.columns);
         let rows = columns.map(|(((column, value), price), status)| {
             let name = Text::new().given(&column.name);
@@ -96,7 +96,7 @@ impl Report<'_> {
     }
 
     /// All rows, or of many those that matter for the optimum.
-    fn rows(&self, point: &[Rational], prices: &Prices, basis: &Basis) -> Vec<Block> {
+    fn rows(&self, point: &[Rational], prices: &Prices, basis: &Basis) -> Vec<Block<'static>> {
         let all = self.model.rows.len();
         let rows = self.model.rows.iter().zip(&prices.rows).zip(&basis.rows);
         let matter = |price: &Rational, status: BasisStatus| !price.is_zero() || status != BasisStatus::Basic;
@@ -121,7 +121,7 @@ impl Report<'_> {
     }
 
     /// Points by the columns that are left.
-    fn points(&self, points: &[&Vec<Rational>]) -> Block {
+    fn points(&self, points: &[&Vec<Rational>]) -> Block<'static> {
         let row = |point: &&Vec<Rational>| {
             let entries = self.plane.columns().iter().filter_map(|&column| point.get(column));
             entries.map(|value| self.number(value)).collect()
@@ -136,7 +136,7 @@ impl Report<'_> {
     }
 
     /// Returns the directions in which points go on for ever.
-    fn endless(&self, what: &str, rays: &[Vec<Rational>], lines: &[Vec<Rational>]) -> Vec<Block> {
+    fn endless(&self, what: &str, rays: &[Vec<Rational>], lines: &[Vec<Rational>]) -> Vec<Block<'static>> {
         let towards = |words: &str, direction: &Vec<Rational>| {
             let entries = self.plane.columns().iter().filter_map(|&column| direction.get(column));
             let entries = entries.map(|entry| Text::new().number(entry));
@@ -150,7 +150,7 @@ impl Report<'_> {
     }
 
     /// The set in the plane of the columns that are left; nothing where none are.
-    pub(super) fn feasible_set(&self) -> Vec<Block> {
+    pub(super) fn feasible_set(&self) -> Vec<Block<'static>> {
         if self.plane.columns().is_empty() {
             return Vec::new();
         }

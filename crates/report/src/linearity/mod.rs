@@ -55,7 +55,7 @@ pub fn linearity_document(
     input: &LinearityInput,
     origin: &Origin,
     style: &Style,
-) -> Document {
+) -> Document<'static> {
     let report = Report { linearity, options, input, style };
     let mut blocks =
         vec![Block::Title("Linearity".into()), Block::Facts(Facts { width: 10, rows: report.facts(origin) })];
@@ -150,7 +150,7 @@ impl Report<'_> {
     }
 
     /// The table of the four ways; of one direction with the full scale that is its own.
-    fn table(&self, characteristic: &Characteristic, has_own_span: bool) -> Vec<Block> {
+    fn table(&self, characteristic: &Characteristic, has_own_span: bool) -> Vec<Block<'static>> {
         let style = self.style;
         let styles = self.line_styles(characteristic);
         let mut rows = Vec::new();
@@ -229,7 +229,7 @@ impl Report<'_> {
     }
 
     /// The readings that prove the independent value.
-    fn proof(&self) -> Vec<Block> {
+    fn proof(&self) -> Vec<Block<'static>> {
         let characteristic = &self.linearity.average;
         let title = Block::Title("Proof of the independent linearity".into());
         if characteristic.proof.is_empty() {

@@ -53,7 +53,11 @@ impl NextReadingReport<'_> {
 }
 
 /// Writes the report: where a reading certainly makes the set smaller, and the best x of the range for each goal.
-pub fn next_reading_document(report: &NextReadingReport<'_>, origin: &Origin, style: &Style) -> Document {
+pub fn next_reading_document(
+    report: &NextReadingReport<'_>,
+    origin: &Origin,
+    style: &Style,
+) -> Document<'static> {
     let NextReadingReport { problem, fit, epsilon, is_epsilon_given, .. } = report;
     let mut facts = fit_facts(problem, fit, origin, style);
     let further = Text::from("the error of the next reading: ");
@@ -112,7 +116,7 @@ fn certainty(report: &NextReadingReport, next: &NextReading, style: &Style) -> T
 }
 
 /// The best x of the range for each goal.
-fn choice(report: &NextReadingReport, next: &NextReading, style: &Style) -> Vec<Block> {
+fn choice(report: &NextReadingReport, next: &NextReading, style: &Style) -> Vec<Block<'static>> {
     let Some([lower, upper]) = &next.within else {
         return vec![Block::Paragraph(format!("Where it is best is left open: {NO_RANGE}.").into())];
     };

@@ -50,7 +50,7 @@ const MOST_MISSED: usize = 30;
 const MOST_ROWS: usize = 200;
 
 /// The report of outliers.
-pub fn outliers_document(report: &OutliersReport, origin: &Origin, style: &Style) -> Document {
+pub fn outliers_document(report: &OutliersReport, origin: &Origin, style: &Style) -> Document<'static> {
     let mut blocks = vec![
         Block::Title("Outliers".into()),
         Block::Facts(fit_facts(report.problem, report.fit, origin, style)),
@@ -72,7 +72,7 @@ pub fn outliers_document(report: &OutliersReport, origin: &Origin, style: &Style
 }
 
 /// Returns the conditions that contradict each other.
-fn contradiction(report: &OutliersReport, style: &Style) -> Vec<Block> {
+fn contradiction(report: &OutliersReport, style: &Style) -> Vec<Block<'static>> {
     let Err(NoOutliers::Conditions(terms)) = report.outliers else { return Vec::new() };
     let names: Vec<String> = terms.iter().map(|(name, _)| name.to_string()).collect();
     let verb = if names.len() == 1 { "cannot hold" } else { "contradict each other" };
@@ -94,7 +94,7 @@ fn contradiction(report: &OutliersReport, style: &Style) -> Vec<Block> {
 }
 
 /// Returns the number of rows to leave out, the number of ways, and the range that remains over all ways.
-fn answer(report: &OutliersReport, outliers: &Outliers, style: &Style) -> Vec<Block> {
+fn answer(report: &OutliersReport, outliers: &Outliers, style: &Style) -> Vec<Block<'static>> {
     let all = report.problem.measurements.fitted();
     let title = format!("Least number of readings to leave out: {} of {all}", outliers.least);
     let count = outliers.pieces.len();
@@ -134,7 +134,7 @@ fn piece_blocks(
     number: usize,
     piece: &Piece,
     style: &Style,
-) -> Vec<Block> {
+) -> Vec<Block<'static>> {
     let mut blocks = Vec::new();
     let region = piece.left.polyhedron().region();
     if outliers.least > 0 {
@@ -146,7 +146,8 @@ fn piece_blocks(
     let kind = kind_text(region.kind(), region.vertices().len());
     let left = if outliers.least > 0 { "Remaining set" } else { "Feasible parameter set (FPS)" };
     let pui = piece.left.polyhedron().bounding_box();
-    let shown: [Scale; 2] = scales(style, pui.as_ref(), &[], &[], region.vertices());
+    let shown: [Scale; 2] =
+        scales(style, pui.as_ref(), &[], &[], || piece.left.polyhedron().homogeneous_vertices());
     blocks.push(if outliers.least > 0 {
         Block::Lead(format!("{left}: {kind}").into())
     } else {
@@ -184,7 +185,7 @@ fn rows_text(rows: &[usize]) -> String {
 }
 
 /// Returns the amount by which each removed row is missed, over the whole remaining set.
-fn missed_table(problem: &Problem, piece: &Piece, style: &Style) -> Vec<Block> {
+fn missed_table(problem: &Problem, piece: &Piece, style: &Style) -> Vec<Block<'static>> {
     let row = |(row, reading): (usize, &Measurement)| {
         let (bound, by) = match piece.missed_by(reading) {
             Some((name, by)) => (name.of_row(row).to_string(), style.resolving(&by).interval(&by)),
@@ -201,7 +202,7 @@ fn missed_table(problem: &Problem, piece: &Piece, style: &Style) -> Vec<Block> {
 }
 
 /// The rows of the sets that are not shown with all they have.
-fn further_sets(outliers: &Outliers) -> Vec<Block> {
+fn further_sets(outliers: &Outliers) -> Vec<Block<'static>> {
     let count = outliers.pieces.len();
     if count <= MOST_WHOLE {
         return Vec::new();
@@ -224,7 +225,7 @@ fn further_sets(outliers: &Outliers) -> Vec<Block> {
 }
 
 /// Returns the growth of the set with the number of readings that may be missed.
-fn growth_blocks(growth: &[Growth], style: &Style) -> Vec<Block> {
+fn growth_blocks(growth: &[Growth], style: &Style) -> Vec<Block<'static>> {
     // Nothing agrees with so many.
     let nothing = growth.iter().take_while(|growth| growth.pieces == 0).count();
     let growth = growth.get(nothing.saturating_sub(1)..).unwrap_or_default();

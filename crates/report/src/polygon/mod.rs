@@ -20,22 +20,22 @@ use tables::{products_of, table_blocks};
 pub use json::polygon_json;
 
 /// The report of half-planes or generators that were read from a file of this name.
-pub fn polygon_document(
-    file: &HalfPlaneFile,
-    polyhedron: &Polyhedron,
+pub fn polygon_document<'a>(
+    file: &'a HalfPlaneFile,
+    polyhedron: &'a Polyhedron,
     name: Foreign<&str>,
     style: &Style,
-) -> Document {
+) -> Document<'a> {
     let ranges = polyhedron.bounding_box();
-    let scales = scales(style, ranges.as_ref(), &[], &[], polyhedron.region().vertices());
+    let scales = scales(style, ranges.as_ref(), &[], &[], || polyhedron.homogeneous_vertices());
     let what = if file.generators.is_some() { "Generators of " } else { "Half-planes of " };
     let data = Text::from(what).given(name).words(format!(", {}", counted(file.rows, "row", "rows")));
-    let names = |indices: &[usize]| list(rows_of(file, indices).iter().map(ToString::to_string));
+    let names = move |indices: &[usize]| list(rows_of(file, indices).iter().map(ToString::to_string));
     let mut blocks = vec![Block::Lead(data)];
     let table = file.table.as_ref().and_then(TableNotes::words);
     let table = table.map(|words| vec![("table".into(), words.into())]);
     blocks.extend(table.map(|rows| Block::Facts(Facts { width: 8, rows })));
-    blocks.extend(region_blocks("Region", polyhedron.region(), &scales, names));
+    blocks.extend(region_blocks("Region", polyhedron, &scales, names));
     blocks.extend(emptiness(file, polyhedron, style).map(Block::Paragraph));
     if let Some(bounds) = &ranges {
         let row = |axis: usize| vec![THETA[axis].into(), scales[axis].interval(&bounds[axis])];

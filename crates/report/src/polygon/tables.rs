@@ -13,7 +13,11 @@ use crate::style::Style;
 
 /// Returns tables about redundancy: the redundant half-planes, or for generators the half-planes that they give, and
 /// the redundant generators. Each is a sentence and a table, which has no rows when the sentence says it all.
-pub(super) fn table_blocks(file: &HalfPlaneFile, polyhedron: &Polyhedron, style: &Style) -> Vec<Block> {
+pub(super) fn table_blocks(
+    file: &HalfPlaneFile,
+    polyhedron: &Polyhedron,
+    style: &Style,
+) -> Vec<Block<'static>> {
     let redundant = redundant_rows(file, polyhedron);
     let why = match &file.generators {
         _ if redundant.is_empty() => Vec::new(),
@@ -32,7 +36,7 @@ pub(super) fn table_blocks(file: &HalfPlaneFile, polyhedron: &Polyhedron, style:
 }
 
 /// The half-planes of a set given by generators.
-fn facets(polyhedron: &Polyhedron, style: &Style) -> [Block; 2] {
+fn facets(polyhedron: &Polyhedron, style: &Style) -> [Block<'static>; 2] {
     let inequalities = polyhedron.system().inequalities();
     let row = |(number, Inequality { a: [a1, a2], b }): (usize, &Inequality)| {
         let [a1, a2, b] = [a1, a2, b].map(|value| style.proof(value));

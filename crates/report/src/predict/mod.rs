@@ -105,7 +105,7 @@ impl Prediction<'_> {
 }
 
 /// The report of predictions, with the readings that prove each end if these are wanted.
-pub fn prediction_document(prediction: &Prediction, has_proofs: bool, style: &Style) -> Document {
+pub fn prediction_document(prediction: &Prediction, has_proofs: bool, style: &Style) -> Document<'static> {
     let Prediction { problem, fit, origin, .. } = prediction;
     let mut facts = fit_facts(problem, fit, origin, style);
     facts.rows.push(("further".into(), further(prediction, style)));
@@ -163,7 +163,7 @@ fn asked(prediction: &Prediction, [first, second]: &[Rational; 2], style: &Style
 }
 
 /// The table of the line's values and of further readings.
-fn values(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<Block> {
+fn values(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<Block<'static>> {
     let AskedValues { count, values } = prediction.at;
     if count == 0 {
         return Vec::new();
@@ -186,7 +186,7 @@ fn values(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<
 }
 
 /// The table of where readings come from.
-fn sources(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<Block> {
+fn sources(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<Block<'static>> {
     let AskedValues { count, values } = prediction.from;
     if count == 0 {
         return Vec::new();
@@ -211,7 +211,7 @@ fn sources(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec
 }
 
 /// Returns the note that there are more entries than are listed.
-fn more(count: usize, one: &str, several: &str) -> Option<Block> {
+fn more(count: usize, one: &str, several: &str) -> Option<Block<'static>> {
     let more = count.checked_sub(Document::MOST_LISTED).filter(|more| *more > 0)?;
     let more = counted(more, one, several);
     Some(Block::Paragraph(format!("And {more} more, which CSV and JSON have.").into()))
@@ -245,9 +245,9 @@ fn possible(own: &PossibleX, style: &Style) -> Text {
 }
 
 /// The readings behind each end of the line's intervals, and behind the x where readings end.
-fn proofs(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<Block> {
+fn proofs(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<Block<'static>> {
     let (pui, fps) = (prediction.fit.pui_intervals(), prediction.fit.fps.polyhedron());
-    let scales = scales(style, pui.as_ref(), &[], &[], fps.region().vertices());
+    let scales = scales(style, pui.as_ref(), &[], &[], || fps.homogeneous_vertices());
     let mut rows: Vec<Vec<Text>> = Vec::new();
     for value in (prediction.at.values)().take(Document::MOST_LISTED) {
         let ends = predictor.ends(&prediction.form(&value));

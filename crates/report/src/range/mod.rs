@@ -111,7 +111,7 @@ impl<'a> RangeReport<'a> {
 }
 
 /// The report: how many runs there are, each with what stops it, the longest, the widest and the fewest that have every reading.
-pub fn range_document(report: &RangeReport<'_>, origin: &Origin, style: &Style) -> Document {
+pub fn range_document(report: &RangeReport<'_>, origin: &Origin, style: &Style) -> Document<'static> {
     let RangeReport { problem, fit, range, .. } = report;
     let mut blocks =
         vec![Block::Title("Linear range".into()), Block::Facts(fit_facts(problem, fit, origin, style))];

@@ -46,7 +46,7 @@ pub struct NewReadings<'a> {
 }
 
 /// The report of statuses: those first that matter most, then a legend of the words used.
-pub fn status_document(report: StatusReport, origin: &Origin, style: &Style) -> Document {
+pub fn status_document(report: StatusReport, origin: &Origin, style: &Style) -> Document<'static> {
     let StatusReport { problem, fit, ranking, new, repair } = report;
     let mut blocks = vec![
         Block::Title("Statuses of readings".into()),
@@ -141,7 +141,7 @@ fn plural(name: &str, count: usize) -> String {
 }
 
 /// The readings that matter most, and how many more there are.
-fn table(ranking: Ranking, is_with: bool, used: &mut Vec<Status>, style: &Style) -> Vec<Block> {
+fn table(ranking: Ranking, is_with: bool, used: &mut Vec<Status>, style: &Style) -> Vec<Block<'static>> {
     let without = |status| ranking.count_without(status);
     let all = |status| ranking.count_of_all(status);
     used.extend(Status::ALL.into_iter().filter(|&status| without(Some(status)) + all(Some(status)) > 0));

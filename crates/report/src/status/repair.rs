@@ -8,7 +8,7 @@ use crate::document::{Block, Operator, Symbol, Table, Text};
 use crate::style::Style;
 
 /// Returns the bounds that must be wider, and their factors.
-pub(super) fn blocks(repair: &Result<Repair, NoRepair>, style: &Style) -> Vec<Block> {
+pub(super) fn blocks(repair: &Result<Repair, NoRepair>, style: &Style) -> Vec<Block<'static>> {
     let mut blocks = vec![Block::Title("Least total widening".into())];
     let repair = match repair {
         Ok(repair) if repair.widened.is_empty() => {

@@ -27,13 +27,13 @@ pub use tables::{x_error_csv, x_error_wkt};
 
 /// The report of lines under errors in x. `plain` is the fit without these errors, of which least squares, which knows nothing of
 /// them, is shown.
-pub fn x_error_document(
+pub fn x_error_document<'a>(
     problem: &XErrorProblem,
-    answer: &XErrorFit,
+    answer: &'a XErrorFit,
     plain: &Fit,
     origin: &Origin,
     style: &Style,
-) -> Document {
+) -> Document<'a> {
     let pui = answer.pui();
     let report = XErrorReport::new(problem, answer, plain, pui.as_ref(), style);
     let mut blocks = vec![Block::Title("Set-membership fit with errors in x".into())];
@@ -65,6 +65,12 @@ fn lines_of(side: Side) -> &'static str {
     }
 }
 
+/// Half-planes of a side by name, the first of them.
+fn names(side: &SideSet, indices: &[usize]) -> String {
+    let (names, more) = side.active(indices, Ties::MOST_LISTED);
+    list_of(names.iter().map(BoxBound::to_string), more)
+}
+
 /// The material of all parts of a report.
 struct XErrorReport<'a> {
     problem: &'a XErrorProblem,
@@ -73,7 +79,7 @@ struct XErrorReport<'a> {
     style: &'a Style,
     pui: Option<&'a [Interval; 2]>,
     /// The scales that show the values of the two parameters.
-    theta: [Scale<'a>; 2],
+    theta: [Scale; 2],
 }
 
 impl<'a> XErrorReport<'a> {
@@ -89,9 +95,8 @@ impl<'a> XErrorReport<'a> {
             answer.central.as_ref().map(|central| &central.theta),
         ];
         let estimates: Vec<&[Rational; 2]> = estimates.into_iter().flatten().collect();
-        let vertices: Vec<_> =
-            answer.sides.iter().flat_map(|side| side.polyhedron.region().vertices()).cloned().collect();
-        let theta = scales(style, pui, &[], &estimates, &vertices);
+        let vertices = || answer.sides.iter().flat_map(|side| side.polyhedron.homogeneous_vertices());
+        let theta = scales(style, pui, &[], &estimates, vertices);
         XErrorReport { problem, answer, plain, style, pui, theta }
     }
 
@@ -134,7 +139,7 @@ impl<'a> XErrorReport<'a> {
     }
 
     /// The table of estimates and intervals, and what its words mean.
-    fn estimates(&self) -> Vec<Block> {
+    fn estimates(&self) -> Vec<Block<'static>> {
         let intervals = |label: &str, own: &[Interval; 2]| {
             vec![label.into(), self.theta[0].interval(&own[0]), self.theta[1].interval(&own[1])]
         };
@@ -189,15 +194,14 @@ impl<'a> XErrorReport<'a> {
     }
 
     /// The set of one side.
-    fn side(&self, side: &SideSet) -> Vec<Block> {
+    fn side<'s>(&self, side: &'s SideSet) -> Vec<Block<'s>> {
         if side.is_empty() {
             let mut blocks = vec![Block::Title(format!("{}: none", lines_of(side.side)).into())];
             blocks.extend(self.contradiction(side).into_iter().map(Block::Paragraph));
             return blocks;
         }
-        let names = |indices: &[usize]| self.names(side, indices);
-        let region = side.polyhedron.region();
-        let mut blocks = region_blocks(lines_of(side.side), region, &self.theta, names);
+        let names = |indices: &[usize]| names(side, indices);
+        let mut blocks = region_blocks(lines_of(side.side), &side.polyhedron, &self.theta, names);
         if side.is_level_only() && self.answer.pieces().iter().all(|piece| piece.side != side.side) {
             let other = if side.side == Side::Rising { "falling" } else { "rising" };
             blocks.push(Block::Paragraph(
@@ -205,12 +209,6 @@ impl<'a> XErrorReport<'a> {
             ));
         }
         blocks
-    }
-
-    /// Half-planes of a side by name, the first of them.
-    fn names(&self, side: &SideSet, indices: &[usize]) -> String {
-        let (names, more) = side.active(indices, Ties::MOST_LISTED);
-        list_of(names.iter().map(BoxBound::to_string), more)
     }
 
     /// The readings behind each end of the PUI of all pieces.

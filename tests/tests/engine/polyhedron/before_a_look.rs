@@ -1,7 +1,7 @@
 //! The answers of a polyhedron before anybody has looked at its region, which a polygon makes only then.
 
 use boundfit_exact::Integer;
-use boundfit_geometry::{Direction, Face, Point, Polyhedron, Support, clipping};
+use boundfit_geometry::{Face, Point, Polyhedron, Support, clipping};
 use boundfit_tests::generate::{rational_system, seeded, share};
 use boundfit_tests::shape::{Tally, value};
 
@@ -15,25 +15,21 @@ fn answers_before_a_look_are_those_of_the_region() {
         let rows = polyhedron.system().inequalities();
         let (kind, count) = (polyhedron.kind(), polyhedron.vertex_count());
         let certificate = polyhedron.certificate().cloned();
-        let multiples: Vec<[Integer; 2]> = polyhedron.multiples_of_vertices().collect();
+        let homogeneous: Vec<[Integer; 3]> = polyhedron.homogeneous_vertices().collect();
+        let active = polyhedron.active_sets();
+        let active: Vec<Vec<usize>> = (0..count).map(|number| active.of(number).to_vec()).collect();
         let supports: Vec<Support> = rows.iter().map(|row| polyhedron.support(&row.a)).collect();
 
         let region = clipping::intersect(polyhedron.system());
         let points: Vec<&Point> = region.vertices().iter().map(|vertex| vertex.point()).collect();
         assert_eq!((kind, count), (region.kind(), points.len()), "{rows:?}");
         assert_eq!((certificate.as_ref(), polyhedron.is_empty()), (region.certificate(), region.is_empty()));
-        let way = |[x, y]: [Integer; 2]| Direction::new(x, y);
-        let mut ways: Vec<_> = multiples.into_iter().map(way).collect();
-        let expected = points.iter().map(|point| {
-            let (x, y, _) = point.homogeneous();
-            way([x.clone(), y.clone()])
-        });
-        let expected: Vec<_> = expected.collect();
-        let is_turned = (0..count.max(1)).any(|_| {
-            ways.rotate_left(count.min(1));
-            ways == expected
-        });
-        assert!(is_turned, "{rows:?}: {ways:?}");
+        let signs = homogeneous.iter().all(|[.., w]| w.is_positive());
+        let vertices = homogeneous.into_iter().map(|[x, y, w]| Point::from_homogeneous(x, y, w));
+        let expected: Vec<_> = points.iter().map(|point| Some((*point).clone())).collect();
+        assert_eq!((vertices.collect::<Vec<_>>(), signs), (expected, true), "{rows:?}");
+        let expected: Vec<&[usize]> = region.vertices().iter().map(|vertex| vertex.active()).collect();
+        assert_eq!(active, expected, "{rows:?}");
         for (row, support) in rows.iter().zip(supports) {
             let Support::Bounded { proof, face } = support else { continue };
             let attaining = points.iter().filter(|point| value(&row.a, point) == proof.value);
