@@ -11,9 +11,11 @@ use super::{Table, Text};
 pub(crate) struct LongTable<'a> {
     header: Vec<Text>,
     kinds: Vec<Column>,
-    /// Makes the rows, in order, and hands each on.
-    rows: Box<dyn Fn(&mut Rows<'_>) -> io::Result<()> + 'a>,
+    rows: Box<MakeRows<'a>>,
 }
+
+/// A function that makes the rows, in order, and hands each on.
+type MakeRows<'a> = dyn Fn(&mut Rows<'_>) -> io::Result<()> + 'a;
 
 /// The kind of the cells of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -12,8 +12,8 @@ pub(crate) use estimates::bounded_rows;
 pub use next::{NextStep, next_document, next_steps};
 
 use boundfit_estimation::{
-    ErrorBound, Fit, FractionCells, Inverse, Law, Measurement, Model, MultipleOfLeast, NoLeastSquares,
-    ParameterBound, ParameterInterval, Problem, Ties,
+    ErrorBound, Fit, FractionCells, Inverse, Law, Model, MultipleOfLeast, NoLeastSquares, ParameterBound,
+    ParameterInterval, Problem, Ties,
 };
 use boundfit_exact::english::counted;
 use boundfit_exact::{Foreign, Interval, Rational};
