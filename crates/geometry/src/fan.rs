@@ -294,8 +294,8 @@ impl IntegerForm {
         (value, [first, second])
     }
 
-    /// The second multiplier, where it follows from the first without a greatest common divisor: the form is of integers, and the
-    /// second coefficients are 1 or -1, as those of readings of a line are.
+    /// The second multiplier, where it follows from the first without a greatest common divisor. It does if the form is of integers and
+    /// the second coefficients are 1 or -1, as of readings of a line.
     fn rest(&self, inequalities: [&Inequality; 2], first: &Rational) -> Option<Rational> {
         let one = Rational::one();
         let is_positive = |own: &Inequality| (own.a[1].abs() == one).then(|| own.a[1].is_positive());
