@@ -107,7 +107,8 @@ impl Ties {
                 }
             }
         }
-        all.sort_unstable();
+        // The names of each reading are a sorted run, and runs are merged.
+        all.sort();
         ActiveBounds { more: count - all.len(), names: all }.at_most(most)
     }
 }
