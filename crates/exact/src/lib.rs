@@ -73,7 +73,7 @@ pub use number::{Fraction, Integer, Rational, Sign, TooWide};
 pub use parse::{Limits, ParseNumberError, ParseNumberErrorKind, Reading, characters_before};
 pub use plain::{
     Others, PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, ShortPrefix, exponent_prefix, long_plain_prefix,
-    plain_decimal, plain_prefix, short_prefix, word_prefix,
+    plain_decimal, plain_prefix, short_prefix,
 };
 pub use shortest::{Shortest, shortest_decimal, shortest_decimal_of_f32};
 pub use sum::Sum;

@@ -123,52 +123,6 @@ pub fn short_prefix(text: &[u8; 32], others: u64) -> Option<ShortPrefix> {
     Some(ShortPrefix { negative, whole, fraction, fraction_digits, length: point + 1 + fraction_digits })
 }
 
-/// [`plain_prefix`] of up to 19 digits whose magnitude has 63 bits; `None` for all others. `others` has the bits of
-/// [`Others::behind`], so that no digit is looked at to find the last one.
-#[inline(always)]
-#[allow(clippy::indexing_slicing, reason = "a sign, 19 digits and a point are fewer than the bytes")]
-pub fn word_prefix(text: &[u8; 32], others: u64) -> Option<PlainPrefix> {
-    let negative = text[0] == b'-';
-    let start = usize::from(negative);
-    let others = others >> start;
-    let whole_digits = others.trailing_zeros() as usize;
-    if whole_digits > MOST_DIGITS {
-        return None;
-    }
-    let point = start + whole_digits;
-    let (mut magnitude, mut fraction_digits, mut length) = (spelled(text, start, whole_digits)?, 0, point);
-    if text[point] == b'.' {
-        fraction_digits = (others >> 1 >> whole_digits).trailing_zeros() as usize;
-        length = point + 1 + fraction_digits;
-    }
-    if !(1..=MOST_DIGITS).contains(&(whole_digits + fraction_digits)) {
-        return None;
-    }
-    if fraction_digits > 0 {
-        magnitude = magnitude.wrapping_mul(powers_of_ten::OF_U64[fraction_digits]).wrapping_add(spelled(
-            text,
-            point + 1,
-            fraction_digits,
-        )?);
-    }
-    let mantissa = signed(magnitude, negative);
-    let fraction_digits = fraction_digits as i32;
-    (magnitude >> 63 == 0).then_some(PlainPrefix { mantissa, fraction_digits, length })
-}
-
-/// The number that up to 19 digits from a place on spell. No branch depends on a digit.
-#[inline(always)]
-fn spelled(text: &[u8; 32], at: usize, digits: usize) -> Option<u64> {
-    let word = |at: usize| Some(u64::from_le_bytes(*text.get(at..)?.first_chunk()?));
-    let first = digits % 8;
-    let mut value = first_digits(word(at)?, first);
-    for place in (at + first..at + digits).step_by(8) {
-        let eight = value_of_digits(word(place)? ^ DIGIT_ZEROS);
-        value = value.wrapping_mul(powers_of_ten::OF_U64[8]).wrapping_add(eight);
-    }
-    Some(value)
-}
-
 /// The bytes of a text that are no digits, a part of the text at a time. They say where numbers end before anyone reads a digit:
 /// finding the end of each number by its digits, and from there the next number, takes longer.
 #[derive(Debug, Default)]

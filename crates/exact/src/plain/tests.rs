@@ -143,39 +143,6 @@ fn numbers_in_a_text_are_those_that_stand_alone() {
     assert_eq!(shorts, 7 * 200);
 }
 
-/// Signs, points and zeros anywhere, up to more digits than are read.
-#[test]
-fn known_digits_are_read_like_those_that_are_looked_at() {
-    let mut state = 3_u64;
-    let mut below = |size: usize| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) as usize % size
-    };
-    let mut found = 0;
-    for _ in 0..50_000 {
-        let (count, zeros) = (below(23), below(10));
-        let (point, sign) = (below(2 * count + 1), ["", "-"][below(2)]);
-        let mut digit = |place| if place < zeros { '0' } else { char::from(b'0' + below(10) as u8) };
-        let digits: String = (0..count).map(&mut digit).collect();
-        let mark = if point <= count { "." } else { "" };
-        let (before, behind) = digits.split_at(point.min(count));
-        let text =
-            format!("{sign}{before}{mark}{behind}{},1234567890123456789012345678901", ["", "e5"][below(2)]);
-        let own = word_prefix(
-            text.as_bytes().first_chunk().unwrap(),
-            Others::default().behind(text.repeat(3).as_bytes(), 0),
-        );
-        let expected = digits_prefix(text.as_bytes()).and_then(|read| {
-            let mantissa = i64::try_from(read.mantissa).ok().filter(|&mantissa| mantissa != i64::MIN)?;
-            let PlainPrefix { fraction_digits, length, .. } = read;
-            Some(PlainPrefix { mantissa, fraction_digits, length })
-        });
-        assert_eq!(own, expected, "{text}");
-        found += usize::from(own.is_some());
-    }
-    assert!(found > 30_000, "{found}");
-}
-
 #[test]
 fn exponents_end_at_the_first_byte_that_is_no_digit() {
     for (text, expected) in [

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use boundfit_exact::{
     DecimalMark, LONG_DIGITS, NarrowCount, NarrowUnit, Others, PlainPrefix, Reading, exponent_prefix,
-    long_prefix, nearest_double, short_prefix, word_prefix,
+    long_prefix, nearest_double, short_prefix,
 };
 use memchr::{memchr, memchr_iter, memchr3, memrchr};
 
@@ -171,21 +171,6 @@ impl Lane<'_> {
         let short = short_prefix(text, others.behind(self.numbers, at))?;
         let end = at + short.length;
         self.is_end_of_cell(end).then_some((unit.count_short(short)?, end))
-    }
-
-    /// [`Self::short_count`] of more digits.
-    #[inline(never)]
-    pub(super) fn word_count(
-        &self,
-        at: usize,
-        unit: &NarrowUnit,
-        others: &mut Others,
-    ) -> Option<(NarrowCount, usize)> {
-        let text = self.numbers.get(at..)?.first_chunk()?;
-        let PlainPrefix { mantissa, fraction_digits, length } =
-            word_prefix(text, others.behind(self.numbers, at))?;
-        let end = at + length;
-        self.is_end_of_cell(end).then_some((unit.count(mantissa, -fraction_digits)?, end))
     }
 
     /// [`Self::short_count`] of other numbers, too; slower.

@@ -42,7 +42,7 @@ struct Key {
     before: usize,
 }
 
-/// The numbers of a chunk that may turn out to be more than digits before none is taken for that any more.
+/// The numbers of a chunk that may turn out not to be short before none is taken for short any more.
 const MOST_MISSES: usize = 32;
 
 /// The cell of a key, and the position of its text among the keys.
@@ -175,13 +175,11 @@ impl<const N: usize> Way<N> {
             if !lane.is_quoted {
                 let mut misses = 0;
                 let read = |index: usize, at| {
-                    let unit = &units[index];
-                    let short = lane.short_count(at, unit, others);
-                    let (count, end) = match short.or_else(|| lane.word_count(at, unit, others)) {
-                        Some(counted) => counted,
+                    let (count, end) = match lane.short_count(at, &units[index], others) {
+                        Some(short) => short,
                         None if misses < MOST_MISSES => {
                             misses += 1;
-                            lane.count(at, unit)?
+                            lane.count(at, &units[index])?
                         }
                         None => return None,
                     };
