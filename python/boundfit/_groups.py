@@ -122,7 +122,7 @@ def _key(values: Any, name: str, is_alone: bool) -> Any:
 
 def _are_integers(values: Any) -> bool:
     """Whether a column is one of numpy, pandas or polars in which every cell is an integer that is stored as such."""
-    kind = getattr(values, "dtype", None)
+    kind: Any = getattr(values, "dtype", None)
     if _module(values) == "polars":
         return bool(kind.is_integer()) and values.null_count() == 0 and "128" not in str(kind)
     return _module(kind) == "numpy" and kind.kind in "iu" and getattr(values, "ndim", 1) == 1
