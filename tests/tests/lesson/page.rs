@@ -73,8 +73,8 @@ fn the_page_is_complete_and_asks_for_nothing_from_outside() {
     let page = printed(&root(), &lesson_line(FIT_TRANSDUCER));
     let engine = between(&page, "id=\"engine-module\">", "</script>").len();
     // It reads text in every dialect and encoding, and JSON, and answers every question; it leaves out packed files and MATLAB.
-    // An eighth of it is the price of an edit of long numbers in two thirds of the time, three hundredths that of long
-    // numbers that are read and printed sooner.
+    // An eighth of it is the price of an edit of long numbers in two thirds of the time. Three hundredths are that of long numbers
+    // that are read and printed sooner.
     assert!(engine <= 1_350_000, "{engine} bytes of the engine");
     assert!(page.len() - engine <= 800_000, "{} bytes without the engine", page.len() - engine);
     for token in ["{{title}}", "{{style}}", "{{data}}", "{{script}}"] {
