@@ -119,7 +119,7 @@ impl<'a> Data<'a> {
         }
     }
 
-    /// Reads the problem for one look at each reading: they stay in their columns.
+    /// Reads the problem for one look at each reading: those of a line under a uniform bound stay in their columns.
     pub(crate) fn problem_in_columns(self) -> Result<Problem, Failure> {
         self.scanned(Keep { most_rows: usize::MAX, ..Keep::DECIDING }, Shows::Nothing)
     }

@@ -171,13 +171,11 @@ impl<'a> FirstLook<'a> {
 
     /// Returns the largest number of readings that all become numbers, so that nothing is to be kept in their place.
     pub(super) fn most_plain(&self) -> usize {
-        match self.bounds.meaning {
+        match self.bounds.meaning.is_open() {
             // A reduction says more of a line than its readings do.
             _ if self.reductions.is_some() => 0,
-            meaning if meaning.is_open() || meaning.are_bounds_known() => {
-                self.most_rows.min(self.keep.most_plain)
-            }
-            _ => self.most_rows,
+            true => self.most_rows.min(self.keep.most_plain),
+            false => self.most_rows,
         }
     }
 

@@ -88,8 +88,6 @@ impl Measurements {
             in_columns = InColumns::new(batches);
             readings
         } else {
-            let mut all = all;
-            in_columns = InColumns::new(std::mem::take(&mut all.batches));
             readings_under_fixed_bounds(&look, all, &meaning, conditions, &scanned)?
         };
         let mut own = measurements(meaning, selection, scanned, readings);

@@ -31,8 +31,8 @@ pub struct Keep {
     /// The largest number of readings of which all are kept; beyond it only the readings that decide the feasible set
     /// are kept.
     pub most_rows: usize,
-    /// The largest number of readings of which all are kept as numbers. More, up to `most_rows`, stay in their columns, for what is
-    /// asked of them once, unless their bounds are known only when all of them are.
+    /// The largest number of readings of a line under a uniform error bound of which all are kept as numbers. More, up to
+    /// `most_rows`, stay in their columns, for what is asked of them once.
     pub most_plain: usize,
     /// True if what takes a second look is wanted of more readings than that: the EUI and, unless the model is a line under
     /// a uniform error bound, ε_min.
@@ -50,7 +50,7 @@ impl Keep {
     /// All readings.
     pub const EVERY: Keep =
         Keep { most_rows: usize::MAX, most_plain: usize::MAX, eui: true, most_bytes: None };
-    /// The default for reports that list no reading but those that decide: only some dozen readings are numbers.
+    /// The default for reports that list no reading but those that decide: only some dozen readings of a line are numbers.
     pub const DECIDING: Keep =
         Keep { most_rows: Keep::MOST_ROWS, most_plain: 64, eui: true, most_bytes: None };
 }
