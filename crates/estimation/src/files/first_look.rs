@@ -174,7 +174,7 @@ impl<'a> FirstLook<'a> {
         match self.bounds.meaning.is_open() {
             // A reduction says more of a line than its readings do.
             _ if self.reductions.is_some() => 0,
-            true => self.most_rows.min(self.keep.most_plain),
+            true => self.most_rows.min(self.keep.most_of_line),
             false => self.most_rows,
         }
     }

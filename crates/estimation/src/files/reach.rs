@@ -267,7 +267,7 @@ impl Phi<'_> {
 mod tests {
     use super::*;
 
-    /// Numbers of so many bits that sums are words or not, with and without second regressors and error bounds.
+    /// Short numbers have sums of words, long ones have none. Some cases lack the second regressor, some the error bounds.
     #[test]
     fn words_of_a_kind_come_to_what_the_rows_of_the_kind_do() {
         let mut seed = 4_u64;
