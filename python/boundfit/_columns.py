@@ -222,6 +222,14 @@ def in_memory(
         columns.append((named(values, default, taken), cells(values, default, reading)))
         said[key] = quoted(columns[-1][0])
 
+    def add_bound(values: Any, key: str) -> None:
+        if values is None:
+            return
+        if is_number(values):
+            said[key] = values
+        else:
+            add(values, f"{key}_column", key)
+
     phi = regressors(x)
     if len(phi) == 1:
         if _holds_lists(phi[0]):
@@ -233,20 +241,12 @@ def in_memory(
         said["x"] = [said.pop("phi1"), said.pop("phi2")]
     if y is not None:
         add(y, "y", "y")
-    if eps is not None:
-        if is_number(eps):
-            said["eps"] = eps
-        else:
-            add(eps, "eps_column", "eps")
+    add_bound(eps, "eps")
     if lower is not None:
         add(lower, "lower", "lower")
     if upper is not None:
         add(upper, "upper", "upper")
-    if x_eps is not None:
-        if is_number(x_eps):
-            said["x_eps"] = x_eps
-        else:
-            add(x_eps, "x_eps_column", "x_eps")
+    add_bound(x_eps, "x_eps")
     if conditions := texts(where, "where"):
         said["where"] = conditions
     if flag(through_origin, "through_origin"):

@@ -9,6 +9,7 @@ use std::sync::OnceLock;
 use boundfit_exact::Rational;
 
 use super::corners::{Corners, MARGIN, in_range};
+use super::filter::holds_of_most;
 use super::rounded_strips::{LANES, RoundedStrip, RoundedStrips};
 use super::slopes::Slopes;
 use crate::constructions::foot;
@@ -78,18 +79,14 @@ impl EnvelopeSieve {
     /// Returns whether most of some readings, taken at equal distances, are steeper or flatter than an unbounded edge. The sieve
     /// discards none of these. Where x ascend, all readings are steeper than those before.
     pub fn is_beside(&self, strips: &RoundedStrips) -> bool {
-        /// The number of readings that are looked at.
-        const SOME: usize = 16;
         let is_beside = |corners: &Option<Corners>, normal: [f64; 2]| {
             corners.as_ref().is_some_and(|corners| corners.is_beside_edges(normal))
         };
-        let rows = || (0..strips.len()).step_by(strips.len().div_ceil(SOME).max(1));
-        let beside = rows().filter(|&row| {
+        holds_of_most(strips.len(), |row| {
             let [a1, a2] = strips.strip(row).phi;
             let slope = if a2 < 0.0 { -a1 } else { a1 };
             is_beside(&self.above, [slope, a2.abs()]) || is_beside(&self.below, [-slope, a2.abs()])
-        });
-        2 * beside.count() > rows().count()
+        })
     }
 
     /// Returns whether both half-planes of a reading certainly touch no envelope of the whole. `exact` gives its φ, and is asked only

@@ -156,6 +156,12 @@ pub(super) fn tied_by<C: Coordinate>(
     places
 }
 
+/// Returns whether something is true of most of sixteen rows, taken at equal distances.
+pub(super) fn holds_of_most(rows: usize, is_true: impl Fn(usize) -> bool) -> bool {
+    let some = || (0..rows).step_by(rows.div_ceil(16).max(1));
+    2 * some().filter(|&row| is_true(row)).count() > some().count()
+}
+
 /// One round; `None` when it would hardly discard anything.
 fn survivors<C: Coordinate>(x: &[C], y: &[C], plan: Option<&Plan>) -> Option<Vec<usize>> {
     let rows = x.len();
@@ -239,10 +245,7 @@ impl<C: Coordinate, I: Index<C>> Filter<C, I> {
     /// Returns whether most of some rows, taken at equal distances, are left or right of the sample. The filter discards none of
     /// these. Where x ascend, all rows are right of those before.
     pub(super) fn is_beside(&self, x: &[C]) -> bool {
-        /// The number of rows that are looked at.
-        const SOME: usize = 16;
-        let some = || x.iter().step_by(x.len().div_ceil(SOME).max(1));
-        2 * some().filter(|x| !x.is_within(self.least, self.greatest)).count() > some().count()
+        holds_of_most(x.len(), |row| !x[row].is_within(self.least, self.greatest))
     }
 
     /// Positions of the rows that may be on a hull, ascending.
