@@ -92,6 +92,6 @@ fn problem_keeping(
 /// # Ok::<(), boundfit::Error>(())
 /// ```
 pub fn fit_doubles(x: &[f64], y: &[f64], eps: impl Number, reading: Reading) -> Result<Fit, Error> {
-    let keep = Keep { most_rows: Keep::DECIDING.most_of_line, ..Keep::DECIDING };
+    let keep = Keep { most_rows: Keep::DECIDING.most_plain, ..Keep::DECIDING };
     Ok(problem_keeping(x, y, eps, reading, keep)?.fit())
 }

@@ -13,7 +13,7 @@ use crate::measurements::{Origin, Readings};
 
 impl Measurements {
     /// These readings with every one in memory, where now only those that decide are and the others wait in their columns
-    /// ([`Keep::most_of_line`](crate::Keep::most_of_line)). Exact. Cost: linear.
+    /// ([`Keep::most_plain`](crate::Keep::most_plain)). Exact. Cost: linear.
     pub fn whole(&self) -> Option<Measurements> {
         #[cfg(feature = "files")]
         if let Some(columns) = &self.origin.in_columns {
@@ -79,17 +79,17 @@ impl Measurements {
             return None;
         }
         #[cfg(feature = "files")]
-        if let Some(columns) = self.waiting() {
-            let epsilon = self.meaning.error_bound.uniform()?.near_f64();
+        if let Some((columns, epsilon)) = self.waiting().zip(self.meaning.error_bound.uniform()) {
+            let epsilon = epsilon.near_f64();
             let readings = columns.near_f64(&self.meaning).into_iter();
             return Some(readings.map(|[x, y]| [x, y, epsilon]).collect());
         }
-        let near = |reading: &Measurement| match &reading.bounds {
+        let near = |reading: Cow<'_, Measurement>| match &reading.bounds {
             Bounds::Around { response, epsilon } => {
                 Some([&reading.regressor[0], response, epsilon].map(Rational::near_f64))
             }
             Bounds::Between { .. } => None,
         };
-        self.kept().iter().map(near).collect()
+        self.each_shown().map(near).collect()
     }
 }

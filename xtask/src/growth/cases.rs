@@ -91,6 +91,7 @@ pub(super) static STEPS: &[Case] = &[
     case("step 15 decimals", Data::Long, "fit DATA --x x --y y --eps 1 --no-lp --format csv"),
     case("step regressors", Data::Line, "fit DATA --x x,u --y y --eps 4 --no-lp --format csv"),
     case("step eps column", Data::Line, "fit DATA --x x --y y --eps-column e --no-lp --format csv"),
+    case("step bounds", Data::Line, "fit DATA --x x --lower lo --upper hi --no-lp --format csv"),
     case("step sweep", Data::Line, "fit DATA --x x --y y --eps 1 --sweep 0.5..2 --no-lp"),
     case("step x-eps", Data::Line, "fit DATA --x x --y y --eps 1 --x-eps 0.01 --no-lp --format csv"),
     case("step predict", Data::Line, "predict DATA --x x --y y --eps 1 --at 50"),

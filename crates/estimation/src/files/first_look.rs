@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use boundfit_exact::{Foreign, Rational};
+use boundfit_exact::{Column, Foreign, Rational};
 use boundfit_formats::{
     Batch, ColumnSelector, HeldRows, InputError, Reductions, ScanOptions, Scanned, Source, open_reduction,
     scan,
@@ -169,13 +169,18 @@ impl<'a> FirstLook<'a> {
         Ok((all, scanned))
     }
 
-    /// Returns the largest number of readings that all become numbers, so that nothing is to be kept in their place.
-    pub(super) fn most_plain(&self) -> usize {
-        match self.bounds.meaning.is_open() {
+    /// Returns the largest number of readings that all become numbers, so that nothing is to be kept in their place, where these are
+    /// columns of them.
+    fn most_plain(&self, columns: &[Column]) -> usize {
+        // Further looks at long numbers cost more than the numbers do.
+        let are_short = || columns.iter().all(|own| matches!(own, Column::Narrow(_)));
+        match self.bounds.meaning {
             // A reduction says more of a line than its readings do.
             _ if self.reductions.is_some() => 0,
-            true => self.most_rows.min(self.keep.most_of_line),
-            false => self.most_rows,
+            meaning if meaning.is_open() || meaning.are_bounds_known() && are_short() => {
+                self.most_rows.min(self.keep.most_plain)
+            }
+            _ => self.most_rows,
         }
     }
 
@@ -191,7 +196,7 @@ impl Digest {
     fn new(batch: Batch, look: &FirstLook) -> Self {
         // No row has a lower number than there are rows before it.
         let last = batch.rows.len().checked_sub(1).map(|last| batch.rows.get(last));
-        let is_plain = last.is_none_or(|last| last <= look.most_plain());
+        let is_plain = last.is_none_or(|last| last <= look.most_plain(&batch.columns));
         let summed = (!is_plain).then(|| Summed::new(&batch, look));
         let unbounded = look.columns.first_unbounded(&batch);
         Digest { batch, unbounded, summed, kept_rows: None }
@@ -237,7 +242,7 @@ impl Collected {
         self.unbounded = self.unbounded.or(unbounded);
         kept_rows.into_iter().for_each(|rows| self.kept_rows.add(rows));
         let is_first = self.waiting == self.batches.len();
-        if summed.is_none() && is_first && self.rows <= look.most_plain() {
+        if summed.is_none() && is_first && self.rows <= look.most_plain(&batch.columns) {
             self.waiting += 1;
         } else {
             for position in 0..std::mem::take(&mut self.waiting) {
@@ -265,6 +270,11 @@ impl Collected {
             }
         }
         kept.into_iter().for_each(|part| self.kept.push(part));
+    }
+
+    /// Returns whether all readings become numbers.
+    pub(super) fn are_plain(&self, look: &FirstLook) -> bool {
+        self.waiting == self.batches.len() && self.rows <= look.most_rows
     }
 
     /// All readings, where all are kept.

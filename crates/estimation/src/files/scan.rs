@@ -77,7 +77,7 @@ impl Measurements {
         }
         columns.refuse_unbounded(&look.name, all.unbounded)?;
         let mut in_columns = None;
-        let readings = if all.rows <= look.most_plain() {
+        let readings = if all.are_plain(&look) {
             let mut rows = all.readings(&meaning);
             meaning.settle(&mut rows);
             Readings::All(rows)
@@ -88,6 +88,8 @@ impl Measurements {
             in_columns = InColumns::new(batches);
             readings
         } else {
+            let mut all = all;
+            in_columns = InColumns::new(std::mem::take(&mut all.batches));
             readings_under_fixed_bounds(&look, all, &meaning, conditions, &scanned)?
         };
         let mut own = measurements(meaning, selection, scanned, readings);

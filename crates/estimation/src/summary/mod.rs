@@ -31,9 +31,9 @@ pub struct Keep {
     /// The largest number of readings of which all are kept; beyond it only the readings that decide the feasible set
     /// are kept.
     pub most_rows: usize,
-    /// The largest number of readings of a line under a uniform error bound of which all are kept as numbers. More, up to
-    /// `most_rows`, stay in their columns, for what is asked of them once.
-    pub most_of_line: usize,
+    /// The largest number of readings of which all are kept as numbers. More, up to `most_rows`, stay in their columns, for what is
+    /// asked of them once, unless their bounds are known only when all of them are.
+    pub most_plain: usize,
     /// True if what takes a second look is wanted of more readings than that: the EUI and, unless the model is a line under
     /// a uniform error bound, ε_min.
     pub eui: bool,
@@ -49,16 +49,16 @@ impl Keep {
     pub const MOST_ROWS: usize = 10_000;
     /// All readings.
     pub const EVERY: Keep =
-        Keep { most_rows: usize::MAX, most_of_line: usize::MAX, eui: true, most_bytes: None };
-    /// The default for reports that list no reading but those that decide: only some dozen readings of a line are numbers.
+        Keep { most_rows: usize::MAX, most_plain: usize::MAX, eui: true, most_bytes: None };
+    /// The default for reports that list no reading but those that decide: only some dozen readings are numbers.
     pub const DECIDING: Keep =
-        Keep { most_rows: Keep::MOST_ROWS, most_of_line: 64, eui: true, most_bytes: None };
+        Keep { most_rows: Keep::MOST_ROWS, most_plain: 64, eui: true, most_bytes: None };
 }
 
 impl Default for Keep {
     /// All of 10,000 readings, with EUI.
     fn default() -> Self {
-        Keep { most_of_line: usize::MAX, ..Keep::DECIDING }
+        Keep { most_plain: usize::MAX, ..Keep::DECIDING }
     }
 }
 

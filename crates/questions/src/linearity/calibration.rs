@@ -98,7 +98,7 @@ impl Calibration {
         columns: &CalibrationColumns,
         options: &ScanOptions,
     ) -> Result<Self, CalibrationError> {
-        let most_plain = Keep::DECIDING.most_of_line;
+        let most_plain = Keep::DECIDING.most_plain;
         Calibration::read_as(source, columns, options, (Keep::MOST_ROWS, most_plain))
     }
 

@@ -1,5 +1,7 @@
 //! The reason why a set is empty, and the remedies.
 
+use std::borrow::Cow;
+
 use boundfit_estimation::{BoundName, ErrorBound, Measurement, mending_rows};
 use boundfit_exact::Rational;
 use boundfit_exact::english::{counted, listed};
@@ -46,13 +48,14 @@ impl Report<'_> {
     /// Counts the rows whose lower bound is above the upper one.
     fn swapped(&self) -> Option<String> {
         let measurements = &self.problem.measurements;
-        let rows = measurements.kept();
-        let is_swapped =
-            |row: &&Measurement| row.lower().zip(row.upper()).is_some_and(|(lower, upper)| lower > upper);
-        let count = rows.iter().filter(is_swapped).count();
+        let is_swapped = |row: &Cow<'_, Measurement>| {
+            row.lower().zip(row.upper()).is_some_and(|(lower, upper)| lower > upper)
+        };
+        let count = measurements.each_shown().filter(is_swapped).count();
+        let shown = measurements.shown();
         // Rows that are not kept may or may not contradict each other.
-        let kept = if measurements.all().is_some() { "" } else { " kept" };
-        let rows = counted(rows.len(), "row", "rows");
+        let kept = if shown == measurements.fitted() { "" } else { " kept" };
+        let rows = counted(shown, "row", "rows");
         (count > 0)
             .then(|| format!("In {count} of {rows}{kept} the lower bound is above the upper one: swapped?"))
     }

@@ -12,8 +12,8 @@ pub(crate) use estimates::bounded_rows;
 pub use next::{NextStep, next_document, next_steps};
 
 use boundfit_estimation::{
-    ErrorBound, Fit, FractionCells, Inverse, Law, Measurement, Model, MultipleOfLeast, NoLeastSquares,
-    ParameterBound, ParameterInterval, Problem, Ties,
+    ErrorBound, Fit, FractionCells, Inverse, Law, Model, MultipleOfLeast, NoLeastSquares, ParameterBound,
+    ParameterInterval, Problem, Ties,
 };
 use boundfit_exact::english::counted;
 use boundfit_exact::{Foreign, Interval, Rational};
@@ -300,13 +300,15 @@ impl<'a> Report<'a> {
     /// Counts the bounds that two columns give, and names the values that least squares uses.
     fn intervals(&self) -> Text {
         let measurements = &self.problem.measurements;
-        let rows = measurements.kept();
         let ties = measurements.ties().filter(|_| measurements.every().is_some());
-        let times = |row: &Measurement| ties.map_or(1, |ties| ties.count(row.row));
-        let all: usize = rows.iter().map(times).sum();
-        let lacking: usize = rows.iter().filter(|row| row.half_width().is_none()).map(times).sum();
+        let [mut all, mut lacking] = [0; 2];
+        for row in measurements.each_shown() {
+            let times = ties.map_or(1, |ties| ties.count(row.row));
+            all += times;
+            lacking += if row.half_width().is_none() { times } else { 0 };
+        }
         // Other rows are no longer in memory.
-        let which = if measurements.every().is_some() { "" } else { " kept" };
+        let which = if all == measurements.fitted() { "" } else { " kept" };
         let bounds = match lacking {
             0 => format!("both bounds of every row{which}"),
             _ if lacking == all => format!("one bound of every row{which}"),

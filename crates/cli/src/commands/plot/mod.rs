@@ -241,11 +241,11 @@ impl Job<'_> {
     /// Any figure of a fit.
     fn run(&self) -> CommandResult {
         // These show counts of very many readings, for which floats are enough, and the bounds that fix the set.
-        let most_of_line = match self.figure {
+        let most_plain = match self.figure {
             Figure::Data | Figure::Pui | Figure::Corridor => Keep::MOST_ROWS,
             _ => usize::MAX,
         };
-        let problem = problem(self.arguments, 1, most_of_line)?;
+        let problem = problem(self.arguments, 1, most_plain)?;
         if problem.measurements.is_of_reductions() && matches!(self.figure, Figure::Status | Figure::Range) {
             let refusal = Refusal::Reduction { ask: self.figure.name() };
             return Err(Failure::of(&refusal, self.arguments.data.file_name()));
@@ -323,15 +323,15 @@ impl Job<'_> {
     }
 }
 
-/// Reads the readings for this number of figures, with those that are not fitted. If there are more than `most_of_line` of a line,
+/// Reads the readings for this number of figures, with those that are not fitted. If there are more than `most_plain` of a line,
 /// they stay in their columns.
-fn problem(arguments: &PlotArguments, figures: u64, most_of_line: usize) -> Result<Problem, Failure> {
+fn problem(arguments: &PlotArguments, figures: u64, most_plain: usize) -> Result<Problem, Failure> {
     let problem = arguments
         .data
         .words_with(&arguments.x_errors)
         .open()?
         .holding(memory::OF_A_FIGURE)
-        .shown_problem(most_of_line)?;
+        .shown_problem(most_plain)?;
     let limits = &arguments.data.table.limits;
     let read = &problem.measurements;
     input::say_table(arguments.data.file_name(), read.table(), read.rows_missing());
