@@ -9,7 +9,8 @@ use boundfit_questions::{BoxBound, Corner, SideSet, SlopeEnd, XErrorFit, XErrorP
 
 use super::frames::RIGHT;
 use super::readings::{style_of_fitted, style_of_other};
-use super::scene::{MOST_LARGE_MARKS, MOST_MARKS, level};
+use super::scene::{MOST_LARGE_MARKS, level};
+use super::several::MOST_TOGETHER;
 use crate::axis::Axis;
 use crate::drawing::{Anchor, Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::extent::Extent;
@@ -49,7 +50,7 @@ pub(crate) fn boxes(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotO
     let mut shown = conflicting.clone();
     shown.extend(touched.iter().filter_map(|bound| bound.row()));
     let [count, others] = [measurements.kept().len(), measurements.others().len()];
-    let [step, other_step] = [count, others].map(|count| count.div_ceil(MOST_MARKS).max(1));
+    let [step, other_step] = [count, others].map(|count| count.div_ceil(MOST_TOGETHER).max(1));
     let is_dense = count + others > MOST_LARGE_MARKS;
     for other in measurements.others().iter().step_by(other_step) {
         let value = other.value().unwrap_or_default();

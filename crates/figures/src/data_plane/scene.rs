@@ -15,7 +15,7 @@ use crate::labels::Conflict;
 use crate::palette::{Dash, Stroke, style};
 
 /// The number of readings above which a figure shows counts at places instead of each reading.
-pub(super) const MOST_MARKS: usize = 10_000;
+pub(super) const MOST_MARKS: usize = 1_000;
 /// The number of readings above which each is drawn small.
 pub(super) const MOST_LARGE_MARKS: usize = 125;
 /// The number of rows above which the marks at one row would cover the marks at the next.

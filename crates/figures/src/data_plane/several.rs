@@ -5,7 +5,7 @@ use boundfit_exact::Rational;
 use boundfit_exact::english::counted;
 
 use super::frames::RIGHT;
-use super::scene::{MOST_MARKS, level};
+use super::scene::level;
 use crate::axis::Axis;
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::extent::Extent;
@@ -17,6 +17,8 @@ use crate::palette::{Dash, INK, Mark, Shape, Stroke, style};
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 use crate::series::{self, Series, SeriesLook};
 
+/// The largest number of readings that are drawn where none are counted.
+pub(super) const MOST_TOGETHER: usize = 10_000;
 /// The number of readings in a panel above which each is drawn small.
 const MOST_LARGE: usize = 125;
 /// The number of readings in a small panel above which each is drawn small.
@@ -41,7 +43,7 @@ pub(crate) fn several(all: &[Series], options: &PlotOptions) -> Drawing {
     let axes = axes(all, frame, options);
     let mut panel = Panel::new(frame, axes, options.flip);
     let count: usize = all.iter().map(|own| own.problem.measurements.kept().len()).sum();
-    let step = count.div_ceil(MOST_MARKS).max(1);
+    let step = count.div_ceil(MOST_TOGETHER).max(1);
     let mut styles: Vec<Style> =
         SeriesLook::all().take(all.len()).map(|look| style_of(look, count)).collect();
     // Wide bars first, or they would cover narrow ones at the same x.
@@ -90,7 +92,7 @@ pub(crate) fn panels(
     options: &PlotOptions,
 ) -> (Vec<Panel>, Vec<LegendEntry>, Vec<String>) {
     let count: usize = all.iter().map(|own| own.problem.measurements.kept().len()).sum();
-    let step = count.div_ceil(MOST_MARKS).max(1);
+    let step = count.div_ceil(MOST_TOGETHER).max(1);
     let is_dense = all.iter().any(|own| own.problem.measurements.kept().len() > MOST_IN_SMALL);
     let (bar, mark) = super::readings::style_of_fitted(is_dense);
     let style = Style { bar, mark, line: Stroke { width: 1.3, ..style::LEAST_SQUARES } };
