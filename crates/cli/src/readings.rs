@@ -108,18 +108,15 @@ impl<'a> Data<'a> {
     }
 
     /// Reads what [`Data::problem_with_others`] does, without the hash of the data: in less memory where no reading may be left out.
-    /// If there are more than `most_plain` of a line under a uniform error bound, they stay in their columns. Others have no hulls
-    /// with the ends of the axes.
+    /// If there are more than `most_plain` of a line under a uniform error bound, they stay in their columns.
     pub(crate) fn shown_problem(self, most_plain: usize) -> Result<Problem, Failure> {
-        let is_open = self.asked.question.columns.are_open();
         match self.asked.options.table.selects_rows() {
             true => self.problem_with_others(),
-            false if is_open => self.scanned(Keep { most_plain, ..Keep::EVERY }, Shows::Nothing),
-            false => self.whole_problem(),
+            false => self.scanned(Keep { most_plain, ..Keep::EVERY }, Shows::Nothing),
         }
     }
 
-    /// Reads the problem for one look at each reading: they stay in their columns.
+    /// Reads the problem for one look at each reading: those of a line under a uniform bound stay in their columns.
     pub(crate) fn problem_in_columns(self) -> Result<Problem, Failure> {
         self.scanned(Keep { most_rows: usize::MAX, ..Keep::DECIDING }, Shows::Nothing)
     }

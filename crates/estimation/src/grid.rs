@@ -1,9 +1,9 @@
 //! The readings as machine integers.
 
-use boundfit_exact::{Rational, Scaled};
+use boundfit_exact::{Rational, Scaled, Unit};
 
 use crate::meaning::{ErrorBound, Model};
-use crate::measurement::Measurement;
+use crate::measurement::{Bounds, Measurement};
 use crate::measurements::Measurements;
 
 /// The columns of the readings in memory, each on a unit of its own. Numbers that are the same for every reading,
@@ -17,25 +17,46 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// The readings as integers; `None` when a column does not fit, or a reading does not say how far from y it may be.
-    /// Cost: linear.
+    /// The readings as integers: y and the error bound, or the middles and half widths of intervals. `None` when a column does not
+    /// fit, or a reading has neither. Cost: linear.
     pub(crate) fn new(measurements: &Measurements) -> Option<Self> {
         let rows = measurements.kept();
         let of = |number: fn(&Measurement) -> &Rational| Scaled::of_numbers(rows.iter().map(number));
-        if !measurements.is_around_y() {
-            return None;
-        }
-        let phi2 = match measurements.model() {
-            Model::Line { .. } => None,
-            Model::TwoRegressors { .. } => Some(of(|row| &row.regressor[1])?),
+        let phi2 = || match measurements.model() {
+            Model::Line { .. } => Some(None),
+            Model::TwoRegressors { .. } => of(|row| &row.regressor[1]).map(Some),
         };
-        let epsilon = match measurements.error_bound() {
-            ErrorBound::Uniform(_) => None,
+        let (response, epsilon) = match measurements.error_bound() {
+            ErrorBound::Interval { .. } if !measurements.is_around_y() => {
+                let [middles, half_widths] = middles_and_half_widths(rows)?;
+                (middles, Some(half_widths))
+            }
+            _ if !measurements.is_around_y() => return None,
+            ErrorBound::Uniform(_) => (of(|row| row.y_and_epsilon().0)?, None),
             ErrorBound::Column(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
-                Some(of(|row| row.y_and_epsilon().1)?)
+                (of(|row| row.y_and_epsilon().0)?, Some(of(|row| row.y_and_epsilon().1)?))
             }
         };
-        let response = of(|row| row.y_and_epsilon().0)?;
-        Some(Grid { phi1: of(|row| &row.regressor[0])?, phi2, response, epsilon })
+        Some(Grid { phi1: of(|row| &row.regressor[0])?, phi2: phi2()?, response, epsilon })
     }
+}
+
+/// The middles and half widths of intervals without y, on half of the unit of their ends; `None` unless each has two ends that do
+/// not cross.
+fn middles_and_half_widths(rows: &[Measurement]) -> Option<[Scaled<i64>; 2]> {
+    let mut ends = Vec::with_capacity(2 * rows.len());
+    for row in rows {
+        let Bounds::Between { lower: Some(lower), upper: Some(upper), response: None } = &row.bounds else {
+            return None;
+        };
+        ends.extend([lower, upper]);
+    }
+    let on_unit = Scaled::<i64>::of_numbers(ends.into_iter())?;
+    let half = Unit::OneOver(Unit::TenTo(0).counted_in(on_unit.unit())?.checked_mul(2)?);
+    let (ends, _) = on_unit.counts().as_chunks::<2>();
+    // Neither overflows: a count has two bits fewer than a word.
+    let middles = Scaled::new(ends.iter().map(|[lower, upper]| i128::from(lower + upper)), half)?;
+    let half_widths = ends.iter().map(|[lower, upper]| i128::from(upper - lower));
+    let half_widths = half_widths.map(|width| (width >= 0).then_some(width));
+    Some([middles, Scaled::new(half_widths.collect::<Option<Vec<_>>>()?, half)?])
 }

@@ -318,4 +318,37 @@ mod tests {
             assert_eq!(wide, LeastSquares::of_rows(readings.kept()), "{round}");
         }
     }
+
+    /// Ends on units of their own, of one or two regressors, also ends that cross and no end at all.
+    #[test]
+    fn intervals_on_a_grid_have_the_estimate_of_fractions() {
+        let mut seed = 3_u64;
+        let mut draw = |below: u64| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            i64::try_from((seed >> 33) % below).unwrap()
+        };
+        let mut on_grid = 0;
+        for round in 0..1_000 {
+            let mut number = |below: u64| Rational::ratio(draw(below) - 40, 1 + draw(1 + round % 7));
+            let row = |row| {
+                let second = if round % 2 == 0 { Rational::one() } else { number(90) };
+                let (lower, width) = (number(200), number(1_000) + Rational::from(38));
+                let upper = (number(4_000) > Rational::from(-40)).then(|| &lower + width);
+                Measurement::between(row, [number(90), second], Some(lower), upper)
+            };
+            let rows: Vec<Measurement> = (1..2 + round as usize % 9).map(row).collect();
+            let model = match round % 2 {
+                0 => Model::Line { x: "x".into() },
+                _ => Model::TwoRegressors { regressors: ["x".into(), "u".into()] },
+            };
+            let bound = ErrorBound::Interval { lower: Some("a".into()), upper: Some("b".into()) };
+            let readings = Measurements::new(model, "y".into(), bound, rows);
+            let grid = Grid::new(&readings);
+            let found = grid.as_ref().and_then(|grid| LeastSquares::on_grid(grid, readings.error_bound()));
+            on_grid += usize::from(found.is_some());
+            let expected = LeastSquares::of_rows(readings.kept());
+            assert_eq!(found.unwrap_or_else(|| expected.clone()), expected, "{round}");
+        }
+        assert!((500..1_000).contains(&on_grid), "{on_grid}");
+    }
 }

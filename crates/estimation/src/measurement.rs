@@ -118,6 +118,14 @@ impl Measurement {
         }
     }
 
+    /// Returns whether there are a lower and an upper bound.
+    pub fn is_two_sided(&self) -> bool {
+        match &self.bounds {
+            Bounds::Around { .. } => true,
+            Bounds::Between { lower, upper, .. } => lower.is_some() && upper.is_some(),
+        }
+    }
+
     /// This reading within another distance of y; one with bounds that do not come from y stays as it is.
     pub fn within(mut self, bound: Rational) -> Self {
         if let Bounds::Around { epsilon, .. } = &mut self.bounds {

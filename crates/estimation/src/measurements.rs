@@ -243,7 +243,7 @@ impl Measurements {
 
     /// Returns whether a reading in memory has two bounds, whose distance a factor may multiply.
     pub fn has_widths(&self) -> bool {
-        let is_of_all = || self.kept().is_empty() || self.kept().iter().any(|row| row.half_width().is_some());
+        let is_of_all = || self.kept().is_empty() || self.kept().iter().any(Measurement::is_two_sided);
         self.reduction().map_or_else(is_of_all, |reduction| reduction.has_widths)
     }
 

@@ -38,7 +38,7 @@ impl Reduction {
             sums,
             reach,
             minimax: DecidingMinimax::Kept,
-            has_widths: rows.is_empty() || rows.iter().any(|reading| reading.half_width().is_some()),
+            has_widths: rows.is_empty() || rows.iter().any(Measurement::is_two_sided),
         }
     }
 
@@ -154,7 +154,7 @@ fn sums(weighted: &[(&Measurement, Rational)]) -> Result<Sums, NoLeastSquares> {
 
 /// Returns how far least squares may move; under one bound for all with 1 in its place.
 fn reach(weighted: &[(&Measurement, Rational)], sums: &Sums, is_uniform: bool) -> Result<Reach, NoEui> {
-    if weighted.iter().any(|(reading, _)| reading.half_width().is_none()) {
+    if !weighted.iter().all(|(reading, _)| reading.is_two_sided()) {
         return Err(NoEui::OneSided);
     }
     let Sums { uu, uv, vv, .. } = sums;

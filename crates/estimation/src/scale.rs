@@ -58,12 +58,13 @@ impl Scale {
     /// The lower and the upper bound of a reading. Exact.
     pub(crate) fn bounds(&self, reading: &Measurement) -> [Option<Rational>; 2] {
         let stated = || [reading.lower(), reading.upper()];
-        let (Some(middle), Some(half_width)) = (reading.middle(), reading.half_width()) else {
+        if matches!(self, Scale::AsStated) {
             return stated();
-        };
+        }
+        let both = reading.middle().zip(reading.half_width());
+        let Some((middle, half_width)) = both.filter(|(_, own)| !own.is_negative()) else { return stated() };
         let reach = match self {
-            _ if half_width.is_negative() => return stated(),
-            Scale::AsStated => return stated(),
+            Scale::AsStated => half_width.into_owned(),
             Scale::Times(factor) => half_width.as_ref() * factor,
             Scale::Within(epsilon) => epsilon.clone(),
         };

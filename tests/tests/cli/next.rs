@@ -161,6 +161,10 @@ fn many_readings_and_reductions_are_asked_like_few() {
     assert_eq!(left_out["certain"], found["certain"]);
     let (_, asked) = of_table(&own, &format!("{options} --within 0..700"));
     assert_eq!(asked["goals"], found["goals"]);
+    // All x of hundreds of rows are kept.
+    let hundreds: String = own.lines().take(500).map(|line| format!("{line}\n")).collect();
+    let (_, kept) = of_table(&hundreds, options);
+    assert_eq!(kept["within"]["upper"]["exact"], "498");
 }
 
 #[test]

@@ -172,12 +172,12 @@ impl<'a> FirstLook<'a> {
     /// Returns the largest number of readings that all become numbers, so that nothing is to be kept in their place, where these are
     /// columns of them.
     fn most_plain(&self, columns: &[Column]) -> usize {
-        // Further looks at long numbers cost more than the numbers do.
+        // Further looks at long numbers cost more than the numbers do, and without them less would be known.
         let are_short = || columns.iter().all(|own| matches!(own, Column::Narrow(_)));
         match self.bounds.meaning {
             // A reduction says more of a line than its readings do.
             _ if self.reductions.is_some() => 0,
-            meaning if meaning.is_open() || meaning.are_bounds_known() && are_short() => {
+            meaning if meaning.is_open() || meaning.are_bounds_known() && self.keep.eui && are_short() => {
                 self.most_rows.min(self.keep.most_plain)
             }
             _ => self.most_rows,

@@ -305,7 +305,7 @@ impl<'a> Report<'a> {
         for row in measurements.each_shown() {
             let times = ties.map_or(1, |ties| ties.count(row.row));
             all += times;
-            lacking += if row.half_width().is_none() { times } else { 0 };
+            lacking += if row.is_two_sided() { 0 } else { times };
         }
         // Other rows are no longer in memory.
         let which = if all == measurements.fitted() { "" } else { " kept" };
