@@ -32,8 +32,8 @@ pub struct Keep {
     /// are kept.
     pub most_rows: usize,
     /// The largest number of readings of which all are kept as numbers. More, up to `most_rows`, stay in their columns, for what is
-    /// asked of them once, if they are of a line under a uniform error bound. Readings of other models do so if `eui` is true, bounds are
-    /// known row by row, and each number has at most 62 bits on its column's unit.
+    /// asked of them once, if they are of a line under a uniform error bound. Readings of other models do so if `eui` is true,
+    /// bounds are known row by row, and each number has at most 62 bits on its column's unit.
     pub most_plain: usize,
     /// True if what takes a second look is wanted of more readings than that: the EUI and, unless the model is a line under
     /// a uniform error bound, ε_min.
