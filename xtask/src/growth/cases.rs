@@ -96,4 +96,5 @@ pub(super) static STEPS: &[Case] = &[
     case("step x-eps", Data::Line, "fit DATA --x x --y y --eps 1 --x-eps 0.01 --no-lp --format csv"),
     case("step predict", Data::Line, "predict DATA --x x --y y --eps 1 --at 50"),
     case("step status", Data::Line, "status DATA --x x --y y --eps 1"),
+    case("step plot", Data::Line, "plot DATA --x x --y y --eps 1 --figure data --format svg -o OUT --force"),
 ];
