@@ -1,7 +1,8 @@
 //! The readings as machine integers.
 
-use boundfit_exact::{Rational, Scaled, Unit};
+use boundfit_exact::{Column, Rational, Scaled};
 
+use crate::halves::Halves;
 use crate::meaning::{ErrorBound, Model};
 use crate::measurement::{Bounds, Measurement};
 use crate::measurements::Measurements;
@@ -41,22 +42,25 @@ impl Grid {
     }
 }
 
-/// The middles and half widths of intervals without y, on half of the unit of their ends; `None` unless each has two ends that do
-/// not cross.
+/// The middles and half widths of intervals without y; `None` unless each has two ends that do not cross, and machine integers hold
+/// these.
 fn middles_and_half_widths(rows: &[Measurement]) -> Option<[Scaled<i64>; 2]> {
-    let mut ends = Vec::with_capacity(2 * rows.len());
+    let mut lower = Vec::with_capacity(rows.len());
+    let mut upper = Vec::with_capacity(rows.len());
     for row in rows {
-        let Bounds::Between { lower: Some(lower), upper: Some(upper), response: None } = &row.bounds else {
+        let Bounds::Between { lower: Some(low), upper: Some(high), response: None } = &row.bounds else {
             return None;
         };
-        ends.extend([lower, upper]);
+        lower.push(low);
+        upper.push(high);
     }
-    let on_unit = Scaled::<i64>::of_numbers(ends.into_iter())?;
-    let half = Unit::OneOver(Unit::TenTo(0).counted_in(on_unit.unit())?.checked_mul(2)?);
-    let (ends, _) = on_unit.counts().as_chunks::<2>();
-    // Neither overflows: a count has two bits fewer than a word.
-    let middles = Scaled::new(ends.iter().map(|[lower, upper]| i128::from(lower + upper)), half)?;
-    let half_widths = ends.iter().map(|[lower, upper]| i128::from(upper - lower));
-    let half_widths = half_widths.map(|width| (width >= 0).then_some(width));
-    Some([middles, Scaled::new(half_widths.collect::<Option<Vec<_>>>()?, half)?])
+    let column = |ends: Vec<&Rational>| Scaled::of_numbers(ends.into_iter()).map(Column::Narrow);
+    let (lower, upper) = (column(lower)?, column(upper)?);
+    let halves = Halves::between(&lower, &upper)?;
+    match (halves.middles()?, halves.widths()?) {
+        (Column::Narrow(middles), Column::Narrow(widths)) if widths.counts().iter().all(|own| *own >= 0) => {
+            Some([middles, widths])
+        }
+        _ => None,
+    }
 }

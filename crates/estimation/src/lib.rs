@@ -48,6 +48,7 @@ mod fps;
 mod grid;
 mod group_fit;
 mod growing;
+mod halves;
 mod hulls;
 mod inverse;
 mod law;

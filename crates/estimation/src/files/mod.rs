@@ -7,7 +7,6 @@ mod counts;
 mod first_look;
 mod fixed;
 mod fleet;
-mod halves;
 mod in_columns;
 mod kept_columns;
 mod looks;

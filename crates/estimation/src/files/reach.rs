@@ -3,7 +3,7 @@
 
 use boundfit_exact::{Column, Rational, Scaled, Sum, Unit};
 
-use super::halves::Halves;
+use crate::halves::Halves;
 use crate::meaning::Meaning;
 use crate::moments::{Sums, WORD_BITS, bits, widest};
 use crate::products::product_sum;

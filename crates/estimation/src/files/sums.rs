@@ -1,9 +1,14 @@
 //! Sums over the columns of a table.
 
+use std::borrow::Cow;
+
 use boundfit_exact::{Column, Rational};
 
+use crate::halves::Halves;
+use crate::meaning::Meaning;
 use crate::moments::Sums;
 use crate::products::product_sum;
+use crate::reduction::NoLeastSquares;
 use crate::sums::{column_sum, of_narrow};
 
 /// The sum of each column. Exact. Cost: linear.
@@ -20,6 +25,27 @@ impl<N> Sums<N> {
 }
 
 impl Sums {
+    /// The sums over all rows of columns. Exact. Cost: linear.
+    ///
+    /// # Errors
+    /// When a reading has nothing that least squares could take.
+    pub(crate) fn of_readings(meaning: &Meaning, columns: &[Column]) -> Result<Sums, NoLeastSquares> {
+        let regressors = meaning.regressors();
+        let second = (regressors == 2).then(|| &columns[1]);
+        let form =
+            |sums: Sums| if regressors == 1 { sums.counted_from(&meaning.form.x_origin) } else { sums };
+        if meaning.has_response {
+            return Ok(form(Sums::of_columns(&columns[0], second, &columns[regressors])));
+        }
+        if let Some(middles) = Halves::of_columns(meaning, columns).and_then(|halves| halves.middles()) {
+            return Ok(form(Sums::of_columns(&columns[0], second, &middles)));
+        }
+        let value = |row: usize| meaning.of_columns(columns, row, 0).value().map(Cow::into_owned);
+        let values: Option<Column> = (0..columns[0].len()).map(value).collect();
+        let values = values.ok_or(NoLeastSquares::NoResponse)?;
+        Ok(form(Sums::of_columns(&columns[0], second, &values)))
+    }
+
     /// The sums over columns of equal length, without v those of a line. Exact. Cost: linear; on machine integers where their
     /// bits suffice.
     pub(crate) fn of_columns(u: &Column, v: Option<&Column>, y: &Column) -> Self {

@@ -1,12 +1,10 @@
-//! Middles and half widths of intervals in columns, and the sums of readings that least squares takes these of.
-
-use std::borrow::Cow;
+//! Middles and half widths of intervals in columns.
 
 use boundfit_exact::{Column, Unit};
 
+#[cfg(feature = "files")]
 use crate::meaning::{ErrorBound, Meaning};
-use crate::moments::{Sums, bits, widest};
-use crate::reduction::NoLeastSquares;
+use crate::moments::{bits, widest};
 
 /// Readings in columns that all have both bounds.
 pub(crate) struct Halves<'a> {
@@ -20,6 +18,7 @@ pub(crate) struct Halves<'a> {
 impl<'a> Halves<'a> {
     /// Takes the bounds from columns; `None` where a bound is missing, where bounds are no intervals, and where no integers
     /// of 128 bits hold them. Exact. Cost: a look at which bounds are there.
+    #[cfg(feature = "files")]
     pub(crate) fn of_columns(meaning: &Meaning, columns: &'a [Column]) -> Option<Self> {
         let ErrorBound::Interval { lower: Some(_), upper: Some(_) } = &meaning.error_bound else {
             return None;
@@ -28,6 +27,11 @@ impl<'a> Halves<'a> {
         if has_lower.has_zero() || has_upper.has_zero() {
             return None;
         }
+        Halves::between(lower, upper)
+    }
+
+    /// Takes the bounds; `None` where no integers of 128 bits hold them. Exact. Cost: constant.
+    pub(crate) fn between(lower: &'a Column, upper: &'a Column) -> Option<Self> {
         let unit = |column: &Column| match column {
             Column::Narrow(scaled) => Some(scaled.unit()),
             Column::Wide(scaled) => Some(scaled.unit()),
@@ -77,28 +81,5 @@ impl<'a> Halves<'a> {
         let halves = lower.counts().iter().zip(upper.counts()).map(|(&lower, &upper)| half(lower, upper));
         let halves: Vec<i128> = halves.collect::<Option<_>>()?;
         Some(Column::of_counts(halves.into_iter(), self.unit))
-    }
-}
-
-impl Sums {
-    /// The sums over all rows of columns. Exact. Cost: linear.
-    ///
-    /// # Errors
-    /// When a reading has nothing that least squares could take.
-    pub(crate) fn of_readings(meaning: &Meaning, columns: &[Column]) -> Result<Sums, NoLeastSquares> {
-        let regressors = meaning.regressors();
-        let second = (regressors == 2).then(|| &columns[1]);
-        let form =
-            |sums: Sums| if regressors == 1 { sums.counted_from(&meaning.form.x_origin) } else { sums };
-        if meaning.has_response {
-            return Ok(form(Sums::of_columns(&columns[0], second, &columns[regressors])));
-        }
-        if let Some(middles) = Halves::of_columns(meaning, columns).and_then(|halves| halves.middles()) {
-            return Ok(form(Sums::of_columns(&columns[0], second, &middles)));
-        }
-        let value = |row: usize| meaning.of_columns(columns, row, 0).value().map(Cow::into_owned);
-        let values: Option<Column> = (0..columns[0].len()).map(value).collect();
-        let values = values.ok_or(NoLeastSquares::NoResponse)?;
-        Ok(form(Sums::of_columns(&columns[0], second, &values)))
     }
 }
